@@ -1249,6 +1249,29 @@
         </message>
 </context>
     <context>
+    <name>JoinedText</name>
+        <message>
+            <source>%1, %2</source>
+            <comment>parts of one sentence</comment>
+            <translation>%1, %2</translation>
+        </message>
+        <message>
+            <source>%1; %2</source>
+            <comment>clauses of one sentence</comment>
+            <translation>%1; %2</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <comment>a sentence and its full stop</comment>
+            <translation>%1.</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <comment>one sentence behind the other</comment>
+            <translation>%1 %2</translation>
+        </message>
+    </context>
+    <context>
     <name>SyncWindowFields</name>
         <message>
             <source>Limit</source>
@@ -5078,10 +5101,10 @@ Einstellung %2</translation>
             <translation>Macht das Projekt wieder zu dem, was läuft; Rückgängig nimmt das zurück</translation>
         </message>
         <message numerus="yes">
-            <source>The machine does not run what the project says: %n difference(s).</source>
+            <source>The machine does not run what the project says: %n change(s).</source>
             <translation>
-                <numerusform>Die Maschine führt nicht aus, was das Projekt sagt: %n Unterschied.</numerusform>
-                <numerusform>Die Maschine führt nicht aus, was das Projekt sagt: %n Unterschiede.</numerusform>
+                <numerusform>Die Maschine führt nicht aus, was das Projekt sagt: %n Änderung.</numerusform>
+                <numerusform>Die Maschine führt nicht aus, was das Projekt sagt: %n Änderungen.</numerusform>
             </translation>
         </message>
         <message>

@@ -226,10 +226,10 @@
     <context>
     <name>RunBar</name>
         <message numerus="yes">
-            <source>The machine does not run what the project says: %n difference(s).</source>
+            <source>The machine does not run what the project says: %n change(s).</source>
             <translation>
-                <numerusform>The machine does not run what the project says: %n difference.</numerusform>
-                <numerusform>The machine does not run what the project says: %n differences.</numerusform>
+                <numerusform>The machine does not run what the project says: %n change.</numerusform>
+                <numerusform>The machine does not run what the project says: %n changes.</numerusform>
             </translation>
         </message>
     </context>

@@ -641,11 +641,11 @@
         </message>
         <message>
             <source>Bus shift</source>
-            <translation>总线移位</translation>
+            <translation>总线偏移</translation>
         </message>
         <message>
             <source>Master shift</source>
-            <translation>主站移位</translation>
+            <translation>主站偏移</translation>
         </message>
         <message>
             <source>Master reference clock</source>
@@ -661,7 +661,7 @@
         </message>
         <message>
             <source>Master shift by application</source>
-            <translation>由应用执行主站移位</translation>
+            <translation>由应用执行主站偏移</translation>
         </message>
         <message>
             <source>Unknown</source>
@@ -1079,7 +1079,7 @@
     <name>MasterDcPage</name>
         <message>
             <source>Distributed Clocks</source>
-            <translation>分布时钟</translation>
+            <translation>分布式时钟</translation>
         </message>
         <message>
             <source>Clock Adjustment</source>
@@ -1119,11 +1119,11 @@
         </message>
         <message>
             <source>As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.</source>
-            <translation>同总线移位，但没有控制环：将标称时间写入参考时钟。要求周期精确。</translation>
+            <translation>同总线偏移，但没有控制环：将标称时间写入参考时钟。要求周期精确。</translation>
         </message>
         <message>
             <source>As bus shift, with the time that the network adapter puts into each frame while sending it</source>
-            <translation>同总线移位，使用网卡在发送时写入每一帧的时间</translation>
+            <translation>同总线偏移，使用网卡在发送时写入每一帧的时间</translation>
         </message>
         <message>
             <source>An external clock leads through a bridge device: the reference clock follows it, the master follows the reference clock</source>
@@ -1246,6 +1246,29 @@
             <translation>%1 前</translation>
         </message>
 </context>
+    <context>
+    <name>JoinedText</name>
+        <message>
+            <source>%1, %2</source>
+            <comment>parts of one sentence</comment>
+            <translation>%1，%2</translation>
+        </message>
+        <message>
+            <source>%1; %2</source>
+            <comment>clauses of one sentence</comment>
+            <translation>%1；%2</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <comment>a sentence and its full stop</comment>
+            <translation>%1。</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <comment>one sentence behind the other</comment>
+            <translation>%1%2</translation>
+        </message>
+    </context>
     <context>
     <name>SyncWindowFields</name>
         <message>
@@ -2076,7 +2099,7 @@
         </message>
         <message>
             <source>Slaves whose distributed clock is set up (ENI Slave/DC)</source>
-            <translation>已设置分布时钟的从站 (ENI Slave/DC)</translation>
+            <translation>已设置分布式时钟的从站 (ENI Slave/DC)</translation>
         </message>
         <message>
             <source>Late frames</source>
@@ -2211,7 +2234,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Distributed clocks on</source>
-            <translation>分布时钟已启用</translation>
+            <translation>分布式时钟已启用</translation>
         </message>
         <message>
             <source>State %1</source>
@@ -2399,7 +2422,7 @@ Setting %2</source>
     <name>SlaveDcPage</name>
         <message>
             <source>Distributed Clocks</source>
-            <translation>分布时钟</translation>
+            <translation>分布式时钟</translation>
         </message>
         <message>
             <source>Operation Mode</source>
@@ -2475,7 +2498,7 @@ Setting %2</source>
         </message>
         <message>
             <source>0x0990 shift</source>
-            <translation>0x0990 移位</translation>
+            <translation>0x0990 偏移</translation>
         </message>
         <message>
             <source>Compiled part of the start time (ENI DC/ShiftTime)</source>
@@ -2973,11 +2996,11 @@ Setting %2</source>
         </message>
         <message>
             <source>Shift of %1</source>
-            <translation>%1 的移位</translation>
+            <translation>%1 的偏移</translation>
         </message>
         <message>
             <source>Shift</source>
-            <translation>移位</translation>
+            <translation>偏移</translation>
         </message>
         <message>
             <source>As operation mode (%1)</source>
@@ -3222,7 +3245,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Distributed clocks</source>
-            <translation>分布时钟</translation>
+            <translation>分布式时钟</translation>
         </message>
         <message>
             <source>Reference clock</source>
@@ -3298,7 +3321,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Shift</source>
-            <translation>移位</translation>
+            <translation>偏移</translation>
         </message>
         <message>
             <source>Error limit</source>
@@ -3334,11 +3357,11 @@ Setting %2</source>
         </message>
         <message>
             <source>Bus shift</source>
-            <translation>总线移位</translation>
+            <translation>总线偏移</translation>
         </message>
         <message>
             <source>Master shift</source>
-            <translation>主站移位</translation>
+            <translation>主站偏移</translation>
         </message>
         <message>
             <source>Master reference clock</source>
@@ -3354,7 +3377,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Master shift by application</source>
-            <translation>由应用执行主站移位</translation>
+            <translation>由应用执行主站偏移</translation>
         </message>
         <message>
             <source>Free run</source>
@@ -3398,7 +3421,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Distributed clocks for the whole bus.</source>
-            <translation>整个总线的分布时钟。</translation>
+            <translation>整个总线的分布式时钟。</translation>
         </message>
         <message>
             <source>Position of the slave whose clock all others follow; auto is the first slave with DC.</source>
@@ -3466,7 +3489,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Operation mode of distributed clocks; where the ESI gives a mode its own PDOs, they are assigned too.</source>
-            <translation>分布时钟的操作模式；如果 ESI 为某个模式规定了自己的 PDO，也会一并分配。</translation>
+            <translation>分布式时钟的操作模式；如果 ESI 为某个模式规定了自己的 PDO，也会一并分配。</translation>
         </message>
         <message>
             <source>Marks the slave as a possible reference clock in the ENI.</source>
@@ -3482,7 +3505,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Shift of SYNC0; auto as in the ESI.</source>
-            <translation>SYNC0 的移位；自动同 ESI。</translation>
+            <translation>SYNC0 的偏移；自动同 ESI。</translation>
         </message>
         <message>
             <source>Sync Unit Cycle of SYNC1: above 0 multiplies, below 0 divides the bus cycle; auto as in the ESI.</source>
@@ -3494,7 +3517,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Shift of SYNC1; auto as in the ESI.</source>
-            <translation>SYNC1 的移位；自动同 ESI。</translation>
+            <translation>SYNC1 的偏移；自动同 ESI。</translation>
         </message>
         <message>
             <source>Error counter (3 more for a missed SM event, 1 less for a good one) at which the device gives up (0x10F1:02); 0 never, auto leaves the device&apos;s default.</source>
@@ -3702,7 +3725,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Tells that the distributed clocks are initialised, or why not.</source>
-            <translation>报告分布时钟已初始化，或未能初始化的原因。</translation>
+            <translation>报告分布式时钟已初始化，或未能初始化的原因。</translation>
         </message>
         <message>
             <source>Tell of the master in sync</source>
@@ -4038,7 +4061,7 @@ Setting %2</source>
         </message>
         <message>
             <source>Input shift</source>
-            <translation>输入移位</translation>
+            <translation>输入偏移</translation>
         </message>
         <message>
             <source>From the trigger to latching the inputs (0x1C33:03); auto as the operation mode says.</source>
@@ -4198,7 +4221,7 @@ Setting %2</source>
     <name>MasterDcExpertPage</name>
         <message>
             <source>Distributed Clocks (Expert)</source>
-            <translation>分布时钟（专家）</translation>
+            <translation>分布式时钟（专家）</translation>
         </message>
         <message>
             <source>Clocks and Delays</source>
@@ -5053,9 +5076,9 @@ Setting %2</source>
             <translation>使项目恢复为运行中的配置；可用“撤销”取消</translation>
         </message>
         <message numerus="yes">
-            <source>The machine does not run what the project says: %n difference(s).</source>
+            <source>The machine does not run what the project says: %n change(s).</source>
             <translation>
-                <numerusform>机器运行的配置与项目不同：%n 处差异。</numerusform>
+                <numerusform>机器运行的配置与项目不同：%n 处更改。</numerusform>
             </translation>
         </message>
         <message>
@@ -6064,11 +6087,11 @@ Setting %2</source>
         </message>
         <message>
             <source>Distributed clocks: %1</source>
-            <translation>分布时钟：%1</translation>
+            <translation>分布式时钟：%1</translation>
         </message>
         <message>
             <source>AssignActivate %1, SYNC0 %2, shift %3</source>
-            <translation>AssignActivate %1，SYNC0 %2，移位 %3</translation>
+            <translation>AssignActivate %1，SYNC0 %2，偏移 %3</translation>
         </message>
         <message>
             <source>Outputs</source>

@@ -70,7 +70,7 @@ std::vector<Placed> fmmus(const SlaveConfig& slave, std::uint32_t mailbox_states
     const std::string name = fmt::format("FMMU {}{}", (cmd.ado - reg::kFmmu) / Fmmu::kSize,
                                          std::ranges::find(cmd.transitions, Transition::kPS) != cmd.transitions.end()
                                              ? ""
-                                             : fmt::format(" on {}", transitions_text(cmd.transitions)));
+                                             : fmt::format(" ({})", transitions_text(cmd.transitions)));
     out.push_back({name, bit});
   }
   return out;

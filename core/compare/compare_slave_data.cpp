@@ -110,12 +110,12 @@ std::vector<StartupLine> startup_lines(const std::optional<MailboxConfig>& mailb
   for (const CoeInitCmd& cmd : mailbox->coe_commands) {
     if (!with_pdos && is_pdo_object(cmd.command.index)) continue;
     out.push_back(
-        {fmt::format("0x{:04x}:{:02x}{} on {}", cmd.command.index, cmd.command.sub_index,
+        {fmt::format("0x{:04X}:{:02X}{} ({})", cmd.command.index, cmd.command.sub_index,
                      cmd.command.complete_access ? " complete" : "", transitions_text(cmd.command.transitions)),
          value_text(cmd.command) + (cmd.ccs == 1 ? "" : fmt::format(", specifier {}", cmd.ccs))});
   }
   for (const SoeInitCmd& cmd : mailbox->soe_commands) {
-    out.push_back({fmt::format("SoE drive {} IDN {}, operation {}, elements {} attribute {} on {}", cmd.drive_no,
+    out.push_back({fmt::format("SoE drive {} IDN {}, operation {}, elements {} attribute {} ({})", cmd.drive_no,
                                cmd.idn, cmd.op_code, cmd.elements, cmd.attribute, transitions_text(cmd.transitions)),
                    value_text(cmd)});
   }
@@ -125,7 +125,7 @@ std::vector<StartupLine> startup_lines(const std::optional<MailboxConfig>& mailb
                                                                                {"VoE", &mailbox->voe_commands}};
   for (const auto& [protocol, commands] : others) {
     for (const MailboxInitCmd& cmd : *commands) {
-      out.push_back({fmt::format("{} on {}", protocol, transitions_text(cmd.transitions)), value_text(cmd)});
+      out.push_back({fmt::format("{} ({})", protocol, transitions_text(cmd.transitions)), value_text(cmd)});
     }
   }
   return out;

@@ -19,6 +19,7 @@ inline constexpr std::string_view kSlaveBehind = "slave-behind";
 inline constexpr std::string_view kNotMonitored = "not-monitored";
 inline constexpr std::string_view kNothingToMonitor = "nothing-to-monitor";
 inline constexpr std::string_view kSlavesOutOfSync = "slaves-out-of-sync";
+inline constexpr std::string_view kSlavesSyncUnknown = "slaves-sync-unknown";
 inline constexpr std::string_view kSlaveLeftWindow = "slave-out-of-sync";
 inline constexpr std::string_view kWindowLeft = "sync-window-left";
 inline constexpr std::string_view kSlaveClockOff = "slave-clock-off";

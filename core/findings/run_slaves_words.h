@@ -110,7 +110,22 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      "Look at the deviations of the single slaves.",
      "",
-     {{"", "The slaves are not in sync within {limit} since {since}."}}},
+     {{"", "The slaves are not in sync within {limit} since {since}."},
+      {"left",
+       "{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not "
+       "for the settle time yet."},
+      {"stepped",
+       "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
+       "reference clock stepped. No reading is outside any more, but not for the settle time yet."}}},
+    {"slaves-sync-unknown",
+     Severity::kError,
+     "Whether the slaves are in sync is not known",
+     "",
+     "Mend first what keeps the readings away: a reference clock that is gone, frames that are lost, the adapter.",
+     "",
+     {{"",
+       "Nobody knows since {since} whether the slaves are in sync within {limit}: not all of their deviations can be "
+       "read."}}},
     {"slave-out-of-sync",
      Severity::kError,
      "A slave is not in sync",

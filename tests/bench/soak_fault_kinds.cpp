@@ -134,7 +134,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .while_down = true,
        .switched_on_anew = true,
        .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>, kind_of<events::Failure>},
-       .findings = {code::kSlaveLeftWindow, code::kSlavesOutOfSync},
+       .findings = {code::kSlaveLeftWindow, code::kSlavesOutOfSync, code::kSlavesSyncUnknown},
        .also = {code::kSlaveBehind, code::kMasterNotLocked}},
       {.name = "stuck port time",
        .kind = FaultKind::kStuckPortTime,

@@ -3969,6 +3969,26 @@
         <translation>Die Slaves sind seit {since} nicht innerhalb von {limit} synchron.</translation>
     </message>
     <message>
+        <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
+        <translation>{slave} hat das Sync-Fenster bei {since} verlassen ({deviation}, Grenze {limit}). Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
+    </message>
+    <message>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped. No reading is outside any more, but not for the settle time yet.</source>
+        <translation>Alle Slaves haben das Sync-Fenster bei {since} zugleich und zur selben Seite verlassen ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen. Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
+    </message>
+    <message>
+        <source>Whether the slaves are in sync is not known</source>
+        <translation>Ob die Slaves synchron sind, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Mend first what keeps the readings away: a reference clock that is gone, frames that are lost, the adapter.</source>
+        <translation>Zuerst beheben, was die Messwerte fernhält: eine fehlende Referenzuhr, verlorene Frames, den Adapter.</translation>
+    </message>
+    <message>
+        <source>Nobody knows since {since} whether the slaves are in sync within {limit}: not all of their deviations can be read.</source>
+        <translation>Seit {since} ist nicht bekannt, ob die Slaves innerhalb von {limit} synchron sind: Nicht alle ihre Abweichungen lassen sich lesen.</translation>
+    </message>
+    <message>
         <source>The slaves are not in sync: {slave} is {deviation} off its reference clock, the limit is {limit}.</source>
         <translation>Die Slaves sind nicht synchron: {slave} weicht um {deviation} von der Referenzuhr ab, die Grenze ist {limit}.</translation>
     </message>

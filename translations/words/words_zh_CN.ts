@@ -46,7 +46,7 @@
     </message>
     <message>
         <source>0x09A4 against the ESI's factor and shift</source>
-        <translation>0x09A4 与 ESI 中的系数和移位是否一致</translation>
+        <translation>0x09A4 与 ESI 中的系数和偏移是否一致</translation>
     </message>
     <message>
         <source>0x09A4 is set to {written}, CycleTime1 says {said}</source>
@@ -222,7 +222,7 @@
     </message>
     <message>
         <source>A clock that stepped, was not initialised or cannot follow; its loop values and its propagation delay stand in its distributed clocks.</source>
-        <translation>时钟发生跳变、未初始化或无法跟随；其控制环数值和传输延迟见其分布时钟。</translation>
+        <translation>时钟发生跳变、未初始化或无法跟随；其控制环数值和传输延迟见其分布式时钟。</translation>
     </message>
     <message>
         <source>A clock that steps, or a reference clock that was exchanged; see the events of that moment.</source>
@@ -642,7 +642,7 @@
     </message>
     <message>
         <source>A slave with distributed clocks stands before the reference clock</source>
-        <translation>带分布时钟的从站位于参考时钟之前</translation>
+        <translation>带分布式时钟的从站位于参考时钟之前</translation>
     </message>
     <message>
         <source>A slave's cables IN and OUT are swapped</source>
@@ -1134,7 +1134,7 @@
     </message>
     <message>
         <source>Choose a slave with a distributed clock, or leave the choice open.</source>
-        <translation>选择带分布时钟的从站，或不指定。</translation>
+        <translation>选择带分布式时钟的从站，或不指定。</translation>
     </message>
     <message>
         <source>Choose a value that the device takes.</source>
@@ -1150,7 +1150,7 @@
     </message>
     <message>
         <source>Choose bus shift or master shift.</source>
-        <translation>选择总线移位或主站移位。</translation>
+        <translation>选择总线偏移或主站偏移。</translation>
     </message>
     <message>
         <source>Choose one of the ESI's operation modes.</source>
@@ -1398,27 +1398,27 @@
     </message>
     <message>
         <source>Distributed clocks</source>
-        <translation>分布时钟</translation>
+        <translation>分布式时钟</translation>
     </message>
     <message>
         <source>Distributed clocks are initialised</source>
-        <translation>分布时钟已初始化</translation>
+        <translation>分布式时钟已初始化</translation>
     </message>
     <message>
         <source>Distributed clocks are off for the whole bus</source>
-        <translation>整个总线的分布时钟已关闭</translation>
+        <translation>整个总线的分布式时钟已关闭</translation>
     </message>
     <message>
         <source>Distributed clocks are off for the whole bus; the slaves' operation modes do not count.</source>
-        <translation>整个总线的分布时钟已关闭，从站的操作模式不起作用。</translation>
+        <translation>整个总线的分布式时钟已关闭，从站的操作模式不起作用。</translation>
     </message>
     <message>
         <source>Distributed clocks could not be set up</source>
-        <translation>分布时钟无法设置</translation>
+        <translation>分布式时钟无法设置</translation>
     </message>
     <message>
         <source>Distributed clocks of {subject} could not be set up{because}.</source>
-        <translation>{subject} 的分布时钟无法设置{because}。</translation>
+        <translation>{subject} 的分布式时钟无法设置{because}。</translation>
     </message>
     <message>
         <source>EC-Master and others find variables by name: they find the first</source>
@@ -1486,7 +1486,7 @@
     </message>
     <message>
         <source>Every tool known writes ARMW; readers that look for it alone see no distributed clocks</source>
-        <translation>所有已知工具都写 ARMW；只查找 ARMW 的读取软件会认为没有分布时钟</translation>
+        <translation>所有已知工具都写 ARMW；只查找 ARMW 的读取软件会认为没有分布式时钟</translation>
     </message>
     <message>
         <source>Every type is a sequence: readers that follow the schema refuse the file or skip what comes too late</source>
@@ -1930,7 +1930,7 @@
     </message>
     <message>
         <source>Latch them earlier: a smaller input shift time.</source>
-        <translation>更早锁存输入：减小输入移位时间。</translation>
+        <translation>更早锁存输入：减小输入偏移时间。</translation>
     </message>
     <message>
         <source>Leave ReferenceClock on at the slave that the ARMW addresses</source>
@@ -1974,7 +1974,7 @@
     </message>
     <message>
         <source>Let its SYNC0 come {more} later: a shift of {shift}.</source>
-        <translation>让其 SYNC0 推迟 {more} 到来：移位设为 {shift}。</translation>
+        <translation>让其 SYNC0 推迟 {more} 到来：偏移设为 {shift}。</translation>
     </message>
     <message>
         <source>Let the application copy the data.</source>
@@ -2026,7 +2026,7 @@
     </message>
     <message>
         <source>Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.</source>
-        <translation>检查主机是否繁忙或时钟是否跳变；如果都没有，请选择另一种移位模式。</translation>
+        <translation>检查主机是否繁忙或时钟是否跳变；如果都没有，请选择另一种偏移模式。</translation>
     </message>
     <message>
         <source>Look for a cable back to the master, or a device that is no slave.</source>
@@ -2086,7 +2086,7 @@
     </message>
     <message>
         <source>Make the first slave with distributed clocks the reference clock</source>
-        <translation>将第一个带分布时钟的从站设为参考时钟</translation>
+        <translation>将第一个带分布式时钟的从站设为参考时钟</translation>
     </message>
     <message>
         <source>Many things in other places</source>
@@ -2134,7 +2134,7 @@
     </message>
     <message>
         <source>Masters find the write of bus shift behind the ARMW: before it they steer by the time of the cycle before, or take it for something else</source>
-        <translation>主站会在 ARMW 之后查找总线移位的写命令：若在其之前，主站就按前一周期的时间进行调节，或将它误认为其他命令</translation>
+        <translation>主站会在 ARMW 之后查找总线偏移的写命令：若在其之前，主站就按前一周期的时间进行调节，或将它误认为其他命令</translation>
     </message>
     <message>
         <source>Masters of other makers ignore it, so whatever it sets is lost there</source>
@@ -2150,7 +2150,7 @@
     </message>
     <message>
         <source>Masters take the shift from the one or from the other</source>
-        <translation>主站会采用两个移位中的其中一个</translation>
+        <translation>主站会采用两个偏移中的其中一个</translation>
     </message>
     <message>
         <source>Masters that go by the element set the slave up in another way than those that go by the commands</source>
@@ -2538,7 +2538,7 @@
     </message>
     <message>
         <source>Pulses come one cycle later than meant, since the shift counts modulo the cycle</source>
-        <translation>脉冲比预期晚一个周期，因为移位按周期取模计算</translation>
+        <translation>脉冲比预期晚一个周期，因为偏移按周期取模计算</translation>
     </message>
     <message>
         <source>Put the APWR of 0x0910 behind the ARMW</source>
@@ -2838,7 +2838,7 @@
     </message>
     <message>
         <source>SYNC0 shift</source>
-        <translation>SYNC0 移位</translation>
+        <translation>SYNC0 偏移</translation>
     </message>
     <message>
         <source>SYNC1 behind SYNC0</source>
@@ -3002,7 +3002,7 @@
     </message>
     <message>
         <source>Slaves use distributed clocks, and nothing distributes the time</source>
-        <translation>从站使用分布时钟，但没有任何命令分发时间</translation>
+        <translation>从站使用分布式时钟，但没有任何命令分发时间</translation>
     </message>
     <message>
         <source>So the cause is in the slave: its application needed longer than the cycle, or than the time between its outputs and SYNC0. Give it a longer cycle or more time before SYNC0, or look for what slows its firmware.</source>
@@ -3082,7 +3082,7 @@
     </message>
     <message>
         <source>Switch distributed clocks on, or clear the operation modes.</source>
-        <translation>启用分布时钟，或清除操作模式。</translation>
+        <translation>启用分布式时钟，或清除操作模式。</translation>
     </message>
     <message>
         <source>Switch sync-window monitoring on to prove that they are in sync.</source>
@@ -3290,7 +3290,7 @@
     </message>
     <message>
         <source>The bus shift has no effect, or disturbs a clock that follows another</source>
-        <translation>总线移位不起作用，或干扰跟随其他时钟的时钟</translation>
+        <translation>总线偏移不起作用，或干扰跟随其他时钟的时钟</translation>
     </message>
     <message>
         <source>The catalogue has the device in another revision</source>
@@ -3810,7 +3810,7 @@
     </message>
     <message>
         <source>The reference clock has no distributed clock</source>
-        <translation>参考时钟没有分布时钟</translation>
+        <translation>参考时钟没有分布式时钟</translation>
     </message>
     <message>
         <source>The reference clock is no slave of the bus</source>
@@ -3838,7 +3838,7 @@
     </message>
     <message>
         <source>The shift is longer than the cycle</source>
-        <translation>移位长于周期</translation>
+        <translation>偏移长于周期</translation>
     </message>
     <message>
         <source>The signals start at once with old values</source>
@@ -3969,6 +3969,26 @@
         <translation>从 {since} 起从站的偏差不在 {limit} 之内。</translation>
     </message>
     <message>
+        <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
+        <translation>{slave} 在 {since} 离开了同步窗口（{deviation}，限值 {limit}）。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
+    </message>
+    <message>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped. No reading is outside any more, but not for the settle time yet.</source>
+        <translation>所有从站在 {since} 同时向同一侧离开了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
+    </message>
+    <message>
+        <source>Whether the slaves are in sync is not known</source>
+        <translation>从站是否同步未知</translation>
+    </message>
+    <message>
+        <source>Mend first what keeps the readings away: a reference clock that is gone, frames that are lost, the adapter.</source>
+        <translation>请先排除使读数缺失的原因：参考时钟消失、帧丢失或网络适配器。</translation>
+    </message>
+    <message>
+        <source>Nobody knows since {since} whether the slaves are in sync within {limit}: not all of their deviations can be read.</source>
+        <translation>自 {since} 起无法得知从站是否在 {limit} 之内同步：并非所有偏差都能读取。</translation>
+    </message>
+    <message>
         <source>The slaves are not in sync: {slave} is {deviation} off its reference clock, the limit is {limit}.</source>
         <translation>从站未同步：{slave} 与其参考时钟的偏差为 {deviation}，限值为 {limit}。</translation>
     </message>
@@ -3978,7 +3998,7 @@
     </message>
     <message>
         <source>The start-time command carries another shift than the DC element</source>
-        <translation>起始时间命令的移位与 DC 元素不同</translation>
+        <translation>起始时间命令的偏移与 DC 元素不同</translation>
     </message>
     <message>
         <source>The state of the slaves is not read cyclically</source>
@@ -4226,7 +4246,7 @@
     </message>
     <message>
         <source>Use a shift within the cycle</source>
-        <translation>使用小于周期的移位</translation>
+        <translation>使用小于周期的偏移</translation>
     </message>
     <message>
         <source>Use start and length of the ESI (16 to 1486 bytes in data memory)</source>
@@ -4630,15 +4650,15 @@
     </message>
     <message>
         <source>distributed clocks</source>
-        <translation>分布时钟</translation>
+        <translation>分布式时钟</translation>
     </message>
     <message>
         <source>distributed clocks initialised: {slaves:# slave|# slaves}, no reference clock</source>
-        <translation>分布时钟已初始化：{slaves} 个从站，没有参考时钟</translation>
+        <translation>分布式时钟已初始化：{slaves} 个从站，没有参考时钟</translation>
     </message>
     <message>
         <source>distributed clocks initialised: {slaves:# slave|# slaves}, reference clock is {clock}</source>
-        <translation>分布时钟已初始化：{slaves} 个从站，参考时钟为 {clock}</translation>
+        <translation>分布式时钟已初始化：{slaves} 个从站，参考时钟为 {clock}</translation>
     </message>
     <message>
         <source>drives</source>
@@ -4918,7 +4938,7 @@
     </message>
     <message>
         <source>late or missing frames around SYNC0: host jitter, the shift, and that the master is locked to DC</source>
-        <translation>SYNC0 前后是否有延迟或丢失的帧：主机抖动、移位，以及主站是否锁定到 DC</translation>
+        <translation>SYNC0 前后是否有延迟或丢失的帧：主机抖动、偏移，以及主站是否锁定到 DC</translation>
     </message>
     <message>
         <source>length and control byte of SM2 and SM3 against the assigned PDOs</source>
@@ -6094,7 +6114,7 @@
     </message>
     <message>
         <source>{name} has no distributed clock according to its ESI and cannot be the reference.</source>
-        <translation>根据其 ESI，{name} 没有分布时钟，不能作为参考时钟。</translation>
+        <translation>根据其 ESI，{name} 没有分布式时钟，不能作为参考时钟。</translation>
     </message>
     <message>
         <source>{name} stands before the reference clock in the frame, so it gets the time one cycle late and stays off.</source>
@@ -6198,11 +6218,11 @@
     </message>
     <message>
         <source>{slaves:# slave uses|# slaves use} distributed clocks</source>
-        <translation>{slaves} 个从站使用分布时钟</translation>
+        <translation>{slaves} 个从站使用分布式时钟</translation>
     </message>
     <message>
         <source>{slaves:# slave uses|# slaves use} distributed clocks, and no cyclic command distributes the time</source>
-        <translation>{slaves} 个从站使用分布时钟，但没有循环命令分发时间</translation>
+        <translation>{slaves} 个从站使用分布式时钟，但没有循环命令分发时间</translation>
     </message>
     <message>
         <source>{slave} ({identity}) has no system time register 0x0910, where its ESI has operation modes: DC is off.</source>
@@ -6234,11 +6254,11 @@
     </message>
     <message>
         <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
-        <translation>{slave} 的输出对 SYNC0 而言到达过晚（{count}，0x1C32:0D 移位过短），因而使用了前一周期的输出：输出在 SYNC0 之前 {margin} 到达，而它需要 {need}。</translation>
+        <translation>{slave} 的输出对 SYNC0 而言到达过晚（{count}，0x1C32:0D 偏移过短），因而使用了前一周期的输出：输出在 SYNC0 之前 {margin} 到达，而它需要 {need}。</translation>
     </message>
     <message>
         <source>{slave} had its inputs too late {count} (0x1C33:0D shift too short).</source>
-        <translation>{slave} 的输入过晚（{count}，0x1C33:0D 移位过短）。</translation>
+        <translation>{slave} 的输入过晚（{count}，0x1C33:0D 偏移过短）。</translation>
     </message>
     <message>
         <source>{slave} has the alias {alias}, which {other} has as well.</source>

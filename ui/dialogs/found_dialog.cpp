@@ -11,6 +11,7 @@
 
 #include "ui/dialogs/questions.h"
 #include "ui/models/found_model.h"
+#include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
@@ -47,7 +48,7 @@ QString summary(const FoundModel& model, const QString& link) {
   add(FoundKind::kRewired, FoundDialog::tr("%n wired otherwise", nullptr, model.count(FoundKind::kRewired)));
   add(FoundKind::kRevision, FoundDialog::tr("%n in another revision", nullptr, model.count(FoundKind::kRevision)));
   add(FoundKind::kOtherDevice, FoundDialog::tr("%n other device(s)", nullptr, model.count(FoundKind::kOtherDevice)));
-  return FoundDialog::tr("The bus on %1 beside the project: %2.").arg(link, parts.join(QStringLiteral(", ")));
+  return FoundDialog::tr("The bus on %1 beside the project: %2.").arg(link, joinedParts(parts));
 }
 
 QLabel* paragraph(const char* object_name, const QString& text) {
@@ -123,7 +124,7 @@ void FoundDialog::showChoice() {
   const auto lost = take_over(ours_, outcome_.built.project, model_->lines(), model_->ticked()).lost;
   QStringList keys;
   for (const auto& key : lost) keys << QString::fromStdString(key);
-  lost_->setText(tr("The other revision does not take these settings: %1").arg(keys.join(QStringLiteral(", "))));
+  lost_->setText(tr("The other revision does not take these settings: %1").arg(joinedParts(keys)));
   lost_->setVisible(!keys.isEmpty());
 }
 

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/text/error_text.h"
+#include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
@@ -71,8 +72,8 @@ void LinkChooser::addAdapters(const AdapterLister& list_adapters) {
   const auto adapters = list_adapters ? list_adapters() : std::vector<NetworkAdapter>{};
   if (!adapters) return note_->setText(errorText(adapters.error()));
   for (const auto& adapter : *adapters) {
-    auto detail = adapter.up ? tr("Network card, link up") : tr("Network card, no link");
-    if (!adapter.description.isEmpty()) detail += QStringLiteral(", ") + adapter.description;
+    const auto detail =
+        joinedParts({adapter.up ? tr("Network card, link up") : tr("Network card, no link"), adapter.description});
     addLink(QStringLiteral("nic:") + adapter.name, adapter.name, detail, QStringLiteral("adapter"));
   }
   if (adapters->empty()) note_->setText(tr("No network card was found that can carry EtherCAT."));

@@ -13,6 +13,7 @@
 #include "ui/dialogs/slave_commands.h"
 #include "ui/session/device_catalogue.h"
 #include "ui/text/error_text.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/setting_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -34,9 +35,9 @@ QString labelsOf(const Project& project, const std::vector<std::string>& keys) {
     const auto label = ref ? settingLabel(*ref->setting) : QString::fromStdString(key);
     if (!labels.contains(label)) labels << label;
   }
-  if (labels.size() <= kMostNamed) return labels.join(QStringLiteral(", "));
+  if (labels.size() <= kMostNamed) return joinedParts(labels);
   const auto more = static_cast<int>(labels.size()) - kMostNamed;
-  return ReplaceDialog::tr("%1 and %n more", nullptr, more).arg(labels.mid(0, kMostNamed).join(QStringLiteral(", ")));
+  return ReplaceDialog::tr("%1 and %n more", nullptr, more).arg(joinedParts(labels.mid(0, kMostNamed)));
 }
 
 }  // namespace

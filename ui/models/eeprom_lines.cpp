@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -64,7 +65,7 @@ class EepromLines {
     for (const auto& [bit, name] : kNames) {
       if ((image.mailbox_protocols & bit) != 0) protocols << QLatin1String(name);
     }
-    add(tr("Mailbox protocols"), protocols.isEmpty() ? noText() : protocols.join(QStringLiteral(", ")));
+    add(tr("Mailbox protocols"), protocols.isEmpty() ? noText() : joinedParts(protocols));
   }
 
   void general(const sii::Image& image) {

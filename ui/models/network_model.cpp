@@ -9,6 +9,7 @@
 
 #include "config/wiring_tree.h"
 #include "ui/text/glossary.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -267,10 +268,9 @@ QStringList NetworkModel::marksOf(const Node& node) const {
 }
 
 QString NetworkModel::spokenText(const Node& node, int slave) const {
-  auto text =
+  const auto text =
       slave < 0 ? node.name : tr("%1, position %2, address %3").arg(node.name).arg(slave).arg(node.station_address);
-  if (node.al_status >= 0) text += QStringLiteral(", ") + stateText(node, slave);
-  return text;
+  return node.al_status < 0 ? text : joinedParts({text, stateText(node, slave)});
 }
 
 QString NetworkModel::stateText(const Node& node, int slave) {

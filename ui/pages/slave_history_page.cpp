@@ -19,6 +19,7 @@
 #include "ui/session/diagnosis_reader.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/poll_choice.h"
@@ -46,8 +47,8 @@ QString flagsText(std::uint16_t flags) {
   if (has(of_history::kNoInfo)) off << SlaveHistoryPage::tr("information");
   if (has(of_history::kNoWarning)) off << SlaveHistoryPage::tr("warnings");
   if (has(of_history::kNoError)) off << SlaveHistoryPage::tr("errors");
-  if (!off.isEmpty()) parts << SlaveHistoryPage::tr("not kept: %1").arg(off.join(QStringLiteral(", ")));
-  return SlaveHistoryPage::tr("Flags %1: %2.").arg(hexText(flags, 4), parts.join(QStringLiteral("; ")));
+  if (!off.isEmpty()) parts << SlaveHistoryPage::tr("not kept: %1").arg(joinedParts(off));
+  return SlaveHistoryPage::tr("Flags %1: %2.").arg(hexText(flags, 4), joinedClauses(parts));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/page.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/setting_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"
@@ -31,12 +32,12 @@ void choose(QComboBox& box, const QVariant& value) {
 }
 
 QString stepText(const families::CycleLimits& limits) {
-  QString text =
-      limits.step > 1 ? SyncSettingsEditor::tr("multiples of %1").arg(cycleText(limits.full_step)) : QString();
-  const auto add = [&](const QString& part) { text += text.isEmpty() ? part : QStringLiteral(", ") + part; };
-  if (limits.step <= 1 && limits.shortest > 0) add(SyncSettingsEditor::tr("from %1").arg(cycleText(limits.shortest)));
-  if (limits.longest > 0) add(SyncSettingsEditor::tr("to %1").arg(cycleText(limits.longest)));
-  return text;
+  QStringList parts;
+  if (limits.step > 1) parts << SyncSettingsEditor::tr("multiples of %1").arg(cycleText(limits.full_step));
+  if (limits.step <= 1 && limits.shortest > 0)
+    parts << SyncSettingsEditor::tr("from %1").arg(cycleText(limits.shortest));
+  if (limits.longest > 0) parts << SyncSettingsEditor::tr("to %1").arg(cycleText(limits.longest));
+  return joinedParts(parts);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 
@@ -214,7 +215,7 @@ void DistributionView::showFigures() {
     wide += figures_->columnWidth(column);
   }
   figures_->setFixedWidth(std::min(wide, 320));
-  plot_->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
+  plot_->setAccessibleDescription(joinedClauses(spoken));
   double least = 1;
   for (const auto& count : counts_) least = std::min(least, count.progress());
   auto text = range_->lack(*record_);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/figure_card.h"
 
+#include "ui/text/joined_text.h"
+
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -64,7 +66,7 @@ std::size_t FigureCard::addFigure(const QString& label, const QString& tool_tip)
   auto* value = new QLabel;
   for (auto* part : {name, value}) part->setToolTip(tool_tip);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  value->setAccessibleName(label + QStringLiteral(", ") + title_->text());
+  value->setAccessibleName(joinedParts({label, title_->text()}));
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   grid_->addWidget(name, row, 0);
   grid_->addWidget(value, row, 1);

@@ -46,7 +46,7 @@ void RunBar::refresh() {
   setVisible(difference_.differs());
   if (!difference_.differs()) return;
   const auto count = static_cast<int>(difference_.settings().size() + difference_.slaves().size());
-  text_->setText(tr("The machine does not run what the project says: %n difference(s).", nullptr, count));
+  text_->setText(tr("The machine does not run what the project says: %n change(s).", nullptr, count));
   apply_->setEnabled(difference_.applicable());
   apply_->setToolTip(difference_.applicable()
                          ? tr("Gives the parameters of the master synchronisation to the running machine")

@@ -15,6 +15,7 @@
 
 #include "trace/stability.h"
 #include "ui/plots/plot_colors.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/stability_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -306,7 +307,7 @@ QStringList StabilityView::sentences(const Studied& studied) const {
   if (figure() == Figure::kMtie && limit <= 0) said << tr("No limit is set that this signal could be held against.");
   if (isMagnitude(studied.source.signal) && study.used > 0)
     said << tr("A magnitude, without a sign: a swing about zero shows at half its period.");
-  said << sampleText(study) + u'.';
+  said << asSentence(sampleText(study));
   if (figure() == Figure::kSpectrum && study.spectrum.step > 0) {
     said << tr("%1 windows averaged, one amplitude each %2.")
                 .arg(countText(study.spectrum.windows), quantityText(Quantity::kHertz, study.spectrum.step));

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QStringList>
 
+#include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
@@ -24,14 +25,16 @@ void LegendBar::setEntries(std::vector<Entry> entries) {
   if (entries == entries_) return;
   entries_ = std::move(entries);
   setAccessibleDescription(text());
-  setToolTip(text().replace(QStringLiteral("; "), QStringLiteral("\n")));
+  setToolTip(parts().join(u'\n'));
   update();
 }
 
-QString LegendBar::text() const {
+QString LegendBar::text() const { return joinedClauses(parts()); }
+
+QStringList LegendBar::parts() const {
   QStringList parts;
   for (const auto& entry : entries_) parts << entry.name + u' ' + entry.value;
-  return parts.join(QStringLiteral("; "));
+  return parts;
 }
 
 QSize LegendBar::sizeHint() const { return {200, fontMetrics().height() + 2}; }

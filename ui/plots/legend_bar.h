@@ -35,6 +35,7 @@ class LegendBar final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  [[nodiscard]] QStringList parts() const;
   [[nodiscard]] QString shownName(const Entry& entry, bool abbreviate) const;
   [[nodiscard]] int widthOf(const Entry& entry, bool abbreviate) const;
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "trace/statistics.h"
+#include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/value_label.h"
 
@@ -80,7 +81,7 @@ void TracePanel::refreshText(bool choose_now) {
   if (text != readout_->text()) {
     readout_->setText(text);
   }
-  plot_->setAccessibleDescription(legend_->text() + QStringLiteral(". ") + text);
+  plot_->setAccessibleDescription(joinedSentences({legend_->text(), text}));
 }
 
 QString TracePanel::betweenCursors() {

@@ -9,6 +9,7 @@
 #include "findings/fold.h"
 #include "findings/reasons.h"
 #include "protocol/al_state.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -123,8 +124,7 @@ QString findingAdvice(const Finding& finding) {
 
 QString findingWhole(const Finding& finding) {
   const auto text = findingText(finding), advice = findingAdvice(finding);
-  if (advice.isEmpty()) return text;
-  return text + QLatin1String(text.endsWith(QLatin1Char('.')) ? " " : ". ") + advice;
+  return advice.isEmpty() ? text : joinedSentences({text, advice});
 }
 
 QString reasonText(std::string_view text) { return FindingSentences::reason(text); }

@@ -9,6 +9,7 @@
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/recorded_text.h"
 #include "ui/text/units.h"
 
@@ -73,7 +74,7 @@ class Overview {
       const auto& next = episode.faults[i];
       followers << tr("%1 later %2").arg(timeText(next.first - first.first), link(next.first, fault(next, record)));
     }
-    if (!followers.isEmpty()) text += tr(" Then %1").arg(followers.join(QStringLiteral("; ")));
+    if (!followers.isEmpty()) text += tr(" Then %1").arg(joinedClauses(followers));
     const auto rest = episode.faults.size() - 1 - static_cast<std::size_t>(followers.size()) + episode.left_out;
     if (rest > 0) text += tr("; %1 more").arg(countText(rest));
     if (!followers.isEmpty()) text += QLatin1Char('.');

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/text/setting_text.h"
 
+#include "ui/text/joined_text.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -44,7 +46,7 @@ QString settingTip(const settings::Setting& setting) {
   if (setting.words.expert) {
     help += u'\n' + expertText(word(QT_TRANSLATE_NOOP("Setting", "Expert setting: few machines need it"))).trimmed();
   }
-  return where.isEmpty() ? help : help + u'\n' + where.join(QStringLiteral(", "));
+  return where.isEmpty() ? help : help + u'\n' + joinedParts(where);
 }
 
 QString settingHelp(const settings::Setting& setting) {

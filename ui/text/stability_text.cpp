@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "ui/text/joined_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/units.h"
 
@@ -61,7 +62,7 @@ QString verdictText(const SignalStudy& study) {
     said << say(QT_TRANSLATE_NOOP("StabilityText", "It moves away by about %1 in each second."))
                 .arg(quantityText(Quantity::kNanoseconds, reading.runs_away));
   }
-  if (!said.isEmpty()) return said.join(u' ');
+  if (!said.isEmpty()) return joinedSentences(said);
   if (!reading.short_slope) return say(QT_TRANSLATE_NOOP("StabilityText", "Too few samples for a verdict."));
   return say(QT_TRANSLATE_NOOP(
                  "StabilityText",
@@ -83,7 +84,7 @@ QString sampleText(const SignalStudy& study) {
     said << say(QT_TRANSLATE_NOOP("StabilityText", "%1 of them at a distance that is off by more than a tenth"))
                 .arg(countText(study.uneven));
   }
-  return said.join(QStringLiteral(", "));
+  return joinedParts(said);
 }
 
 QString tauText(const SignalStudy& study) {

@@ -11,6 +11,7 @@
 #include "ui/editors/cycle_field.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/preset_edit.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
@@ -30,7 +31,7 @@ QString namesOf(const CycleCandidate& candidate, bool partly) {
     const auto name = refusal.slave < 0 ? CycleStep::tr("the frames") : QString::fromStdString(refusal.name);
     if (!names.contains(name)) names << name;
   }
-  return names.join(QStringLiteral(", "));
+  return joinedParts(names);
 }
 
 QString verdictOf(const CycleCandidate& candidate) {

@@ -20,6 +20,7 @@
 #include "ui/editors/field_binder.h"
 #include "ui/models/finding_model.h"
 #include "ui/text/error_text.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/setting_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"
@@ -169,7 +170,7 @@ void SummaryStep::showFindings() {
   if (all.empty()) return verdict_->setText(tr("The check of project and ENI found nothing."));
   const auto parts = QStringList{tr("%n error(s)", nullptr, errors), tr("%n warning(s)", nullptr, warnings),
                                  tr("%n note(s)", nullptr, static_cast<int>(all.size()) - errors - warnings)};
-  verdict_->setText(tr("The check of project and ENI found: %1.").arg(parts.join(QStringLiteral(", "))));
+  verdict_->setText(tr("The check of project and ENI found: %1.").arg(joinedParts(parts)));
 }
 
 }  // namespace syncline::ui

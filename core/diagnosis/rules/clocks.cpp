@@ -39,6 +39,30 @@ void find_unmonitored(const RunReport& report, Findings& findings) {
   }
 }
 
+/// Who left the sync window, and how far; nobody is named where it was not one alone.
+void name_loss(const RunReport& report, const RunHistory::SyncLoss& loss, Finding& finding) {
+  finding.figures = {slave_figure(report, loss.slave), time_figure("deviation", std::abs(loss.size)),
+                     time_figure("limit", report.dc.limit_ns), moment_figure(report, "since", loss.time)};
+  if (loss.slave < 0) finding.figures.front() = phrase_figure("slave", "one of the slaves");
+}
+
+/// Nobody's own reading is over the limit: the loss from which the slaves have not come back names who it was.
+Finding out_without_culprit(const RunReport& report) {
+  const auto& dc = report.dc;
+  const bool unknown = dc.state == SyncState::kUnknown;
+  Finding finding{unknown ? code::kSlavesSyncUnknown : code::kSlavesOutOfSync, Severity::kError, -1, dc.since,
+                  report.history.end};
+  finding.figures = {time_figure("limit", dc.limit_ns), moment_figure(report, "since", dc.since)};
+  const auto& losses = report.history.slave_losses;
+  if (dc.state != SyncState::kOutOfSync || losses.empty() || losses.back().back) return finding;
+  const auto& loss = losses.back();
+  const bool stepped = loss.obstacle == dc::SyncObstacle::kClockStep;
+  name_loss(report, loss, finding);
+  finding.place.slave = stepped ? dc.reference_clock : loss.slave;
+  finding.facts = sentence_of(*find_finding_words(code::kSlavesOutOfSync), stepped ? "stepped" : "left");
+  return finding;
+}
+
 /// The verdict's own culprit; nobody is named who is within the limit.
 void find_out_of_sync(const RunReport& report, Findings& findings) {
   const auto& dc = report.dc;
@@ -46,12 +70,7 @@ void find_out_of_sync(const RunReport& report, Findings& findings) {
                             ? &report.slaves[static_cast<std::size_t>(dc.culprit)]
                             : nullptr;
   if (culprit == nullptr) {
-    findings.push_back({code::kSlavesOutOfSync,
-                        Severity::kError,
-                        -1,
-                        dc.since,
-                        report.history.end,
-                        {time_figure("limit", dc.limit_ns), moment_figure(report, "since", dc.since)}});
+    findings.push_back(out_without_culprit(report));
     return;
   }
   const auto deviation = std::abs(std::int64_t{culprit->deviation_ns.value_or(0)});
@@ -88,10 +107,8 @@ void find_left_window(const RunReport& report, Findings& findings) {
   if (losses.empty()) return;
   const auto& first = losses.front();
   Finding finding{code::kWindowLeft, Severity::kWarning, first.slave, first.time, losses.back().back.value_or(0)};
-  finding.figures = {slave_figure(report, first.slave), time_figure("deviation", std::abs(first.size)),
-                     time_figure("limit", report.dc.limit_ns), moment_figure(report, "since", first.time),
-                     times_figure("count", losses.size())};
-  if (first.slave < 0) finding.figures.front() = phrase_figure("slave", "one of the slaves");
+  name_loss(report, first, finding);
+  finding.figures.push_back(times_figure("count", losses.size()));
   if (first.obstacle == dc::SyncObstacle::kClockStep) {
     finding.place.slave = report.dc.reference_clock;
     finding.facts = sentence_of(*find_finding_words(code::kWindowLeft), "stepped");

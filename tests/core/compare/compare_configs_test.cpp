@@ -71,9 +71,9 @@ std::vector<Edit> edits() {
          pdo.entries[0].bit_length = 16;
          p.slaves[3].changed_pdos = {pdo};
        }},
-      {Group::kStartup, "start-up command 0x60c2:01 on PS only in the first",
+      {Group::kStartup, "start-up command 0x60C2:01 (PS) only in the first",
        [](Project& p) { p.slaves[3].startup.clear(); }},
-      {Group::kStartup, "start-up command 0x2000:01 on PS only in the second: 07",
+      {Group::kStartup, "start-up command 0x2000:01 (PS) only in the second: 07",
        [](Project& p) {
          StartupCommand command;
          command.index = 0x2000;

@@ -173,6 +173,31 @@ TEST(RunDiagnosis, NobodyIsNamedWhoIsWithinTheLimit) {
   EXPECT_EQ(diagnose(report)[0].place.slave, 2);
 }
 
+TEST(RunDiagnosis, WhoLeftTheWindowIsNamedAlsoWhenItsLastReadingIsInsideAgain) {
+  auto report = healthy();
+  report.dc.state = SyncState::kOutOfSync;
+  report.dc.since = kStart + 8 * kSecond;
+  report.history.slave_losses.push_back({kStart + 6 * kSecond, 1, 500, {}, kStart + 7 * kSecond});
+  EXPECT_EQ(diagnose(report)[0].place.slave, -1) << "that one has come back";
+  report.history.slave_losses.push_back({kStart + 8 * kSecond, 2, -400, {}, {}});
+  auto finding = diagnose(report)[0];
+  EXPECT_EQ(finding.code, code::kSlavesOutOfSync);
+  EXPECT_EQ(finding.place.slave, 2);
+  EXPECT_THAT(facts_text(finding), HasSubstr("lave 2 left the sync window at 8.000 s (400 ns"));
+  report.history.slave_losses.back() = {kStart + 8 * kSecond, -1, 20'000, dc::SyncObstacle::kClockStep, {}};
+  finding = diagnose(report)[0];
+  EXPECT_EQ(finding.place.slave, report.dc.reference_clock);
+  EXPECT_THAT(facts_text(finding), HasSubstr("the reference clock stepped"));
+}
+
+TEST(RunDiagnosis, WhatIsNotKnownIsNotCalledOutOfSync) {
+  auto report = healthy();
+  report.dc.state = SyncState::kUnknown;
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlavesSyncUnknown));
+  report.dc.state = SyncState::kBusy;
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlavesOutOfSync)) << "they never were";
+}
+
 TEST(RunDiagnosis, OneClockIsNotAskedToBeMonitored) {
   auto report = healthy();
   report.dc.monitored = false;
