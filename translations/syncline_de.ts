@@ -406,6 +406,34 @@
 <context>
     <name>DeviceEditor</name>
         <message>
+            <source>All</source>
+            <translation>Alle</translation>
+        </message>
+        <message>
+            <source>All pages of the selected node</source>
+            <translation>Alle Seiten des gewählten Knotens</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>Konfiguration</translation>
+        </message>
+        <message>
+            <source>The pages that say what shall be</source>
+            <translation>Die Seiten, die sagen, was sein soll</translation>
+        </message>
+        <message>
+            <source>Diagnosis</source>
+            <translation>Diagnose</translation>
+        </message>
+        <message>
+            <source>The pages that show what is</source>
+            <translation>Die Seiten, die zeigen, was ist</translation>
+        </message>
+        <message>
+            <source>Which pages are shown</source>
+            <translation>Welche Seiten gezeigt werden</translation>
+        </message>
+        <message>
             <source>Device editor</source>
             <translation>Geräteeditor</translation>
         </message>

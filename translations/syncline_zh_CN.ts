@@ -405,6 +405,34 @@
 <context>
     <name>DeviceEditor</name>
         <message>
+            <source>All</source>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>All pages of the selected node</source>
+            <translation>所选节点的全部页面</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>配置</translation>
+        </message>
+        <message>
+            <source>The pages that say what shall be</source>
+            <translation>设定应有状态的页面</translation>
+        </message>
+        <message>
+            <source>Diagnosis</source>
+            <translation>诊断</translation>
+        </message>
+        <message>
+            <source>The pages that show what is</source>
+            <translation>显示实际状态的页面</translation>
+        </message>
+        <message>
+            <source>Which pages are shown</source>
+            <translation>显示哪些页面</translation>
+        </message>
+        <message>
             <source>Device editor</source>
             <translation>设备编辑器</translation>
         </message>

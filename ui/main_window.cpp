@@ -138,9 +138,9 @@ void MainWindow::buildMenus() {
   auto* language = new LanguageMenu(workspace_.memory(), this);
   connect(language, &LanguageMenu::chosen, this,
           [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
-  auto* network =
-      ui::buildMenus(*menuBar(), *actions_,
-                     {recent, language, building_->commands().all(), docks_->toggles(), explorer_->viewActions()});
+  auto* network = ui::buildMenus(*menuBar(), *actions_,
+                                 {recent, language, building_->commands().all(), docks_->toggles(),
+                                  explorer_->viewActions(), editor_->modeActions()});
   connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
   state_button_ = buildToolBar(*addToolBar(tr("Main")), *actions_);
 }

@@ -50,6 +50,8 @@ void buildViewMenu(QMenu& menu, const Actions& actions, const MenuEntries& entri
   menu.addSeparator();
   menu.addActions(entries.views);
   menu.addSeparator();
+  menu.addActions(entries.pages);
+  menu.addSeparator();
   menu.addActions({actions.overview, actions.expert});
   menu.addSeparator();
   menu.addActions(actions.themes);

@@ -20,6 +20,7 @@ struct MenuEntries {
   QList<QAction*> slaves;  // what is done to slaves
   QList<QAction*> panels;  // shown or hidden
   QList<QAction*> views;   // of the explorer
+  QList<QAction*> pages;   // which of a node are shown
 };
 
 /// Puts the menus into the bar; gives the one of the network back, whose entries depend on what runs.

@@ -14,6 +14,9 @@ namespace syncline::ui {
 class FieldBinder;
 class Workspace;
 
+/// What a page is for: to say what shall be, to see what is, or both.
+enum class PagePurpose { kConfiguration, kDiagnosis, kBoth };
+
 /// A tab of the device editor for one node. A page shows the project and the live values and asks for
 /// edits; it keeps no state of its own but what is being typed.
 class Page : public QScrollArea {
@@ -28,6 +31,7 @@ class Page : public QScrollArea {
   [[nodiscard]] int node() const { return slave_; }
   /// Whether the node has something to show here.
   [[nodiscard]] virtual bool appliesTo(int slave) const = 0;
+  [[nodiscard]] virtual PagePurpose purpose() const { return PagePurpose::kConfiguration; }
   /// Shows the project and the compiled configuration as they are now.
   virtual void refresh() = 0;
   /// Selects what has to be selected for the field of a setting to be there: a record of a list, a PDO.

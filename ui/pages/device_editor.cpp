@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "settings/settings_table.h"
 #include "ui/dialogs/slave_state_commands.h"
@@ -30,13 +31,21 @@
 #include "ui/pages/slave_timing_page.h"
 #include "ui/panels/slave_state_bar.h"
 #include "ui/session/running_slave.h"
+#include "ui/session/window_memory.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
+#include "ui/widgets/named.h"
 #include "ui/widgets/pill.h"
+#include "ui/widgets/segments.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
+namespace {
+
+const QString kPagesShown = QStringLiteral("pages/shown");
+
+}  // namespace
 
 DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
   setObjectName(QStringLiteral("deviceEditor"));
@@ -64,6 +73,8 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   state_->setAccessibleName(tr("State of the selected node"));
   header->addWidget(title_);
   header->addWidget(subtitle_, 1);
+  modes_ = buildModes();
+  header->addWidget(modes_);
   header->addWidget(state_);
   layout->addLayout(header);
   commands_ = new SlaveStateCommands(workspace, *this, this);
@@ -111,6 +122,42 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   showNode(-1);
 }
 
+Segments* DeviceEditor::buildModes() {
+  const auto key = [](Qt::Key digit) { return QKeySequence(Qt::CTRL | Qt::ALT | digit); };
+  auto* modes = named(
+      new Segments({{"pagesAll", tr("All"), tr("All pages of the selected node"), key(Qt::Key_7)},
+                    {"pagesConfiguration", tr("Configuration"), tr("The pages that say what shall be"), key(Qt::Key_8)},
+                    {"pagesDiagnosis", tr("Diagnosis"), tr("The pages that show what is"), key(Qt::Key_9)}}),
+      "deviceModes", tr("Which pages are shown"));
+  connect(modes, &Segments::chosen, this, [this](int mode) { setMode(static_cast<Mode>(mode)); });
+  const int remembered = workspace_.memory().value(kPagesShown).toInt();
+  mode_ = static_cast<Mode>(std::clamp(remembered, 0, static_cast<int>(Mode::kDiagnosis)));
+  modes->setCurrent(static_cast<int>(mode_));
+  return modes;
+}
+
+const QList<QAction*>& DeviceEditor::modeActions() const { return modes_->choices(); }
+
+void DeviceEditor::setMode(Mode mode) {
+  if (mode != mode_ && commitFields()) {
+    mode_ = mode;
+    workspace_.memory().setValue(kPagesShown, static_cast<int>(mode));
+    chooseTabs();
+  }
+  modes_->setCurrent(static_cast<int>(mode_));
+}
+
+bool DeviceEditor::isShown(const Page& page) const {
+  const auto purpose = page.purpose();
+  if (mode_ == Mode::kAll || purpose == PagePurpose::kBoth) return true;
+  return (mode_ == Mode::kDiagnosis) == (purpose == PagePurpose::kDiagnosis);
+}
+
+void DeviceEditor::reveal(Page* page) {
+  if (!isShown(*page)) setMode(Mode::kAll);
+  if (tabs_->indexOf(page) >= 0) tabs_->setCurrentWidget(page);
+}
+
 void DeviceEditor::showNode(int slave) {
   slave_ = slave;
   for (auto* page : pages_) {
@@ -135,7 +182,7 @@ bool DeviceEditor::showKey(const QString& key) {
       page->showPlace(*ref->setting, ref->place);
       auto* field = page->fields().fieldOf(*ref->setting, ref->place);
       if (field == nullptr) continue;
-      tabs_->setCurrentWidget(page);
+      reveal(page);
       page->ensureWidgetVisible(field, 50, 80);
       field->setFocus(Qt::OtherFocusReason);
       return true;
@@ -168,7 +215,7 @@ void DeviceEditor::revertFields() {
 void DeviceEditor::chooseTabs() {
   QList<Page*> wanted;
   for (auto* page : pages_) {
-    if (!page->appliesTo(slave_)) continue;
+    if (!page->appliesTo(slave_) || !isShown(*page)) continue;
     if (page->node() != slave_) page->setNode(slave_);  // it did not apply before
     wanted.append(page);
   }

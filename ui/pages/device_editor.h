@@ -5,6 +5,7 @@
 #include <QString>
 #include <QWidget>
 
+class QAction;
 class QLabel;
 class QTabWidget;
 
@@ -12,11 +13,12 @@ namespace syncline::ui {
 
 class Page;
 class Pill;
+class Segments;
 class SlaveStateBar;
 class SlaveStateCommands;
 class Workspace;
 
-/// The centre of the window: the tabs of the selected node.
+/// The centre of the window: the tabs of the selected node, all of them, those that configure or those that diagnose.
 class DeviceEditor final : public QWidget {
   Q_OBJECT
 
@@ -26,13 +28,20 @@ class DeviceEditor final : public QWidget {
   /// Of any slave, for menus.
   [[nodiscard]] SlaveStateCommands& states() { return *commands_; }
 
+  enum class Mode { kAll, kConfiguration, kDiagnosis };
+  [[nodiscard]] Mode mode() const { return mode_; }
+  /// Remembered. Nothing changes while a field holds what cannot be a value.
+  void setMode(Mode mode);
+  /// For menus.
+  [[nodiscard]] const QList<QAction*>& modeActions() const;
+
   void showNode(int slave);
   [[nodiscard]] int node() const { return slave_; }
   [[nodiscard]] QTabWidget* tabs() { return tabs_; }
   [[nodiscard]] const QList<Page*>& pages() const { return pages_; }
 
-  /// Goes to the field of a setting ("slave.3.alias"), on whatever page it is; shows expert settings for it. False:
-  /// there is no such field.
+  /// Goes to the field of a setting ("slave.3.alias"), on whatever page it is; shows expert settings and all pages for
+  /// it. False: there is no such field.
   bool showKey(const QString& key);
 
   /// Takes what was typed into fields and not taken yet; false when one holds what cannot be a value.
@@ -51,12 +60,18 @@ class DeviceEditor final : public QWidget {
   void showNotes();
   void showLive();
   void chooseTabs();
+  [[nodiscard]] Segments* buildModes();
+  [[nodiscard]] bool isShown(const Page& page) const;
+  /// Brings a page to the front, whatever the mode.
+  void reveal(Page* page);
 
   Workspace& workspace_;
   QLabel *title_, *subtitle_;
   Pill* state_;
   SlaveStateCommands* commands_;
   SlaveStateBar* state_bar_;
+  Segments* modes_;
+  Mode mode_ = Mode::kAll;
   QTabWidget* tabs_;
   QList<Page*> pages_;
   int slave_ = -1;

@@ -25,6 +25,7 @@ class MasterDcPage final : public Page {
   explicit MasterDcPage(Workspace& workspace);
   ~MasterDcPage() override;
   [[nodiscard]] bool appliesTo(int slave) const override;
+  [[nodiscard]] PagePurpose purpose() const override { return PagePurpose::kBoth; }
   void refresh() override;
   void showLive(const Snapshot& snapshot) override;
 

@@ -18,6 +18,7 @@ class MasterGeneralPage final : public Page {
  public:
   explicit MasterGeneralPage(Workspace& workspace);
   [[nodiscard]] bool appliesTo(int slave) const override { return slave < 0; }
+  [[nodiscard]] PagePurpose purpose() const override { return PagePurpose::kBoth; }
   void refresh() override;
   void showLive(const Snapshot& snapshot) override;
 

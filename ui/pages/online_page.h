@@ -21,6 +21,7 @@ class OnlinePage : public Page {
 
  public:
   [[nodiscard]] bool appliesTo(int slave) const override { return slave >= 0; }
+  [[nodiscard]] PagePurpose purpose() const override { return PagePurpose::kDiagnosis; }
   void refresh() final;
   void showLive(const Snapshot& snapshot) final;
 

@@ -19,6 +19,7 @@ class SlaveDcPage final : public Page {
  public:
   explicit SlaveDcPage(Workspace& workspace);
   [[nodiscard]] bool appliesTo(int slave) const override;
+  [[nodiscard]] PagePurpose purpose() const override { return PagePurpose::kBoth; }
   void refresh() override;
   void showLive(const Snapshot& snapshot) override;
 

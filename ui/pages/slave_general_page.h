@@ -17,6 +17,7 @@ class SlaveGeneralPage final : public Page {
  public:
   explicit SlaveGeneralPage(Workspace& workspace);
   [[nodiscard]] bool appliesTo(int slave) const override { return slave >= 0; }
+  [[nodiscard]] PagePurpose purpose() const override { return PagePurpose::kBoth; }
   void refresh() override;
   void showLive(const Snapshot& snapshot) override;
 

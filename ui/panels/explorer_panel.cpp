@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/explorer_panel.h"
 
-#include <QActionGroup>
-#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLayout>
 #include <QMenu>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -16,6 +14,7 @@
 #include "ui/panels/topology_view.h"
 #include "ui/session/workspace.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/segments.h"
 
 namespace syncline::ui {
 namespace {
@@ -29,8 +28,8 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  auto* bar = new QWidget;
-  layout->addWidget(bar);
+  views_ = buildViews();
+  layout->addWidget(views_);
   auto& model = workspace.network();
   buildTree();
   topology_ = named(new TopologyView(model), "explorerTopology", tr("Topology of the network"));
@@ -42,7 +41,6 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   stack_->addWidget(tree_);
   stack_->addWidget(topology_);
   layout->addWidget(stack_, 1);
-  buildViews(*bar);
   for (QAbstractItemView* view : {static_cast<QAbstractItemView*>(tree_), static_cast<QAbstractItemView*>(topology_)}) {
     view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(view, &QWidget::customContextMenuRequested, this, [this, view](const QPoint& point) {
@@ -98,44 +96,23 @@ void ExplorerPanel::buildTree() {
   tree_->expandAll();
 }
 
-void ExplorerPanel::buildViews(QWidget& bar) {
-  auto* layout = new QHBoxLayout(&bar);
-  layout->setContentsMargins(4, 3, 4, 3);
-  layout->setSpacing(2);
-  auto* group = new QActionGroup(this);
-  const struct {
-    View view;
-    const char* name;
-    QString text, tip;
-    Qt::Key key;
-  } views[] = {
-      {View::kClassic, "viewClassic", tr("Classic"), tr("Tree by wiring: terminals below their coupler"), Qt::Key_1},
-      {View::kFlat, "viewFlat", tr("Flat"), tr("All slaves in bus order"), Qt::Key_2},
-      {View::kTopology, "viewTopology", tr("Topology"),
-       tr("Ports and cables; drag a slave to another port to rewire it"), Qt::Key_3}};
-  for (const auto& one : views) {
-    auto* action = new QAction(one.text, this);
-    action->setObjectName(QLatin1String(one.name));
-    action->setCheckable(true);
-    action->setShortcut(QKeySequence(Qt::CTRL | Qt::ALT | one.key));
-    action->setToolTip(QStringLiteral("%1 (%2)").arg(one.tip, action->shortcut().toString(QKeySequence::NativeText)));
-    group->addAction(action);
-    view_actions_.append(action);
-    connect(action, &QAction::triggered, this, [this, view = one.view] { setView(view); });
-    auto* button = new QToolButton;
-    button->setObjectName(QLatin1String(one.name) + QStringLiteral("Button"));
-    button->setDefaultAction(action);
-    button->setAccessibleName(action->toolTip());
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    layout->addWidget(button);
-  }
+const QList<QAction*>& ExplorerPanel::viewActions() const { return views_->choices(); }
+
+Segments* ExplorerPanel::buildViews() {
+  const auto key = [](Qt::Key digit) { return QKeySequence(Qt::CTRL | Qt::ALT | digit); };
+  auto* views =
+      new Segments({{"viewClassic", tr("Classic"), tr("Tree by wiring: terminals below their coupler"), key(Qt::Key_1)},
+                    {"viewFlat", tr("Flat"), tr("All slaves in bus order"), key(Qt::Key_2)},
+                    {"viewTopology", tr("Topology"), tr("Ports and cables; drag a slave to another port to rewire it"),
+                     key(Qt::Key_3)}});
+  views->layout()->setContentsMargins(4, 3, 4, 3);
+  connect(views, &Segments::chosen, this, [this](int view) { setView(static_cast<View>(view)); });
+  return views;
 }
 
 void ExplorerPanel::setView(View view) {
   view_ = view;
-  view_actions_[static_cast<int>(view)]->setChecked(true);
+  views_->setCurrent(static_cast<int>(view));
   const auto slave = selected();
   workspace_.network().setShape(view == View::kFlat ? NetworkModel::Shape::kFlat : NetworkModel::Shape::kClassic);
   QWidget* wanted = topology_;

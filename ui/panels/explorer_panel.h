@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-class QActionGroup;
+class QAction;
 class QStackedWidget;
 class QTreeView;
 
@@ -11,6 +11,7 @@ class QMenu;
 
 namespace syncline::ui {
 
+class Segments;
 class TopologyView;
 class Workspace;
 
@@ -27,7 +28,7 @@ class ExplorerPanel final : public QWidget {
   [[nodiscard]] int selected() const;
   [[nodiscard]] View view() const { return view_; }
   void setView(View view);
-  [[nodiscard]] const QList<QAction*>& viewActions() const { return view_actions_; }
+  [[nodiscard]] const QList<QAction*>& viewActions() const;
   [[nodiscard]] TopologyView& topology() { return *topology_; }
   /// For the context menu, and for the keys that they have while the explorer has the focus.
   void setCommands(const QList<QAction*>& commands);
@@ -41,14 +42,14 @@ class ExplorerPanel final : public QWidget {
  private:
   void openMenu(const QPoint& at);
   void buildTree();
-  void buildViews(QWidget& bar);
+  [[nodiscard]] Segments* buildViews();
   void keepSelection();
 
   Workspace& workspace_;
   QTreeView* tree_;
   TopologyView* topology_;
   QStackedWidget* stack_;
-  QList<QAction*> view_actions_;
+  Segments* views_;
   View view_ = View::kClassic;
   int kept_slave_ = -1, kept_address_ = 0;  // over a reset of the model
 };
