@@ -495,6 +495,10 @@
             <source>Ports and cables; drag a slave to another port to rewire it</source>
             <translation>Ports und Kabel; einen Slave auf einen anderen Port ziehen, um ihn umzustecken</translation>
         </message>
+        <message>
+            <source>Error Counters at Its Cable (%1)</source>
+            <translation>Fehlerzähler an seinem Kabel (%1)</translation>
+        </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -6051,6 +6055,10 @@ Einstellung %2</translation>
             <source> (+%1 in 10 s)</source>
             <translation> (+%1 in 10 s)</translation>
         </message>
+        <message>
+            <source>%1 s ago</source>
+            <translation>vor %1 s</translation>
+        </message>
 </context>
 <context>
     <name>EepromLines</name>
@@ -6255,10 +6263,6 @@ Einstellung %2</translation>
         <message>
             <source>in the last run</source>
             <translation>im letzten Lauf</translation>
-        </message>
-        <message>
-            <source>%1 s ago</source>
-            <translation>vor %1 s</translation>
         </message>
         <message>
             <source>Read: %1 (registers 0x0300 to 0x0313)</source>
@@ -8394,6 +8398,69 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>A recording of the chosen episode, out of memory</source>
             <translation>Eine Aufzeichnung der gewählten Episode, aus dem Speicher</translation>
+        </message>
+</context>
+<context>
+    <name>CableTip</name>
+        <message>
+            <source>%1 port %2</source>
+            <translation>%1 Port %2</translation>
+        </message>
+        <message>
+            <source>The link is up.</source>
+            <translation>Der Link steht.</translation>
+        </message>
+        <message>
+            <source>The cable is broken: nothing comes back over it.</source>
+            <translation>Das Kabel ist unterbrochen: Darüber kommt nichts zurück.</translation>
+        </message>
+        <message>
+            <source>%1 does not answer.</source>
+            <translation>%1 antwortet nicht.</translation>
+        </message>
+        <message>
+            <source>Offline: the link is not known.</source>
+            <translation>Offline: Der Link ist nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>%1: not read yet</source>
+            <translation>%1: noch nicht gelesen</translation>
+        </message>
+        <message>
+            <source>%1 does not answer: no counters</source>
+            <translation>%1 antwortet nicht: keine Zähler</translation>
+        </message>
+        <message>
+            <source>%1, read %2:</source>
+            <translation>%1, gelesen %2:</translation>
+        </message>
+        <message>
+            <source>invalid frames %1, receive errors %2</source>
+            <translation>ungültige Frames %1, Empfangsfehler %2</translation>
+        </message>
+        <message>
+            <source>forwarded errors %1, lost links %2</source>
+            <translation>weitergeleitete Fehler %1, Linkverluste %2</translation>
+        </message>
+        <message>
+            <source>Here frames are damaged first: begin with this cable and its plugs.</source>
+            <translation>Hier werden Frames zuerst beschädigt: Beginnen Sie mit diesem Kabel und seinen Steckern.</translation>
+        </message>
+        <message>
+            <source>Frames were damaged or the link was lost on this cable.</source>
+            <translation>Auf diesem Kabel wurden Frames beschädigt, oder der Link ging verloren.</translation>
+        </message>
+        <message>
+            <source>Only forwarded errors: the damage is further in front.</source>
+            <translation>Nur weitergeleitete Fehler: Der Schaden liegt weiter vorn.</translation>
+        </message>
+        <message>
+            <source>Cable: %1 to %2</source>
+            <translation>Kabel: %1 nach %2</translation>
+        </message>
+        <message>
+            <source>Click the number for the error counters of %1.</source>
+            <translation>Ein Klick auf die Zahl führt zu den Fehlerzählern von %1.</translation>
         </message>
 </context>
 </TS>

@@ -493,6 +493,10 @@
             <source>Ports and cables; drag a slave to another port to rewire it</source>
             <translation>端口和电缆；将从站拖到另一端口即可改接</translation>
         </message>
+        <message>
+            <source>Error Counters at Its Cable (%1)</source>
+            <translation>其电缆处的错误计数器（%1）</translation>
+        </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -6022,6 +6026,10 @@ Setting %2</source>
             <source> (+%1 in 10 s)</source>
             <translation>（10 s 内 +%1）</translation>
         </message>
+        <message>
+            <source>%1 s ago</source>
+            <translation>%1 s 前</translation>
+        </message>
 </context>
 <context>
     <name>EepromLines</name>
@@ -6226,10 +6234,6 @@ Setting %2</source>
         <message>
             <source>in the last run</source>
             <translation>在上次运行中</translation>
-        </message>
-        <message>
-            <source>%1 s ago</source>
-            <translation>%1 s 前</translation>
         </message>
         <message>
             <source>Read: %1 (registers 0x0300 to 0x0313)</source>
@@ -8348,6 +8352,69 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>A recording of the chosen episode, out of memory</source>
             <translation>从内存中记录所选片段</translation>
+        </message>
+</context>
+<context>
+    <name>CableTip</name>
+        <message>
+            <source>%1 port %2</source>
+            <translation>%1 端口 %2</translation>
+        </message>
+        <message>
+            <source>The link is up.</source>
+            <translation>链路已建立。</translation>
+        </message>
+        <message>
+            <source>The cable is broken: nothing comes back over it.</source>
+            <translation>电缆已断开：没有任何数据经它返回。</translation>
+        </message>
+        <message>
+            <source>%1 does not answer.</source>
+            <translation>%1 不应答。</translation>
+        </message>
+        <message>
+            <source>Offline: the link is not known.</source>
+            <translation>离线：链路状态未知。</translation>
+        </message>
+        <message>
+            <source>%1: not read yet</source>
+            <translation>%1：尚未读取</translation>
+        </message>
+        <message>
+            <source>%1 does not answer: no counters</source>
+            <translation>%1 不应答：没有计数</translation>
+        </message>
+        <message>
+            <source>%1, read %2:</source>
+            <translation>%1，读取于 %2：</translation>
+        </message>
+        <message>
+            <source>invalid frames %1, receive errors %2</source>
+            <translation>无效帧 %1，接收错误 %2</translation>
+        </message>
+        <message>
+            <source>forwarded errors %1, lost links %2</source>
+            <translation>转发错误 %1，链路丢失 %2</translation>
+        </message>
+        <message>
+            <source>Here frames are damaged first: begin with this cable and its plugs.</source>
+            <translation>帧首先在此处受损：请从这根电缆及其插头查起。</translation>
+        </message>
+        <message>
+            <source>Frames were damaged or the link was lost on this cable.</source>
+            <translation>这根电缆上有帧受损或链路丢失。</translation>
+        </message>
+        <message>
+            <source>Only forwarded errors: the damage is further in front.</source>
+            <translation>只有转发错误：损坏发生在更前面。</translation>
+        </message>
+        <message>
+            <source>Cable: %1 to %2</source>
+            <translation>电缆：%1 到 %2</translation>
+        </message>
+        <message>
+            <source>Click the number for the error counters of %1.</source>
+            <translation>点击数字可查看 %1 的错误计数器。</translation>
         </message>
 </context>
 </TS>

@@ -122,6 +122,10 @@ void MainWindow::connectDocks() {
     strip_->setPickedSlave(workspace_.runningSlaves().positionOf(slave));
     showOverview(false);
   });
+  connect(explorer_, &ExplorerPanel::countersWanted, this, [this](int slave) {
+    selectNode(slave);
+    editor_->showPage("slaveCountersPage");
+  });
   connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
   connect(explorer_, &ExplorerPanel::menuOpens, this, [this](QMenu& menu, int slave) {

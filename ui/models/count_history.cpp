@@ -2,6 +2,8 @@
 #include "ui/models/count_history.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
 #include <utility>
 
 #include "ui/text/units.h"
@@ -19,6 +21,19 @@ std::uint32_t CountHistory::growth(std::size_t n) const {
   if (kept_.empty() || n >= kept_.back().totals.size() || n >= kept_.front().totals.size()) return 0;
   const auto now = kept_.back().totals[n], then = kept_.front().totals[n];
   return now > then ? now - then : 0;  // cleared in between
+}
+
+std::vector<std::uint32_t> portTotals(const std::array<PortErrors, 4>& ports) {
+  std::vector<std::uint32_t> all;
+  for (const auto& port : ports) {
+    all.insert(all.end(), {port.invalid_frames, port.receive_errors, port.forwarded_errors, port.lost_links});
+  }
+  return all;
+}
+
+QString agoText(Nanoseconds age) {
+  return QCoreApplication::translate("Counters", "%1 s ago")
+      .arg(QLocale().toString(static_cast<double>(std::max<Nanoseconds>(age, 0)) / 1e9, 'f', 1));
 }
 
 QString growingText(std::uint32_t total, bool at_least, std::uint32_t growth) {

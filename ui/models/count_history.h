@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <vector>
 
+#include "channels/slave_evidence.h"
 #include "support/types.h"
 
 namespace syncline::ui {
@@ -28,6 +30,14 @@ class CountHistory {
   };
   std::deque<Kept> kept_;
 };
+
+/// Counters of a port, in the order of portTotals().
+inline constexpr std::size_t kCountersOfPort = 4;
+/// Invalid frames, receive errors, forwarded errors, lost links of port A, then of B ...
+[[nodiscard]] std::vector<std::uint32_t> portTotals(const std::array<PortErrors, 4>& ports);
+
+/// "2.4 s ago".
+[[nodiscard]] QString agoText(Nanoseconds age);
 
 /// "12", "at least 255", with "+3 in 10 s" behind it where it grows.
 [[nodiscard]] QString growingText(std::uint32_t total, bool at_least, std::uint32_t growth);

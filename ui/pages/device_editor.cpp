@@ -193,6 +193,12 @@ bool DeviceEditor::showKey(const QString& key) {
   return false;
 }
 
+void DeviceEditor::showPage(const char* object_name) {
+  for (auto* page : pages_) {
+    if (page->objectName() == QLatin1String(object_name) && tabs_->indexOf(page) >= 0) tabs_->setCurrentWidget(page);
+  }
+}
+
 /// What the compiler finds wrong stands beside its field.
 void DeviceEditor::showNotes() {
   const auto& result = workspace_.configuration().result();

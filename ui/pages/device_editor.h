@@ -44,6 +44,9 @@ class DeviceEditor final : public QWidget {
   /// it. False: there is no such field.
   bool showKey(const QString& key);
 
+  /// Goes to a page of the shown node by its object name; nothing where the node has none.
+  void showPage(const char* object_name);
+
   /// Takes what was typed into fields and not taken yet; false when one holds what cannot be a value.
   bool commitFields();
   void revertFields();

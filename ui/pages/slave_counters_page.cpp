@@ -3,10 +3,8 @@
 
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QTableView>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "ui/models/record_model.h"
 #include "ui/session/workspace.h"
@@ -17,16 +15,8 @@
 namespace syncline::ui {
 namespace {
 
-constexpr std::size_t kOfPort = 4;
-
 std::vector<std::uint32_t> totalsOf(const SlaveEvidence& evidence) {
-  std::vector<std::uint32_t> all;
-  for (const auto& port : evidence.ports) {
-    all.push_back(port.invalid_frames);
-    all.push_back(port.receive_errors);
-    all.push_back(port.forwarded_errors);
-    all.push_back(port.lost_links);
-  }
+  auto all = portTotals(evidence.ports);
   all.push_back(evidence.processing_unit_errors.total);
   all.push_back(evidence.pdi_errors.total);
   all.push_back(evidence.process_data_watchdog.total);
@@ -77,8 +67,7 @@ void SlaveCountersPage::slaveChanged() {
 QString SlaveCountersPage::ageText(Nanoseconds time, std::optional<Nanoseconds> now) const {
   if (time == 0) return tr("not yet");
   if (!now) return tr("in the last run");
-  return tr("%1 s ago")
-      .arg(QLocale().toString(static_cast<double>(std::max<Nanoseconds>(*now - time, 0)) / 1e9, 'f', 1));
+  return agoText(*now - time);
 }
 
 void SlaveCountersPage::tick(std::optional<Nanoseconds> now) {
@@ -100,13 +89,14 @@ void SlaveCountersPage::showPorts(const SlaveEvidence& evidence) {
   RecordModel::Lines lines;
   for (std::size_t port = 0; port < evidence.ports.size(); ++port) {
     const auto& one = evidence.ports[port];
-    const std::uint32_t counts[kOfPort] = {one.invalid_frames, one.receive_errors, one.forwarded_errors,
-                                           one.lost_links};
+    const std::uint32_t counts[kCountersOfPort] = {one.invalid_frames, one.receive_errors, one.forwarded_errors,
+                                                   one.lost_links};
     QStringList line{tr("Port %1 (%2)").arg(port).arg(QChar(static_cast<char16_t>(u'A' + port)))};
-    for (std::size_t i = 0; i < kOfPort; ++i) {
+    for (std::size_t i = 0; i < kCountersOfPort; ++i) {
       const bool known = evidence.ports_time != 0;
-      line << (known ? growingText(counts[i], one.at_least && counts[i] > 0, history_.growth(kOfPort * port + i))
-                     : noText());
+      line << (known
+                   ? growingText(counts[i], one.at_least && counts[i] > 0, history_.growth(kCountersOfPort * port + i))
+                   : noText());
     }
     lines.push_back(line);
   }
@@ -114,7 +104,7 @@ void SlaveCountersPage::showPorts(const SlaveEvidence& evidence) {
 }
 
 void SlaveCountersPage::showOthers(const SlaveEvidence& evidence, std::optional<Nanoseconds> now) {
-  const auto first = kOfPort * evidence.ports.size();
+  const auto first = kCountersOfPort * evidence.ports.size();
   const auto& process_data = evidence.process_data_watchdog;
   const auto& pdi = evidence.pdi_watchdog;
   const auto counted = [&](const EvidenceCount& count, std::size_t n) {

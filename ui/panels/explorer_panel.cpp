@@ -32,7 +32,7 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   layout->addWidget(views_);
   auto& model = workspace.network();
   buildTree();
-  topology_ = named(new TopologyView(model), "explorerTopology", tr("Topology of the network"));
+  topology_ = named(new TopologyView(model, workspace.cables()), "explorerTopology", tr("Topology of the network"));
   auto* own = topology_->selectionModel();
   topology_->setSelectionModel(tree_->selectionModel());
   delete own;
@@ -64,6 +64,7 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   topology_->setEditable(workspace.mayEditSlaves());
   const auto remembered = workspace.memory().value(kView).toInt();
   topology_->setZoom(workspace.memory().value(kZoom).isValid() ? workspace.memory().value(kZoom).toDouble() : 1);
+  connect(topology_, &TopologyView::countersWanted, this, &ExplorerPanel::countersWanted);
   connect(topology_, &TopologyView::zoomChanged, this,
           [this](double zoom) { workspace_.memory().setValue(kZoom, zoom); });
   setView(static_cast<View>(std::clamp(remembered, 0, static_cast<int>(View::kTopology))));
@@ -75,8 +76,19 @@ void ExplorerPanel::openMenu(const QPoint& at) {
   menu->setObjectName(QStringLiteral("slaveMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addActions(actions());
+  addCounters(*menu);
   if (selected() >= 0) Q_EMIT menuOpens(*menu, selected());
   menu->popup(at);
+}
+
+/// For whoever does not click the number at the cable.
+void ExplorerPanel::addCounters(QMenu& menu) {
+  const auto badge = workspace_.cables().badge(selected());
+  if (badge.damage == CableDamage::kNone) return;
+  menu.addSeparator();
+  auto* action = menu.addAction(tr("Error Counters at Its Cable (%1)").arg(badgeText(badge)));
+  action->setObjectName(QStringLiteral("cableCounters"));
+  connect(action, &QAction::triggered, this, [this, slave = badge.slave] { Q_EMIT countersWanted(slave); });
 }
 
 void ExplorerPanel::buildTree() {

@@ -36,11 +36,14 @@ class ExplorerPanel final : public QWidget {
 
  Q_SIGNALS:
   void nodeSelected(int slave);
+  /// What a port of the slave counted is to be seen.
+  void countersWanted(int slave);
   /// The context menu of a slave is about to be shown: what else can be done with it is added here.
   void menuOpens(QMenu& menu, int slave);
 
  private:
   void openMenu(const QPoint& at);
+  void addCounters(QMenu& menu);
   void buildTree();
   [[nodiscard]] Segments* buildViews();
   void keepSelection();

@@ -2,6 +2,7 @@
 #include "ui/panels/topology_paint.h"
 
 #include <QApplication>
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QStringList>
 
@@ -12,6 +13,7 @@ namespace syncline::ui::topology {
 namespace {
 
 constexpr double kPortRadius = 6.5;
+constexpr double kBadgeHeight = 15;
 
 QFont scaled(double factor, bool bold = false) {
   auto font = QApplication::font();
@@ -24,6 +26,13 @@ QString secondLine(const QModelIndex& index) {
   const int slave = index.data(NetworkModel::kSlaveRole).toInt();
   return QStringLiteral("%1 \u00b7 %2").arg(slave).arg(index.data(NetworkModel::kAddressRole).toInt());
 }
+
+/// Told apart without colour: a triangle where it begins.
+QString badgeWords(const CableBadge& badge) {
+  return badge.damage == CableDamage::kFirst ? QStringLiteral("\u25B2 ") + badgeText(badge) : badgeText(badge);
+}
+
+QFont badgeFont() { return scaled(0.75, true); }
 
 }  // namespace
 
@@ -83,6 +92,22 @@ void drawPort(QPainter& painter, const QPointF& centre, QChar letter, const QPal
   painter.setFont(scaled(0.65));
   painter.setPen(look.aimed ? palette.color(QPalette::HighlightedText) : palette.color(QPalette::Text));
   painter.drawText(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius), Qt::AlignCenter, letter);
+}
+
+QSizeF badgeSize(const CableBadge& badge) {
+  return {QFontMetricsF(badgeFont()).horizontalAdvance(badgeWords(badge)) + 10, kBadgeHeight};
+}
+
+void drawBadge(QPainter& painter, const QRectF& area, const QPalette& palette, const CableBadge& badge) {
+  const bool first = badge.damage == CableDamage::kFirst, forwarded = badge.damage == CableDamage::kForwarded;
+  const auto tone = first ? theme::Tone::kBad : theme::Tone::kWarning;
+  const auto color = theme::toneColor(palette, tone);
+  painter.setPen(QPen(color, 1, forwarded ? Qt::DotLine : Qt::SolidLine));
+  painter.setBrush(first ? color : forwarded ? palette.color(QPalette::Base) : theme::toneFill(palette, tone));
+  painter.drawRoundedRect(area, area.height() / 2, area.height() / 2);
+  painter.setFont(badgeFont());
+  painter.setPen(first ? palette.color(QPalette::Base) : color);
+  painter.drawText(area, Qt::AlignCenter, badgeWords(badge));
 }
 
 }  // namespace syncline::ui::topology

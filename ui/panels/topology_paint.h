@@ -6,6 +6,7 @@
 #include <QPen>
 #include <QRectF>
 
+#include "ui/models/cable_counters.h"
 #include "ui/models/network_model.h"
 
 class QPainter;
@@ -27,5 +28,9 @@ struct PortLook {
 void drawBox(QPainter& painter, const QRectF& box, const QPalette& palette, const QModelIndex& index,
              const BoxLook& look);
 void drawPort(QPainter& painter, const QPointF& centre, QChar letter, const QPalette& palette, const PortLook& look);
+
+/// The number at a cable: filled where frames are damaged first, an outline where errors were only forwarded.
+[[nodiscard]] QSizeF badgeSize(const CableBadge& badge);
+void drawBadge(QPainter& painter, const QRectF& area, const QPalette& palette, const CableBadge& badge);
 
 }  // namespace syncline::ui::topology

@@ -2,15 +2,20 @@
 #include "ui/panels/topology_view.h"
 
 #include <QApplication>
+#include <QHelpEvent>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScrollBar>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "config/slave_edits.h"
+#include "ui/models/cable_counters.h"
 #include "ui/models/network_model.h"
+#include "ui/panels/cable_tip.h"
 #include "ui/panels/topology_paint.h"
 #include "ui/theme/theme.h"
 
@@ -19,13 +24,22 @@ namespace {
 
 constexpr double kBoxWidth = 168, kBoxHeight = 44, kColumn = 212, kRow = 66, kEdge = 14;
 constexpr double kReach = 14;  // around a port
+constexpr double kNearCable = 5, kBadgeBeside = 10;
 constexpr double kSmallest = 0.3, kLargest = 2;
 
 int slaveOf(const QModelIndex& index) { return index.isValid() ? index.data(NetworkModel::kSlaveRole).toInt() : -1; }
 
+double distanceOf(const QPointF& point, const QLineF& line) {
+  const auto along = line.p2() - line.p1();
+  const double length = QPointF::dotProduct(along, along);
+  const double part = length > 0 ? std::clamp(QPointF::dotProduct(point - line.p1(), along) / length, 0.0, 1.0) : 0.0;
+  return QLineF(line.p1() + part * along, point).length();
+}
+
 }  // namespace
 
-TopologyView::TopologyView(NetworkModel& model, QWidget* parent) : QAbstractItemView(parent), network_(model) {
+TopologyView::TopologyView(NetworkModel& model, const CableCounters& cables, QWidget* parent)
+    : QAbstractItemView(parent), network_(model), cables_(cables) {
   setModel(&model);
   setFrameShape(QFrame::NoFrame);
   setSelectionMode(SingleSelection);
@@ -33,6 +47,7 @@ TopologyView::TopologyView(NetworkModel& model, QWidget* parent) : QAbstractItem
   setDragDropMode(DropOnly);
   viewport()->setMouseTracking(true);
   viewport()->setAcceptDrops(true);
+  connect(&cables, &CableCounters::changed, this, [this] { viewport()->update(); });
 }
 
 void TopologyView::setProject(const Project& project) {
@@ -89,6 +104,55 @@ QPointF TopologyView::anchorOf(int slave, int port) const {
     ++count;
   }
   return {box.right(), box.top() + kBoxHeight * (at + 1) / (count + 1)};
+}
+
+/// A slave that hangs at nobody though others stand before it: nobody knows its cable.
+QPolygonF TopologyView::cableOf(int slave) const {
+  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
+  if (!place.previous && slave > 0) return {};
+  const auto own = std::ranges::find(place.ports, TopologyPlace::Port::kEntry) - place.ports.begin();
+  const auto end = anchorOf(slave, static_cast<int>(own));
+  const auto begin = place.previous ? anchorOf(place.previous->position, place.previous->port) : anchorOf(-1, 0);
+  const double middle = place.goes_on || !place.previous ? begin.x() : (begin.x() + end.x()) / 2;
+  return QPolygonF({begin, {middle, begin.y()}, {middle, end.y()}, end});
+}
+
+/// Above the slave: beside the cable that comes from there, else where one that comes from the left begins.
+QRectF TopologyView::badgeOnPaper(int slave) const {
+  if (slave < 0 || slave >= static_cast<int>(layout_.slaves.size())) return {};
+  const auto badge = cables_.badge(slave);
+  if (badge.damage == CableDamage::kNone) return {};
+  const auto box = boxOf(slave);
+  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
+  const bool from_above = place.goes_on || !place.previous;
+  const auto size = topology::badgeSize(badge);
+  const double middle = box.top() - (kRow - kBoxHeight) / 2;
+  return {{from_above ? box.center().x() + kBadgeBeside : box.left(), middle - size.height() / 2}, size};
+}
+
+QRect TopologyView::badgeRect(int slave) const {
+  const auto area = badgeOnPaper(slave);
+  return QRectF(area.topLeft() * zoom_ - QPointF(horizontalOffset(), verticalOffset()), area.size() * zoom_).toRect();
+}
+
+int TopologyView::badgeAt(const QPoint& point) const {
+  const auto there = onPaper(point);
+  for (int slave = 0; slave < static_cast<int>(layout_.slaves.size()); ++slave) {
+    if (badgeOnPaper(slave).contains(there)) return slave;
+  }
+  return -1;
+}
+
+/// The slave by whose cable the point is.
+int TopologyView::cableAt(const QPoint& point) const {
+  const auto there = onPaper(point);
+  for (int slave = 0; slave < static_cast<int>(layout_.slaves.size()); ++slave) {
+    const auto cable = cableOf(slave);
+    for (int i = 1; i < cable.size(); ++i) {
+      if (distanceOf(there, {cable[i - 1], cable[i]}) <= kNearCable) return slave;
+    }
+  }
+  return -1;
 }
 
 QPointF TopologyView::onPaper(const QPointF& point) const {
@@ -185,6 +249,17 @@ void TopologyView::dataChanged(const QModelIndex& from, const QModelIndex& to, c
   viewport()->update();
 }
 
+/// Of a cable, as long as no slave is there.
+bool TopologyView::viewportEvent(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QAbstractItemView::viewportEvent(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  if (indexAt(help->pos()).isValid()) return QAbstractItemView::viewportEvent(event);
+  const int badge = badgeAt(help->pos());
+  const int slave = badge >= 0 ? badge : cableAt(help->pos());
+  QToolTip::showText(help->globalPos(), cableTip(network_, cables_, slave), viewport());
+  return true;
+}
+
 void TopologyView::paintEvent(QPaintEvent* event) {
   QPainter painter(viewport());
   painter.setRenderHint(QPainter::Antialiasing);
@@ -202,6 +277,7 @@ void TopologyView::paintEvent(QPaintEvent* event) {
     drawNode(painter, slave);
     if (slave >= 0) drawPorts(painter, slave);
   }
+  for (int slave = 0; slave < count; ++slave) drawBadge(painter, slave);
   if (dragging_) {
     painter.setPen(QPen(theme::toneColor(palette(), theme::Tone::kAccent), 2, Qt::DashLine));
     const auto entry = layout_.slaves[static_cast<std::size_t>(grabbed_)].ports;
@@ -212,16 +288,14 @@ void TopologyView::paintEvent(QPaintEvent* event) {
 }
 
 void TopologyView::drawCable(QPainter& painter, int slave) const {
-  const auto& place = layout_.slaves[static_cast<std::size_t>(slave)];
   const auto link = static_cast<NetworkModel::LinkState>(network_.indexOf(slave).data(NetworkModel::kLinkRole).toInt());
   painter.setPen(topology::cablePen(palette(), link, dragging_ && slave == grabbed_));
-  const auto own = std::ranges::find(place.ports, TopologyPlace::Port::kEntry) - place.ports.begin();
-  const auto end = anchorOf(slave, static_cast<int>(own));
-  // A slave that hangs at nobody though others stand before it: nobody knows its cable.
-  if (!place.previous && slave > 0) return;
-  const auto begin = place.previous ? anchorOf(place.previous->position, place.previous->port) : anchorOf(-1, 0);
-  const double middle = place.goes_on || !place.previous ? begin.x() : (begin.x() + end.x()) / 2;
-  painter.drawPolyline(QPolygonF({begin, {middle, begin.y()}, {middle, end.y()}, end}));
+  painter.drawPolyline(cableOf(slave));
+}
+
+void TopologyView::drawBadge(QPainter& painter, int slave) const {
+  const auto badge = cables_.badge(slave);
+  if (badge.damage != CableDamage::kNone) topology::drawBadge(painter, badgeOnPaper(slave), palette(), badge);
 }
 
 void TopologyView::drawNode(QPainter& painter, int slave) const {
@@ -279,6 +353,8 @@ bool TopologyView::mayPlug(const DraggedDevice& device, const PortPlace& at) con
 }
 
 void TopologyView::mousePressEvent(QMouseEvent* event) {
+  clicked_badge_ = event->button() == Qt::LeftButton ? badgeAt(event->position().toPoint()) : -1;
+  if (clicked_badge_ >= 0) return;
   QAbstractItemView::mousePressEvent(event);
   pressed_ = event->position().toPoint();
   const int slave = slaveOf(indexAt(pressed_));
@@ -288,6 +364,8 @@ void TopologyView::mousePressEvent(QMouseEvent* event) {
 
 void TopologyView::mouseMoveEvent(QMouseEvent* event) {
   mouse_ = event->position().toPoint();
+  if (event->buttons() == Qt::NoButton)
+    viewport()->setCursor(badgeAt(mouse_) >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
   if (grabbed_ < 0 || !(event->buttons() & Qt::LeftButton)) return;
   dragging_ = dragging_ || (mouse_ - pressed_).manhattanLength() >= QApplication::startDragDistance();
   if (!dragging_ || project_ == nullptr) return;
@@ -299,6 +377,11 @@ void TopologyView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void TopologyView::mouseReleaseEvent(QMouseEvent* event) {
+  if (const int badge = std::exchange(clicked_badge_, -1); badge >= 0) {
+    const auto counted = cables_.badge(badge);
+    if (badgeAt(event->position().toPoint()) == badge) Q_EMIT countersWanted(counted.slave);
+    return;
+  }
   const bool plugged = dragging_ && aim_.slave >= 0;
   const int slave = grabbed_;
   const auto at = aim_;

@@ -36,16 +36,20 @@ Workspace::Workspace(Environment environment, QObject* parent)
       run_findings_(live_),
       disk_(live_, run_findings_, run_difference_, environment_) {
   network_.setProject(document_.project());
+  cables_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
     network_.setProject(document_.project());
+    cables_.setProject(document_.project());
     network_.setConfiguration(configuration_.config());
   });
   connect(&configuration_, &ConfigurationMonitor::compiled, this, [this] {
     network_.setConfiguration(configuration_.config());
     showFindings();
   });
-  connect(&live_, &LiveSession::snapshotChanged, this,
-          [this] { network_.setSnapshot(live_.snapshot(), running_slaves_.positions()); });
+  connect(&live_, &LiveSession::snapshotChanged, this, [this] {
+    network_.setSnapshot(live_.snapshot(), running_slaves_.positions());
+    cables_.setSnapshot(live_.snapshot(), running_slaves_.positions());
+  });
   connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
     if (auto message = messageOf(event, live_.record()->config())) {
       message->slave = running_slaves_.slaveOf(event.slave);

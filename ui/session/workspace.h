@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include "ui/models/cable_counters.h"
 #include "ui/models/finding_model.h"
 #include "ui/models/message_model.h"
 #include "ui/models/network_model.h"
@@ -65,6 +66,8 @@ class Workspace final : public QObject {
   [[nodiscard]] std::vector<Finding> shownFindings() const;
   [[nodiscard]] MessageModel& messages() { return messages_; }
   [[nodiscard]] NetworkModel& network() { return network_; }
+  /// What the running machine counted at its cables.
+  [[nodiscard]] CableCounters& cables() { return cables_; }
 
   /// LINK that scan and online use; empty until one was chosen.
   [[nodiscard]] const QString& link() const { return link_; }
@@ -123,6 +126,7 @@ class Workspace final : public QObject {
   FindingModel findings_;
   MessageModel messages_;
   NetworkModel network_;
+  CableCounters cables_;
 };
 
 }  // namespace syncline::ui

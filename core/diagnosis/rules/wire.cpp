@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "diagnosis/rules/rules.h"
+#include "protocol/port_damage.h"
 #include "protocol/registers.h"
 
 namespace syncline::diagnosis {
@@ -60,19 +61,12 @@ void find_lost_link(const RunReport& report, const RunReport::Slave& slave, std:
                        moment_figure(report, "last", spells.last())}});
 }
 
-/// First port in frame order that counted damaged frames in or shortly after the spell.
-struct Port {
-  int slave = -1;
-  std::size_t port = 0;
-};
-Port noisy_port(const RunReport& report, const Spell& spell) {
-  for (const auto& slave : report.slaves) {
-    const auto& ports = report.history.slaves[slave.position].port_errors;
-    for (std::size_t port = 0; port < kPorts; ++port) {
-      if (ports[port].near({spell.from, spell.to + kReadLater, 0, 0}, kTogether)) return {slave.position, port};
-    }
-  }
-  return {};
+/// Where frames were damaged first in or shortly after the spell.
+DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
+  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
+  return first_damaged_port(report.slaves.size(), [&](std::size_t slave, std::size_t port) {
+    return report.history.slaves[slave].port_errors[port].near(read, kTogether);
+  });
 }
 
 struct Losses {
@@ -110,7 +104,7 @@ void find_port_errors(const RunReport& report, Findings& findings) {
 
 void find_lost_frames(const RunReport& report, Findings& findings) {
   Losses by_host, by_noise, by_slave, unexplained;
-  Port noisy;
+  DamagedPort noisy;
   int gone = -1;
   for (const auto& spell : report.history.lost_frames.list()) {
     if (adapter_was_away(report, spell)) continue;  // those that were under way at that moment

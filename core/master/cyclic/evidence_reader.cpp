@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/evidence_reader.h"
 
-#include <algorithm>
 #include <utility>
 
+#include "protocol/port_damage.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -76,7 +76,7 @@ void EvidenceReader::take_ports(Nanoseconds time) {
                &lost = totals[kLostLinks + port];
     errors = {invalid.total(), receive.total(), forwarded.total(), lost.total(),
               invalid.at_least() || receive.at_least() || forwarded.at_least() || lost.at_least()};
-    tell_port(port, std::max(more[2 * port], more[2 * port + 1]), more[kLostLinks + port], time);
+    tell_port(port, damaged_frames(more[2 * port], more[2 * port + 1]), more[kLostLinks + port], time);
   }
   const auto count_of = [time](const CounterTotal& total) {
     return EvidenceCount{total.total(), total.at_least(), time};
@@ -86,7 +86,6 @@ void EvidenceReader::take_ports(Nanoseconds time) {
   evidence.ports_time = time;
 }
 
-/// Errors that were only forwarded are somebody else's. A damaged frame is counted in both counters as a rule.
 void EvidenceReader::tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time) {
   if (damaged == 0 && lost_links == 0) return;
   run_.event(time, static_cast<int>(slave_), events::PortErrors{static_cast<std::uint8_t>(port), damaged, lost_links});
