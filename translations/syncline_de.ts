@@ -1005,6 +1005,14 @@
             <source>Recording</source>
             <translation>Aufzeichnung</translation>
         </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>The deviations of all slaves as a heat map, and their figures, instead of the plots</source>
+            <translation>Die Abweichungen aller Slaves als Heatmap und ihre Kennzahlen, anstelle der Kurven</translation>
+        </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -1301,6 +1309,158 @@
             <source>%1 %2</source>
             <comment>one sentence behind the other</comment>
             <translation>%1 %2</translation>
+        </message>
+    </context>
+    <context>
+    <name>HeatLegend</name>
+        <message>
+            <source>The largest magnitude of register 0x092C in each cell. Between two readings the older one holds; a cell is hatched where the slave was not read for longer than a few readings take, or no frame came back.</source>
+            <translation>Der größte Betrag von Register 0x092C in jeder Zelle. Zwischen zwei Ablesungen gilt die ältere; schraffiert ist eine Zelle, wo der Slave länger nicht gelesen wurde, als wenige Ablesungen dauern, oder kein Frame zurückkam.</translation>
+        </message>
+        <message>
+            <source>limit %1</source>
+            <translation>Grenzwert %1</translation>
+        </message>
+        <message>
+            <source>over</source>
+            <translation>darüber</translation>
+        </message>
+        <message>
+            <source>no reading</source>
+            <translation>keine Ablesung</translation>
+        </message>
+    </context>
+    <context>
+    <name>HeatMapPlot</name>
+        <message>
+            <source>reference clock</source>
+            <translation>Referenzuhr</translation>
+        </message>
+    </context>
+    <context>
+    <name>SlaveFiguresModel</name>
+        <message>
+            <source>reference</source>
+            <translation>Referenz</translation>
+        </message>
+        <message>
+            <source>no DC</source>
+            <translation>ohne DC</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>Jetzt</translation>
+        </message>
+        <message>
+            <source>Age</source>
+            <translation>Alter</translation>
+        </message>
+        <message>
+            <source>Max</source>
+            <translation>Max</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Mittel</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>Over</source>
+            <translation>Darüber</translation>
+        </message>
+        <message>
+            <source>SM2 missed</source>
+            <translation>SM2 verpasst</translation>
+        </message>
+        <message>
+            <source>Course</source>
+            <translation>Verlauf</translation>
+        </message>
+        <message>
+            <source>By position</source>
+            <translation>Nach der Position</translation>
+        </message>
+        <message>
+            <source>The newest reading; a dash where it is too old to be present</source>
+            <translation>Die neueste Ablesung; ein Strich, wo sie zu alt ist, um noch zu gelten</translation>
+        </message>
+        <message>
+            <source>Of the newest reading, at the end of the range shown</source>
+            <translation>Der neuesten Ablesung, am Ende des gezeigten Bereichs</translation>
+        </message>
+        <message>
+            <source>The largest magnitude of all readings of the range shown</source>
+            <translation>Der größte Betrag aller Ablesungen des gezeigten Bereichs</translation>
+        </message>
+        <message>
+            <source>Of all readings, with their signs; sorted by its magnitude</source>
+            <translation>Aller Ablesungen, mit Vorzeichen; sortiert nach dem Betrag</translation>
+        </message>
+        <message>
+            <source>Root mean square of all readings, about zero</source>
+            <translation>Effektivwert aller Ablesungen, um null</translation>
+        </message>
+        <message>
+            <source>Part of the readings whose magnitude is over the limit</source>
+            <translation>Anteil der Ablesungen, deren Betrag über dem Grenzwert liegt</translation>
+        </message>
+        <message>
+            <source>SM2 events missed in the range shown; a dash without such a counter</source>
+            <translation>Im gezeigten Bereich verpasste SM2-Ereignisse; ein Strich ohne einen solchen Zähler</translation>
+        </message>
+        <message>
+            <source>The largest magnitudes over the range shown; the top is the limit</source>
+            <translation>Die größten Beträge über den gezeigten Bereich; oben ist der Grenzwert</translation>
+        </message>
+    </context>
+    <context>
+    <name>SlavesView</name>
+        <message>
+            <source>Deviations of all slaves</source>
+            <translation>Abweichungen aller Slaves</translation>
+        </message>
+        <message>
+            <source>Colours of the deviations</source>
+            <translation>Farben der Abweichungen</translation>
+        </message>
+        <message>
+            <source>Reading under the pointer</source>
+            <translation>Ablesung unter dem Zeiger</translation>
+        </message>
+        <message>
+            <source>Figures of all slaves</source>
+            <translation>Kennzahlen aller Slaves</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>%1 old</source>
+            <translation>%1 alt</translation>
+        </message>
+        <message>
+            <source>no reading</source>
+            <translation>keine Ablesung</translation>
+        </message>
+        <message>
+            <source>up to %1 in the cell</source>
+            <translation>bis zu %1 in der Zelle</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>Grenzwert ±%1</translation>
+        </message>
+        <message>
+            <source>%1: now %2, at most %3</source>
+            <translation>%1: jetzt %2, höchstens %3</translation>
         </message>
     </context>
     <context>

@@ -1003,6 +1003,14 @@
             <source>Recording</source>
             <translation>记录</translation>
         </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>The deviations of all slaves as a heat map, and their figures, instead of the plots</source>
+            <translation>以热图显示所有从站的偏差及其数值，代替曲线</translation>
+        </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -1299,6 +1307,158 @@
             <source>%1 %2</source>
             <comment>one sentence behind the other</comment>
             <translation>%1%2</translation>
+        </message>
+    </context>
+    <context>
+    <name>HeatLegend</name>
+        <message>
+            <source>The largest magnitude of register 0x092C in each cell. Between two readings the older one holds; a cell is hatched where the slave was not read for longer than a few readings take, or no frame came back.</source>
+            <translation>每个单元格中寄存器 0x092C 的最大绝对值。两次读数之间保持较早的读数；若从站超过数个读取间隔未被读取，或没有帧返回，则单元格画阴影线。</translation>
+        </message>
+        <message>
+            <source>limit %1</source>
+            <translation>限值 %1</translation>
+        </message>
+        <message>
+            <source>over</source>
+            <translation>超限</translation>
+        </message>
+        <message>
+            <source>no reading</source>
+            <translation>无读数</translation>
+        </message>
+    </context>
+    <context>
+    <name>HeatMapPlot</name>
+        <message>
+            <source>reference clock</source>
+            <translation>参考时钟</translation>
+        </message>
+    </context>
+    <context>
+    <name>SlaveFiguresModel</name>
+        <message>
+            <source>reference</source>
+            <translation>参考</translation>
+        </message>
+        <message>
+            <source>no DC</source>
+            <translation>无 DC</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Now</source>
+            <translation>当前</translation>
+        </message>
+        <message>
+            <source>Age</source>
+            <translation>时龄</translation>
+        </message>
+        <message>
+            <source>Max</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>平均</translation>
+        </message>
+        <message>
+            <source>RMS</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>Over</source>
+            <translation>超限</translation>
+        </message>
+        <message>
+            <source>SM2 missed</source>
+            <translation>SM2 丢失</translation>
+        </message>
+        <message>
+            <source>Course</source>
+            <translation>走势</translation>
+        </message>
+        <message>
+            <source>By position</source>
+            <translation>按位置</translation>
+        </message>
+        <message>
+            <source>The newest reading; a dash where it is too old to be present</source>
+            <translation>最新读数；过旧而不再有效时显示横线</translation>
+        </message>
+        <message>
+            <source>Of the newest reading, at the end of the range shown</source>
+            <translation>最新读数在所示范围末端的时龄</translation>
+        </message>
+        <message>
+            <source>The largest magnitude of all readings of the range shown</source>
+            <translation>所示范围内所有读数的最大绝对值</translation>
+        </message>
+        <message>
+            <source>Of all readings, with their signs; sorted by its magnitude</source>
+            <translation>所有读数带符号的平均值；按绝对值排序</translation>
+        </message>
+        <message>
+            <source>Root mean square of all readings, about zero</source>
+            <translation>所有读数相对于零的均方根</translation>
+        </message>
+        <message>
+            <source>Part of the readings whose magnitude is over the limit</source>
+            <translation>绝对值超过限值的读数所占比例</translation>
+        </message>
+        <message>
+            <source>SM2 events missed in the range shown; a dash without such a counter</source>
+            <translation>所示范围内丢失的 SM2 事件；没有该计数器时显示横线</translation>
+        </message>
+        <message>
+            <source>The largest magnitudes over the range shown; the top is the limit</source>
+            <translation>所示范围内的最大绝对值；顶端为限值</translation>
+        </message>
+    </context>
+    <context>
+    <name>SlavesView</name>
+        <message>
+            <source>Deviations of all slaves</source>
+            <translation>所有从站的偏差</translation>
+        </message>
+        <message>
+            <source>Colours of the deviations</source>
+            <translation>偏差的颜色</translation>
+        </message>
+        <message>
+            <source>Reading under the pointer</source>
+            <translation>指针处的读数</translation>
+        </message>
+        <message>
+            <source>Figures of all slaves</source>
+            <translation>所有从站的数值</translation>
+        </message>
+        <message>
+            <source>Slaves</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>%1 old</source>
+            <translation>%1 前</translation>
+        </message>
+        <message>
+            <source>no reading</source>
+            <translation>无读数</translation>
+        </message>
+        <message>
+            <source>up to %1 in the cell</source>
+            <translation>单元格内最大 %1</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>限值 ±%1</translation>
+        </message>
+        <message>
+            <source>%1: now %2, at most %3</source>
+            <translation>%1：当前 %2，最大 %3</translation>
         </message>
     </context>
     <context>

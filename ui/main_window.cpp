@@ -112,10 +112,12 @@ void MainWindow::connectDocks() {
   connect(messages, &MessagesPanel::momentActivated, strip_, &LiveStrip::goTo);
   auto* findings = findings_;
   connect(findings, &FindingsPanel::momentActivated, strip_, &LiveStrip::goTo);
-  connect(findings, &FindingsPanel::placeActivated, this, [this](int position, const QString& key) {
+  const auto go_to_shown = [this](int position, const QString& key) {
     if (workspace_.recording().isOpen()) return goTo(position, key);
     if (const int slave = workspace_.runningSlaves().slaveOf(position); slave >= 0 || position < 0) goTo(slave, key);
-  });
+  };
+  connect(findings, &FindingsPanel::placeActivated, this, go_to_shown);
+  connect(strip_, &LiveStrip::slaveWanted, this, [go_to_shown](int position) { go_to_shown(position, {}); });
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, this, [this](int slave) {
     if (workspace_.recording().isOpen()) return;

@@ -28,6 +28,7 @@
 #include "ui/pages/device_editor.h"
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"
@@ -193,6 +194,24 @@ void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme)
   strip->showBody(ui::LiveStrip::Body::kPlots);
 }
 
+/// All slaves in place of the plots, in the usual and in the smallest window.
+void takeSlaves(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  auto* strip = window.findChild<ui::LiveStrip*>();
+  strip->showBody(ui::LiveStrip::Body::kSlaves);
+  const auto usual = window.size();
+  for (const auto& [size, name] : {std::pair{usual, "-slaves"}, {QSize(1024, 640), "-slaves-small"}}) {
+    window.resize(size);
+    QApplication::processEvents();
+    static_cast<void>(waitUntil([strip] {
+      strip->refresh();
+      return strip->slaves()->complete();
+    }));
+    camera.take(window, theme + QLatin1String(name));
+  }
+  window.resize(usual);
+  strip->showBody(ui::LiveStrip::Body::kPlots);
+}
+
 /// The last seconds of the machine out of memory, opened again.
 void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace) {
   const QTemporaryDir folder;
@@ -277,6 +296,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-overview"));
     takeDistribution(camera, window, ui::theme::modeName(mode));
     takeStability(camera, window, ui::theme::modeName(mode));
+    takeSlaves(camera, window, ui::theme::modeName(mode));
     takePages(camera, window, workspace, ui::theme::modeName(mode));
     workspace.setExpert(true);
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));

@@ -219,6 +219,49 @@ void compare_strip(RatioReport& report) {
   report.add("live strip: append, redraw, numbers", frame, "a tick of 33 ms", 33e6, 0.6);
 }
 
+/// The heat map as it runs: 4 kHz, 300 slaves, a minute shown.
+void compare_slaves(RatioReport& report) {
+  constexpr Nanoseconds kCycle = 250 * kMicrosecond;
+  constexpr int kPerTick = 133, kSlaves = 300;
+  NetworkConfig config;
+  config.cyclic.resize(1);
+  config.cyclic.front().cycle_time = kCycle;
+  for (int i = 0; i < kSlaves; ++i) config.slaves.emplace_back().name = "Slave_" + std::to_string(1001 + i);
+  config.dc.sync_window.enabled = true;
+  config.dc.sync_window.exponent = 7;
+  RunRecord record(config);
+  ui::LiveStrip strip;
+  strip.resize(1600, 400);
+  strip.setRecord(&record);
+  strip.timeView()->setSpan(60 * kSecond);
+  std::mt19937 random(3);
+  std::uint64_t cycle = 0;
+  std::vector<CycleSample> samples;
+  const auto produce = [&](int count) {
+    samples.resize(static_cast<std::size_t>(count));
+    for (auto& sample : samples) {
+      sample.cycle = cycle;
+      sample.send_time = kStart + static_cast<Nanoseconds>(cycle) * kCycle;
+      sample.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows;
+      sample.slave_position = static_cast<std::int16_t>(cycle % kSlaves);
+      sample.slave_deviation_ns = static_cast<std::int32_t>(random() % 271) - 135;
+      ++cycle;
+    }
+    record.add(samples);
+  };
+  strip.show();
+  produce(240'000);
+  strip.showBody(ui::LiveStrip::Body::kSlaves);
+  QApplication::processEvents();
+  const double append = median_ns([&] { produce(kPerTick); });
+  const double frame = median_ns([&] {
+    produce(kPerTick);
+    strip.refresh();
+    QApplication::processEvents();
+  });
+  report.add("heat map and table of 300 slaves: a frame", frame - append, "8 ms", 8e6, 1);
+}
+
 int run() {
   RatioReport report;
   std::map<int, double> ours;
@@ -226,6 +269,7 @@ int run() {
   compare_scales(report);
   compare_live(report);
   compare_strip(report);
+  compare_slaves(report);
   return report.finish("Plots, 1200 x 500 canvas");
 }
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <functional>
 #include <random>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "bench/ratio_report.h"
 #include "trace/distribution.h"
 #include "trace/even_samples.h"
 #include "trace/signal_study.h"
+#include "trace/slave_cells.h"
+#include "trace/slave_figures.h"
 #include "trace/spectrum.h"
 #include "trace/stability.h"
 
@@ -81,6 +85,67 @@ void bench_stability(RatioReport& report, const MinMaxSeries& series) {
   report.add("spectrum: 10 M samples", spectrum * 1e9, "a second", 1e9, 2);
 }
 
+/// A run of 300 slaves, one of which is read a cycle.
+class SlavesRun {
+ public:
+  static constexpr std::size_t kSlaves = 300;
+  void go_on(std::size_t cycles) {
+    for (std::size_t done = 0; done < cycles; done += samples_.size()) {
+      samples_.resize(std::min<std::size_t>(cycles - done, 8192));
+      for (auto& sample : samples_) {
+        sample.cycle = cycle_;
+        sample.send_time = kStart + static_cast<Nanoseconds>(cycle_) * kCycle;
+        sample.flags = CycleSample::kFollowersRead | CycleSample::kSlaveFollows;
+        sample.slave_position = static_cast<std::int16_t>(cycle_ % kSlaves);
+        sample.slave_deviation_ns = static_cast<std::int32_t>(random_() % 201) - 100;
+        ++cycle_;
+      }
+      store.append(samples_);
+    }
+  }
+  /// The last `cycles` in 1000 columns.
+  [[nodiscard]] SlaveCells::Grid grid(std::size_t cycles) const {
+    constexpr Nanoseconds kColumns = 1000;
+    const auto width = static_cast<Nanoseconds>(cycles) * kCycle / kColumns;
+    return {(store.last_time() / width - kColumns + 1) * width, width, kColumns};
+  }
+  SampleStore store{{.slaves = kSlaves, .cycle_time = kCycle, .cycle_capacity = kSamples}};
+
+ private:
+  std::vector<CycleSample> samples_;
+  std::uint64_t cycle_ = 0;
+  std::mt19937 random_{1};
+};
+
+void bench_slaves(RatioReport& report) {
+  SlavesRun run;
+  run.go_on(kSamples);
+  struct Range {
+    std::size_t cycles;
+    const char* name;
+  };
+  for (const auto& range : {Range{kSamples, "10 M cycles"}, Range{480'000, "a minute"}, Range{8'000, "a second"}}) {
+    const std::string what = std::string("slaves: 300 x 1000 cells of ") + range.name;
+    SlaveCells cells;
+    const double anew = median_ns([&] {
+      cells.forget();
+      cells.show(run.store, run.grid(range.cycles));
+    });
+    report.add(what + ", anew", anew, "a tick of 33 ms", 33e6, 1);
+    const double frame = median_ns([&] {
+      run.go_on(267);
+      cells.show(run.store, run.grid(range.cycles));
+    });
+    report.add(what + ", 267 cycles more", frame, "8 ms", 8e6, 1);
+  }
+  SlaveFigureRound round;
+  const double portion = seconds([&] {
+    round.aim(run.store, kStart, run.store.last_time(), 90);
+    static_cast<void>(round.work(300'000));
+  });
+  report.add("slaves: figures, a portion of 300 k readings", portion * 1e9, "a tick of 33 ms", 33e6, 0.5);
+}
+
 }  // namespace
 }  // namespace syncline::bench
 
@@ -89,5 +154,6 @@ int main() {
   const auto series = syncline::bench::deviations();
   syncline::bench::bench_distribution(report, series);
   syncline::bench::bench_stability(report, series);
-  return report.finish("Distributions, stability, spectrum");
+  syncline::bench::bench_slaves(report);
+  return report.finish("Distributions, stability, spectrum, slaves");
 }

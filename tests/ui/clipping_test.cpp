@@ -13,6 +13,7 @@
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/session/workspace.h"
 
@@ -67,6 +68,16 @@ class Clipping : public ::testing::TestWithParam<const char*> {
     }
     strip.showBody(LiveStrip::Body::kPlots);
   }
+  void lookAtSlaves() {
+    auto& strip = window_.liveStrip();
+    strip.showBody(LiveStrip::Body::kSlaves);
+    static_cast<void>(test::waitFor([&strip] {
+      strip.refresh();
+      return strip.slaves()->complete();
+    }));
+    look(QStringLiteral("slaves"));
+    strip.showBody(LiveStrip::Body::kPlots);
+  }
   void lookAtPages(int node) {
     window_.selectNode(node);
     auto* tabs = window_.editor().tabs();
@@ -99,6 +110,7 @@ TEST_P(Clipping, NoTextIsCut) {
     std::set<std::uint32_t> seen;  // one of each device
     lookAtPages(-1);
     lookAtStability();
+    lookAtSlaves();
     for (std::size_t i = 0; i < slaves.size(); ++i) {
       if (seen.insert(slaves[i].device.identity.product_code).second) lookAtPages(static_cast<int>(i));
     }

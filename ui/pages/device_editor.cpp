@@ -195,7 +195,7 @@ bool DeviceEditor::showKey(const QString& key) {
 
 void DeviceEditor::showPage(const char* object_name) {
   for (auto* page : pages_) {
-    if (page->objectName() == QLatin1String(object_name) && tabs_->indexOf(page) >= 0) tabs_->setCurrentWidget(page);
+    if (page->appliesTo(slave_) && page->objectName() == QLatin1String(object_name)) reveal(page);
   }
 }
 

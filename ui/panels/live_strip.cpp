@@ -13,6 +13,7 @@
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip_panels.h"
 #include "ui/panels/live_strip_toolbar.h"
+#include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
@@ -52,6 +53,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   stack_->addWidget(distribution_);
   stability_ = new StabilityView(&view_, &cursors_);
   stack_->addWidget(stability_);
+  slaves_ = new SlavesView(&view_, &cursors_);
+  stack_->addWidget(slaves_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);
@@ -70,6 +73,14 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
           [this](bool on) { showBody(on ? Body::kDistribution : Body::kPlots); });
   connect(toolbar_, &LiveStripToolbar::stabilityToggled, this,
           [this](bool on) { showBody(on ? Body::kStability : Body::kPlots); });
+  connect(toolbar_, &LiveStripToolbar::slavesToggled, this,
+          [this](bool on) { showBody(on ? Body::kSlaves : Body::kPlots); });
+  connect(slaves_, &SlavesView::menuRequested, this, &LiveStrip::openMenu);
+  connect(slaves_, &SlavesView::momentChosen, this, [this](int slave, Nanoseconds time) {
+    setPickedSlave(slave);
+    Q_EMIT slaveWanted(slave);
+    goTo(time);
+  });
   connect(toolbar_, &LiveStripToolbar::triggerWanted, this, &LiveStrip::triggerWanted);
   connect(distribution_, &DistributionView::momentChosen, this, &LiveStrip::goTo);
   connect(toolbar_, &LiveStripToolbar::menuRequested, this,
@@ -92,6 +103,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   for (auto* panel : panels_) panel->setSource(record_);
   distribution_->setRecord(record_);
   stability_->setRecord(record_);
+  slaves_->setRecord(record_);
   cursors_.clear();
   view_.reset();
   view_.setFollowable(!recorded);
@@ -105,6 +117,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
 
 void LiveStrip::setPickedSlave(int position) {
   for (auto* panel : panels_) panel->setPickedSlave(position);
+  slaves_->select(position);
 }
 
 void LiveStrip::goTo(Nanoseconds time) {
@@ -178,6 +191,7 @@ void LiveStrip::tick() {
   collectMarks();
   if (body_ == Body::kDistribution && isVisible()) return distribution_->refresh();
   if (body_ == Body::kStability && isVisible()) return stability_->refresh();
+  if (body_ == Body::kSlaves && isVisible()) return slaves_->refresh();
   for (auto* panel : panels_) panel->plot()->refresh();
 }
 
@@ -189,13 +203,13 @@ void LiveStrip::showState() {
 }
 
 QWidget* LiveStrip::body() const {
-  QWidget* const bodies[] = {plots_, distribution_, stability_};
+  QWidget* const bodies[] = {plots_, distribution_, stability_, slaves_};
   return bodies[static_cast<std::size_t>(body_)];
 }
 
 void LiveStrip::showBody(Body body) {
   if (body == std::exchange(body_, body)) return;
-  toolbar_->setWanted(body == Body::kDistribution, body == Body::kStability);
+  toolbar_->setWanted(body == Body::kDistribution, body == Body::kStability, body == Body::kSlaves);
   showState();
   for (auto* panel : panels_) panel->plot()->markDirty();
   refresh();

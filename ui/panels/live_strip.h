@@ -20,6 +20,7 @@ namespace syncline::ui {
 
 class DistributionView;
 class LiveStripToolbar;
+class SlavesView;
 class StabilityView;
 
 /// Three plots over one time axis: DC deviation, missed SM2 events, DCM error. Draws what a run's record holds on a
@@ -60,11 +61,12 @@ class LiveStrip : public QWidget {
   [[nodiscard]] const std::array<TracePanel*, 3>& panels() const { return panels_; }
   [[nodiscard]] DistributionView* distribution() const { return distribution_; }
   [[nodiscard]] StabilityView* stability() const { return stability_; }
-  /// The plots over time, or in their place histograms, or curves over observation times and spectra.
-  enum class Body : std::uint8_t { kPlots, kDistribution, kStability };
+  [[nodiscard]] SlavesView* slaves() const { return slaves_; }
+  /// The plots over time, or in their place histograms, curves over observation times and spectra, or all slaves.
+  enum class Body : std::uint8_t { kPlots, kDistribution, kStability, kSlaves };
   void showBody(Body body);
-  /// The bins of the distribution or the figures of the stability where they are shown; else the stretch that is shown
-  /// as a table: times in ns since the run began and in UTC, one column a series; C locale.
+  /// The bins of the distribution, the figures of the stability or the cells of the slaves where they are shown; else
+  /// the stretch that is shown as a table: times in ns since the run began and in UTC, one column a series; C locale.
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
   /// The three plots with a caption, in light colours whatever the theme is.
@@ -75,6 +77,8 @@ class LiveStrip : public QWidget {
   void eventClicked(syncline::Nanoseconds time);
   void triggerWanted();
   void triggerLevelDragged(double level);
+  /// A slave of the run, by position, was chosen.
+  void slaveWanted(int position);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -105,6 +109,7 @@ class LiveStrip : public QWidget {
   QWidget* plots_;
   DistributionView* distribution_;
   StabilityView* stability_;
+  SlavesView* slaves_;
   std::array<TracePanel*, 3> panels_{};
   QTimer tick_;
   unsigned ticks_ = 0;

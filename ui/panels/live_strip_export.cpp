@@ -13,6 +13,7 @@
 #include "support/whole_file.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/plots/series_csv.h"
 #include "ui/text/error_text.h"
@@ -38,6 +39,7 @@ void tellUnwritten(QWidget* parent, const Status& status) {
 std::string LiveStrip::csv() const {
   if (body_ == Body::kDistribution) return distribution_->csv();
   if (body_ == Body::kStability) return stability_->csv();
+  if (body_ == Body::kSlaves) return slaves_->csv();
   return csv(view_.begin(), view_.end());
 }
 
@@ -73,6 +75,7 @@ QImage LiveStrip::picture(double scale) {
   QPainter painter(&image);
   if (body_ == Body::kDistribution) distribution_->refresh();
   if (body_ == Body::kStability) stability_->refresh();
+  if (body_ == Body::kSlaves) slaves_->refresh();
   shown->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
   painter.setPen(printPalette().color(QPalette::Text));
   painter.setFont(font());

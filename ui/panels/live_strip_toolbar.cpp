@@ -16,7 +16,7 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
     : QWidget(parent), view_(view), cursors_(cursors), state_(new ValueLabel), delta_(new ValueLabel) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  layout->setSpacing(2);
   struct Choice {
     const char* name;
     QString text;
@@ -54,6 +54,10 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
                          tr("How steady signals are over observation times, and their spectrum, instead of the plots"));
   stability_->setCheckable(true);
   connect(stability_, &QToolButton::clicked, this, &LiveStripToolbar::stabilityToggled);
+  slaves_ = addButton(layout, "slavesButton", tr("Slaves"),
+                      tr("The deviations of all slaves as a heat map, and their figures, instead of the plots"));
+  slaves_->setCheckable(true);
+  connect(slaves_, &QToolButton::clicked, this, &LiveStripToolbar::slavesToggled);
   auto* trigger = addButton(layout, "triggerButton", tr("Trigger"),
                             tr("Stops or moves the plots where a signal or an event does what you wait for"));
   connect(trigger, &QToolButton::clicked, this, &LiveStripToolbar::triggerWanted);
@@ -83,9 +87,10 @@ QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, 
   return button;
 }
 
-void LiveStripToolbar::setWanted(bool distribution, bool stability) {
+void LiveStripToolbar::setWanted(bool distribution, bool stability, bool slaves) {
   distribution_->setChecked(distribution);
   stability_->setChecked(stability);
+  slaves_->setChecked(slaves);
 }
 
 void LiveStripToolbar::showState() {

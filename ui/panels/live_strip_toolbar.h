@@ -24,11 +24,12 @@ class LiveStripToolbar final : public QWidget {
   void showState();
 
   /// What stands in place of the plots: one of them at most.
-  void setWanted(bool distribution, bool stability);
+  void setWanted(bool distribution, bool stability, bool slaves);
 
  Q_SIGNALS:
   void distributionToggled(bool on);
   void stabilityToggled(bool on);
+  void slavesToggled(bool on);
   void fitRequested();
   void triggerWanted();
   void cursorsToggled(bool on);
@@ -44,7 +45,7 @@ class LiveStripToolbar final : public QWidget {
     Nanoseconds span;
   };
   std::vector<Length> lengths_;
-  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_;
+  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_, *slaves_;
   ValueLabel *state_, *delta_;
 };
 

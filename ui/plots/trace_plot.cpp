@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/plots/time_axis.h"
 #include "ui/plots/unit_scale_draw.h"
 #include "ui/theme/theme.h"
 
@@ -190,26 +191,11 @@ void TracePlot::prepare() {
 }
 
 void TracePlot::updateTimeAxis() {
-  const auto span = static_cast<double>(view_->span()) / 1e9;
-  double begin = -span;
-  double end = 0;
-  QString quantity = tr("Time before now");
-  QString unit = QStringLiteral("s");
-  double divisor = 1;
-  if (view_->mode() == TimeView::Mode::kLive) {
-    if (span <= 1) {
-      unit = QStringLiteral("ms");
-      divisor = 1e-3;
-    }
-  } else {
-    quantity = tr("Time since start");
-    end = static_cast<double>(view_->end() - view_->origin()) / 1e9;
-    begin = end - span;
-  }
-  time_draw_->setDivisor(divisor);
+  const auto axis = timeAxisOf(*view_);
+  time_draw_->setDivisor(axis.divisor);
   setAxisMaxMajor(QwtPlot::xBottom, std::clamp(canvas()->width() / 52, 2, 8));
-  setAxisScale(QwtPlot::xBottom, begin, end);
-  const auto title = titleText(quantity, unit, palette(), canvas()->font());
+  setAxisScale(QwtPlot::xBottom, axis.begin, axis.end);
+  const auto title = titleText(axis.quantity, axis.unit, palette(), canvas()->font());
   if (axisTitle(QwtPlot::xBottom) != title) setAxisTitle(QwtPlot::xBottom, title);
 }
 

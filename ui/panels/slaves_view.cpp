@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/slaves_view.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/panels/course_delegate.h"
+#include "ui/plots/heat_legend.h"
+#include "ui/plots/signal_source.h"
+#include "ui/text/units.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/tables.h"
+#include "ui/widgets/value_label.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr std::size_t kReadingsATick = 300'000;  // some milliseconds
+constexpr unsigned kFiguresEvery = 6;            // ticks: faster cannot be read
+constexpr std::size_t kCourseParts = 48;
+
+using FiguresColumn = SlaveFiguresModel::Column;
+
+/// As wide as its heading and what usually stands below it: contents that change move nothing.
+int widthOf(const QTableView& table, const SlaveFiguresModel& model, int column) {
+  const QString usual[] = {
+      QStringLiteral("#100 Servo drive"), QStringLiteral("+999 ns  "),  QStringLiteral("999.999 ms"),
+      QStringLiteral("99.999 ms"),        QStringLiteral("+99.999 ms"), QStringLiteral("99.999 ms"),
+      QStringLiteral("0.001 %"),          QStringLiteral("9999"),       QString(16, u'0')};
+  const int heading = table.horizontalHeader()->fontMetrics().horizontalAdvance(
+                          model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()) +
+                      26;  // with the mark of the order
+  return std::max(heading, table.fontMetrics().horizontalAdvance(usual[column]) + 12);
+}
+
+}  // namespace
+
+SlavesView::SlavesView(TimeView* view, CursorSet* cursors, QWidget* parent)
+    : QWidget(parent),
+      view_(view),
+      plot_(named(new HeatMapPlot(view, cursors), "slavesHeatMap", tr("Deviations of all slaves"))),
+      legend_(named(new HeatLegend, "slavesLegend", tr("Colours of the deviations"))),
+      reading_(named(new ValueLabel, "slavesReading", tr("Reading under the pointer"))),
+      model_(new SlaveFiguresModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      table_(named(new QTableView, "slavesTable", tr("Figures of all slaves"))) {
+  setObjectName(QStringLiteral("slavesView"));
+  setAccessibleName(tr("Slaves"));
+  reading_->setLeastCharacters(4);
+  sorted_->setSourceModel(model_);
+  sorted_->setSortRole(SlaveFiguresModel::kSortRole);
+  table_->setModel(sorted_);
+  setUpTable(*table_);
+  table_->setItemDelegateForColumn(FiguresColumn::kCourse, new CourseDelegate(table_));
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(FiguresColumn::kMax, Qt::DescendingOrder);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 4);
+  for (int i = 0; i < SlaveFiguresModel::kColumns; ++i) table_->setColumnWidth(i, widthOf(*table_, *model_, i));
+  table_->setMinimumWidth(200);
+  auto* body = new QSplitter;
+  body->setObjectName(QStringLiteral("slavesSplitter"));
+  body->setChildrenCollapsible(false);
+  body->addWidget(plot_);
+  body->addWidget(table_);
+  body->setStretchFactor(0, 4);
+  body->setStretchFactor(1, 3);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(12);
+  head->addWidget(legend_);
+  head->addWidget(reading_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addLayout(head);
+  layout->addWidget(body, 1);
+  connect(plot_, &HeatMapPlot::pointedChanged, this, &SlavesView::showReading);
+  connect(plot_, &HeatMapPlot::slaveSelected, this, &SlavesView::select);
+  connect(plot_, &HeatMapPlot::momentActivated, this, &SlavesView::momentChosen);
+  connect(plot_, &HeatMapPlot::menuRequested, this, &SlavesView::menuRequested);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+    plot_->setSelected(selectedInTable());
+    showReading();
+  });
+  connect(table_, &QTableView::activated, this, [this] { plot_->activateSelected(); });
+}
+
+void SlavesView::setRecord(const RunRecord* record) {
+  record_ = record;
+  round_.drop();
+  roles_.clear();
+  ticks_ = 0;
+  begin_ = end_ = 0;
+  plot_->setRecord(record);
+  model_->setRows({}, 0);
+  reading_->clear();
+}
+
+void SlavesView::refresh() {
+  if (record_ == nullptr || record_->samples().empty()) return;
+  if (ticks_ % kFiguresEvery == 0) updateRows();
+  plot_->refresh();
+  legend_->setScale(plot_->full(), limitOf(record_->limits(), Signal::kSlaveDeviation) > 0);
+  updateFigures();
+  ++ticks_;
+}
+
+/// Who follows is known once it was read.
+void SlavesView::updateRows() {
+  auto roles = clock_roles(record_->config(), record_->samples(), record_->snapshot().dc.reference_clock);
+  if (roles == roles_) return;
+  roles_ = std::move(roles);
+  std::vector<HeatMapPlot::Row> rows;
+  for (std::size_t i = 0; i < roles_.size(); ++i) {
+    if (roles_[i] != ClockRole::kNoDc)
+      rows.push_back({i, nameOf(*record_, {Signal::kSlaveDeviation, i}), roles_[i] == ClockRole::kReference});
+  }
+  plot_->setRows(std::move(rows));
+}
+
+bool SlavesView::complete() const {
+  return round_.complete() && begin_ == view_->begin() && end_ == view_->end() + 1 && !roles_.empty();
+}
+
+void SlavesView::updateFigures() {
+  const auto begin = view_->begin();
+  const auto end = view_->end() + 1;
+  if (round_.complete() && ticks_ % kFiguresEvery == 0 && (begin != begin_ || end != end_)) {
+    begin_ = begin;
+    end_ = end;
+    round_.aim(record_->samples(), begin, end, limitOf(record_->limits(), Signal::kSlaveDeviation));
+  }
+  if (round_.complete()) return;
+  if (round_.work(kReadingsATick)) showFigures();
+}
+
+/// Largest magnitudes of equal parts of the range.
+QVector<float> SlavesView::courseOf(std::size_t slave) const {
+  QVector<float> course(static_cast<int>(kCourseParts), SlaveCells::kNoReading);
+  if (slave >= plot_->cells().slaves()) return course;
+  const auto cells = plot_->cells().row(slave);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    auto& part = course[static_cast<int>(i * kCourseParts / cells.size())];
+    part = std::max(part, cells[i] < 0 ? cells[i] : static_cast<float>(static_cast<double>(cells[i]) / plot_->full()));
+  }
+  return course;
+}
+
+void SlavesView::showFigures() {
+  std::vector<SlaveFiguresModel::Row> rows;
+  for (std::size_t i = 0; i < round_.figures().size(); ++i) {
+    rows.push_back({nameOf(*record_, {Signal::kSlaveDeviation, i}), roles_.at(i), round_.figures()[i], courseOf(i)});
+  }
+  model_->setRows(std::move(rows), limitOf(record_->limits(), Signal::kSlaveDeviation));
+  if (plot_->selected() >= 0 && selectedInTable() < 0) select(plot_->selected());
+  showReading();
+}
+
+int SlavesView::selectedInTable() const {
+  const auto current = sorted_->mapToSource(table_->currentIndex());
+  return current.isValid() ? current.row() : -1;
+}
+
+void SlavesView::select(int slave) {
+  plot_->setSelected(slave);
+  if (slave != selectedInTable()) {
+    const auto row = sorted_->mapFromSource(model_->index(slave, 0));
+    if (row.isValid()) {
+      table_->setCurrentIndex(row);
+      table_->scrollTo(row);
+    } else if (slave < 0) {
+      table_->setCurrentIndex({});
+    }
+  }
+  showReading();
+}
+
+QString SlavesView::readingText(const HeatMapPlot::Spot& spot) const {
+  const auto& samples = record_->samples();
+  QStringList said{nameOf(*record_, {Signal::kSlaveDeviation, spot.slave}), runTimeText(spot.time - view_->origin())};
+  const float worst = plot_->cells().row(spot.slave)[spot.column];
+  const auto reading = worst < 0 ? std::nullopt : samples.value(Signal::kSlaveDeviation, spot.slave, spot.time);
+  if (reading) {
+    said << signedTimeText(std::llround(reading->value)) << tr("%1 old").arg(timeText(spot.time - reading->time));
+  } else if (worst < 0) {
+    said << tr("no reading");
+  }
+  if (worst >= 0 && (!reading || std::abs(reading->value) < worst))
+    said << tr("up to %1 in the cell").arg(timeText(std::llround(worst)));
+  if (const double limit = limitOf(record_->limits(), Signal::kSlaveDeviation); limit > 0)
+    said << tr("limit \u00B1%1").arg(timeText(std::llround(limit)));
+  return said.join(QStringLiteral(" \u00B7 "));
+}
+
+/// Of the cell under the pointer; without one the marked slave's figures.
+void SlavesView::showReading() {
+  if (record_ == nullptr) return;
+  QString text;
+  if (plot_->pointed()) {
+    text = readingText(*plot_->pointed());
+  } else if (const int slave = plot_->selected(); slave >= 0 && slave < model_->rowCount()) {
+    const auto of = [&](int column) { return model_->index(slave, column).data().toString(); };
+    text = tr("%1: now %2, at most %3")
+               .arg(of(SlaveFiguresModel::kSlave), of(SlaveFiguresModel::kNow), of(SlaveFiguresModel::kMax));
+  }
+  if (text == reading_->text()) return;
+  reading_->setText(text);
+  plot_->setAccessibleDescription(text);
+}
+
+}  // namespace syncline::ui
