@@ -212,7 +212,7 @@ TEST_F(SlavesViewTest, WhatIsChosenInOneIsMarkedInTheOther) {
   QTest::keyClick(&plot(), Qt::Key_Up);
   QTest::keyClick(&plot(), Qt::Key_Up);
   EXPECT_EQ(plot().selected(), 1) << "the reference clock has nothing to choose";
-  QTest::mouseClick(&plot(), Qt::LeftButton, {}, plot().placeOf(3, 700).toPoint());
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, plot().placeOf(3, 200).toPoint());
   EXPECT_EQ(plot().selected(), 3);
   EXPECT_EQ(table().currentIndex().row(), 1);
   EXPECT_TRUE(strip.cursors()->at(CursorSet::kA).has_value());

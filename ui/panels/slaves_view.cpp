@@ -64,6 +64,10 @@ SlavesView::SlavesView(TimeView* view, CursorSet* cursors, QWidget* parent)
   table_->setFrameShape(QFrame::NoFrame);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 4);
   for (int i = 0; i < SlaveFiguresModel::kColumns; ++i) table_->setColumnWidth(i, widthOf(*table_, *model_, i));
+  // The worst at once, the age of a reading for those who look for it.
+  auto* header = table_->horizontalHeader();
+  header->moveSection(header->visualIndex(FiguresColumn::kMax), 1);
+  header->moveSection(header->visualIndex(FiguresColumn::kAge), header->visualIndex(FiguresColumn::kMissed));
   table_->setMinimumWidth(200);
   auto* body = new QSplitter;
   body->setObjectName(QStringLiteral("slavesSplitter"));
@@ -72,6 +76,7 @@ SlavesView::SlavesView(TimeView* view, CursorSet* cursors, QWidget* parent)
   body->addWidget(table_);
   body->setStretchFactor(0, 4);
   body->setStretchFactor(1, 3);
+  body->setSizes({500, 440});
   auto* head = new QHBoxLayout;
   head->setSpacing(12);
   head->addWidget(legend_);
