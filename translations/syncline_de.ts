@@ -8611,8 +8611,8 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Auf diesem Kabel wurden Frames beschädigt, oder der Link ging verloren.</translation>
         </message>
         <message>
-            <source>Only forwarded errors: the damage is further in front.</source>
-            <translation>Nur weitergeleitete Fehler: Der Schaden liegt weiter vorn.</translation>
+            <source>Only forwarded errors: the frames were damaged on another cable.</source>
+            <translation>Nur weitergeleitete Fehler: Beschädigt wurden die Frames auf einem anderen Kabel.</translation>
         </message>
         <message>
             <source>Cable: %1 to %2</source>

@@ -8565,8 +8565,8 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>这根电缆上有帧受损或链路丢失。</translation>
         </message>
         <message>
-            <source>Only forwarded errors: the damage is further in front.</source>
-            <translation>只有转发错误：损坏发生在更前面。</translation>
+            <source>Only forwarded errors: the frames were damaged on another cable.</source>
+            <translation>仅为转发错误：帧是在另一根电缆上损坏的。</translation>
         </message>
         <message>
             <source>Cable: %1 to %2</source>

@@ -60,7 +60,7 @@ struct CableTip {
       case CableDamage::kHere:
         return tr("Frames were damaged or the link was lost on this cable.");
       case CableDamage::kForwarded:
-        return tr("Only forwarded errors: the damage is further in front.");
+        return tr("Only forwarded errors: the frames were damaged on another cable.");
       case CableDamage::kNone:
         break;
     }
