@@ -58,6 +58,7 @@ void HeatMapPlot::setRecord(const RunRecord* record) {
   record_ = record;
   cells_.forget();
   rows_.clear();
+  measureNames();
   image_ = QImage();
   pointed_.reset();
   dirty_ = true;
@@ -66,6 +67,7 @@ void HeatMapPlot::setRecord(const RunRecord* record) {
 void HeatMapPlot::setRows(std::vector<Row> rows) {
   if (rows == rows_) return;
   rows_ = std::move(rows);
+  measureNames();
   dirty_ = true;
 }
 
@@ -74,12 +76,13 @@ void HeatMapPlot::setSelected(int slave) {
   update();
 }
 
-int HeatMapPlot::namesWidth() const {
+void HeatMapPlot::measureNames() {
   const QFontMetrics metrics(heatFont(font()));
-  int wide = 20;
-  for (const auto& row : rows_) wide = std::max(wide, metrics.horizontalAdvance(row.name));
-  return std::min({wide, kMostNameWidth, width() / 3}) + 8;
+  widest_name_ = 20;
+  for (const auto& row : rows_) widest_name_ = std::max(widest_name_, metrics.horizontalAdvance(row.name));
 }
+
+int HeatMapPlot::namesWidth() const { return std::min({widest_name_, kMostNameWidth, width() / 3}) + 8; }
 
 double HeatMapPlot::rowHeight() const {
   const double room = std::max(height() - kHeatTop - kHeatBottom, 1);
@@ -403,8 +406,8 @@ void HeatMapPlot::resizeEvent(QResizeEvent*) { dirty_ = true; }
 
 void HeatMapPlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange) return;
-  scale_ = HeatScale(palette());
+  if (event->type() == QEvent::FontChange) measureNames();
+  if (event->type() == QEvent::PaletteChange) scale_ = HeatScale(palette());
   dirty_ = true;
 }
 

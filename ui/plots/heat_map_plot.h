@@ -87,6 +87,7 @@ class HeatMapPlot final : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void measureNames();
   [[nodiscard]] int namesWidth() const;
   [[nodiscard]] double rowHeight() const;
   [[nodiscard]] QRectF rowArea(std::size_t row) const;
@@ -111,6 +112,7 @@ class HeatMapPlot final : public QWidget {
   SlaveCells cells_;
   QImage image_;
   double full_ = 1;
+  int widest_name_ = 20;  // measured once: asked for by every row
   int selected_ = -1;
   bool dirty_ = true, dragged_ = false;
   std::optional<double> drag_x_;
