@@ -134,18 +134,20 @@ void SlaveCells::show(const SampleStore& store, const Grid& grid) {
   const auto known = kept(grid, longest);
   const auto before = std::exchange(grid_, grid);
   until_ = store.empty() ? 0 : store.last_time();
+  // What the store has forgotten is forgotten here, too: those rows are made anew.
+  std::vector<Nanoseconds> firsts(store.slave_count());
+  for (std::size_t slave = 0; slave < firsts.size(); ++slave)
+    firsts[slave] = store.series(Signal::kSlaveDeviation, slave).first_time();
+  firsts_.resize(firsts.size(), 0);
   const bool all = known.begin == known.end;
-  const auto fresh = all || known.begin > 0 ? 0 : known.end;
+  const auto fresh = all || known.begin > 0 || firsts != firsts_ ? 0 : known.end;
   const auto origin = grid.origin + static_cast<Nanoseconds>(fresh) * grid.width;
   outages_ = outages(store, origin - longest,
                      grid.origin + static_cast<Nanoseconds>(grid.columns) * grid.width + longest, grid.width);
-  firsts_.resize(store.slave_count(), 0);
   cells_.swap(old_);
   cells_.resize(firsts_.size() * grid.columns);
   for (std::size_t slave = 0; slave < firsts_.size(); ++slave) {
-    // What the store has forgotten is forgotten here, too.
-    const auto first = store.series(Signal::kSlaveDeviation, slave).first_time();
-    if (first != std::exchange(firsts_[slave], first) || all) {
+    if (firsts[slave] != std::exchange(firsts_[slave], firsts[slave]) || all) {
       fill(store, slave, {0, grid.columns});
       continue;
     }

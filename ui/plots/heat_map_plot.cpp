@@ -15,7 +15,9 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/plots/round_step.h"
 #include "ui/plots/signal_source.h"
+#include "ui/plots/small_font.h"
 #include "ui/plots/time_axis.h"
 #include "ui/theme/theme.h"
 
@@ -27,21 +29,6 @@ constexpr int kMostNameWidth = 130;
 constexpr double kHighestRow = 30, kLowestSeparated = 6;
 constexpr double kHeatZoomPerNotch = 0.8;
 constexpr int kHeatPage = 10;  // rows
-
-QFont heatFont(const QFont& font) {
-  auto small = font;
-  small.setPointSizeF(std::max(small.pointSizeF() * 0.85, 7.0));
-  return small;
-}
-
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double roundUp(double least) {
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least) return factor * power;
-  }
-  return 10 * power;
-}
 
 }  // namespace
 
@@ -77,7 +64,7 @@ void HeatMapPlot::setSelected(int slave) {
 }
 
 void HeatMapPlot::measureNames() {
-  const QFontMetrics metrics(heatFont(font()));
+  const QFontMetrics metrics(smallFont(font()));
   widest_name_ = 20;
   for (const auto& row : rows_) widest_name_ = std::max(widest_name_, metrics.horizontalAdvance(row.name));
 }
@@ -138,7 +125,7 @@ void HeatMapPlot::makeImage() {
   if (full_ <= 0) {
     float largest = 0;
     for (const auto& row : rows_) largest = std::max(largest, std::ranges::max(cells_.row(row.slave)));
-    full_ = roundUp(std::max(static_cast<double>(largest), 1.0));
+    full_ = roundStep(std::max(static_cast<double>(largest), 1.0));
   }
   const QSize size(static_cast<int>(columns), static_cast<int>(lines));
   if (image_.size() != size) image_ = QImage(size, QImage::Format_ARGB32_Premultiplied);
@@ -250,7 +237,7 @@ void HeatMapPlot::drawTimes(QPainter& painter) const {
   const auto all = area();
   const double begin = axis.begin / axis.divisor;
   const double end = axis.end / axis.divisor;
-  const double step = roundUp((end - begin) * 64 / std::max(all.width(), 64.0));
+  const double step = roundStep((end - begin) * 64 / std::max(all.width(), 64.0));
   const int digits = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 9);
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -282,7 +269,7 @@ void HeatMapPlot::drawSelection(QPainter& painter) const {
 
 void HeatMapPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setFont(heatFont(font()));
+  painter.setFont(smallFont(font()));
   drawRows(painter);
   drawNames(painter);
   drawTimes(painter);

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/plots/round_step.h"
+#include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 
@@ -19,21 +21,6 @@ namespace {
 constexpr int kLeft = 46, kRight = 8, kTop = 6, kBottom = 32;
 constexpr double kEndBar = 16, kEndGap = 5;
 constexpr std::ptrdiff_t kNoBin = -2;
-
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double roundStep(double least) {
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least) return factor * power;
-  }
-  return 10 * power;
-}
-
-QFont smallFont(const QFont& font) {
-  auto small = font;
-  small.setPointSizeF(std::max(small.pointSizeF() * 0.85, 7.0));
-  return small;
-}
 
 }  // namespace
 

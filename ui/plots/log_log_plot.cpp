@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/plots/small_font.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
@@ -20,12 +21,6 @@ constexpr int kLeftOfScale = 58, kRightOfScale = 10, kTopOfScale = 6, kBelowScal
 constexpr double kReach = 14;      // px from the pointer to a point that it means
 constexpr double kFloor = 1e-7;    // of the highest value: what is below is rounding
 constexpr double kLimitRoom = 30;  // a limit so many times above the curves is still shown in its place
-
-QFont scaleFont(const QFont& font) {
-  auto small = font;
-  small.setPointSizeF(std::max(small.pointSizeF() * 0.85, 7.0));
-  return small;
-}
 
 double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
@@ -200,7 +195,7 @@ void LogLogPlot::drawReading(QPainter& painter) const {
 
 void LogLogPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setFont(scaleFont(font()));
+  painter.setFont(smallFont(font()));
   painter.fillRect(area(), palette().color(QPalette::Base));
   drawGrid(painter);
   painter.setRenderHint(QPainter::Antialiasing);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plots/round_step.h"
+
 namespace syncline::ui {
 namespace {
 
@@ -13,21 +15,12 @@ constexpr double kFarFromZero = 3;  // data this many times their span away from
 constexpr double kHeadroom = 0.06;  // of the data's span, above and below
 constexpr double kRoomy = 0.55;     // data that need less of the range than this may shrink it
 
-/// 1, 2 or 5 times a power of ten, not below `raw`.
-double niceStep(double raw) {
-  const double magnitude = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (raw <= factor * magnitude * (1 + 1e-9)) return factor * magnitude;
-  }
-  return 10 * magnitude;
-}
-
 }  // namespace
 
 SlowRange::SlowRange(double minimum_span, bool with_zero, int hold_updates)
     : minimum_span_(minimum_span), with_zero_(with_zero), hold_updates_(hold_updates), high_(minimum_span) {}
 
-double SlowRange::step() const { return niceStep((high_ - low_) / kTicks); }
+double SlowRange::step() const { return roundStep((high_ - low_) / kTicks); }
 
 bool SlowRange::update(double low, double high) {
   if (fixed_ || low > high) return false;
@@ -70,7 +63,7 @@ void SlowRange::fix(double low, double high) {
 }
 
 void SlowRange::take(double low, double high) {
-  const double step = niceStep((high - low) / kRounding);
+  const double step = roundStep((high - low) / kRounding);
   low_ = std::floor(low / step + 1e-9) * step;
   high_ = std::ceil(high / step - 1e-9) * step;
   fit_next_ = false;

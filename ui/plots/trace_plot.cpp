@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/plots/small_font.h"
 #include "ui/plots/time_axis.h"
 #include "ui/plots/unit_scale_draw.h"
 #include "ui/theme/theme.h"
@@ -123,8 +124,7 @@ void TracePlot::setTriggerLevel(std::optional<double> level) {
 }
 
 void TracePlot::applyTheme() {
-  auto small = font();
-  small.setPointSizeF(std::max(small.pointSizeF() * 0.85, 7.0));
+  const auto small = smallFont(font());
   setCanvasBackground(palette().color(QPalette::Base));
   lines_->setPen(plot_colors::grid(palette()), 0);
   band_->setColors(plot_colors::limitFill(palette()), plot_colors::limitLine(palette()),

@@ -207,6 +207,24 @@ TEST_F(SlaveCellsTest, WhatIsKeptIsWhatIsMadeAnew) {
   }
 }
 
+/// Rows are made anew when the store forgets: with the outages of all that is shown.
+TEST_F(SlaveCellsTest, AFullStoreKeepsItsOutages) {
+  store = SampleStore({.slaves = 4, .cycle_capacity = 8192});
+  std::uint64_t now = 36'500;  // soon the oldest part of each slave's readings goes at once
+  run(0, now);
+  for (int step = 0; step < 40; ++step) {
+    run(now, now + 40);
+    now += 40 + 28;  // longer than cycles are apart, shorter than a reading holds
+    const SlaveCells::Grid grid{kHeatStart + static_cast<Nanoseconds>(now - 400) * kMillisecond, kMillisecond, 400};
+    cells.show(store, grid);
+    SlaveCells anew;
+    anew.show(store, grid);
+    for (std::size_t slave = 1; slave < 4; ++slave)
+      ASSERT_TRUE(std::ranges::equal(cells.row(slave), anew.row(slave))) << step << " " << slave;
+  }
+  EXPECT_GT(std::ranges::count(row(2), kNothing), 50);
+}
+
 TEST_F(SlaveCellsTest, AnotherNumberOfColumnsOrNoRunIsNoProblem) {
   show(0, kMillisecond, 10);
   EXPECT_THAT(row(3), Each(kNothing));
