@@ -3795,8 +3795,8 @@ Einstellung %2</translation>
             <translation>Uhr abfragen</translation>
         </message>
         <message>
-            <source>Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a quarter of the cycle.</source>
-            <translation>Höchster Teil jeder Wartezeit, in dem die Uhr abgefragt wird: früheres Aufwachen gegen Prozessorzeit. Benutzt wird, was dieser Rechner braucht, damit 99 von 100 Frames höchstens 2 % des Zyklus zu spät gehen, und höchstens ein Viertel des Zyklus.</translation>
+            <source>Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host needs for 99 of 100 frames to leave at most 5 % of the cycle late, and at most a quarter of the cycle.</source>
+            <translation>Höchster Teil jeder Wartezeit, in dem die Uhr abgefragt wird: früheres Aufwachen gegen Prozessorzeit. Benutzt wird, was dieser Rechner braucht, damit 99 von 100 Frames höchstens 5 % des Zyklus zu spät gehen, und höchstens ein Viertel des Zyklus.</translation>
         </message>
         <message>
             <source>Processor</source>

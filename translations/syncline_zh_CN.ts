@@ -3780,8 +3780,8 @@ Setting %2</source>
             <translation>查询时钟</translation>
         </message>
         <message>
-            <source>Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a quarter of the cycle.</source>
-            <translation>每次等待中最多用于查询时钟的时间：以处理器时间换取更早的唤醒。实际使用的是此主机使 100 帧中 99 帧的迟发不超过周期 2 % 所需的时间，最多为周期的四分之一。</translation>
+            <source>Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host needs for 99 of 100 frames to leave at most 5 % of the cycle late, and at most a quarter of the cycle.</source>
+            <translation>每次等待中最多用于查询时钟的时间：以处理器时间换取更早的唤醒。实际使用的是此主机使 100 帧中 99 帧的迟发不超过周期 5 % 所需的时间，最多为周期的四分之一。</translation>
         </message>
         <message>
             <source>Processor</source>

@@ -74,7 +74,7 @@ std::vector<Setting> real_time_rows() {
           "master.real_time.spin_us", microseconds(0, kMillisecond),
           {.label = "Asking the clock",
            .help = "Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is "
-                   "what this host needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a "
+                   "what this host needs for 99 of 100 frames to leave at most 5 % of the cycle late, and at most a "
                    "quarter of the cycle.",
            .expert = true},
           [](auto& p, const Place&) -> auto& { return real_time(p).spin; }),

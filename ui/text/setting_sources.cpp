@@ -108,7 +108,7 @@ constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP(
         "Setting",
         "Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is what this host "
-        "needs for 99 of 100 frames to leave at most 2 % of the cycle late, and at most a quarter of the cycle."),
+        "needs for 99 of 100 frames to leave at most 5 % of the cycle late, and at most a quarter of the cycle."),
     QT_TRANSLATE_NOOP("Setting", "Processor"),
     QT_TRANSLATE_NOOP("Setting", "Processor that the cyclic thread is bound to; auto leaves it to the system."),
     QT_TRANSLATE_NOOP("Setting", "Continuous propagation compensation"),

@@ -47,10 +47,18 @@ Nanoseconds SpinBudget::quantile(double share) const {
   return upper_edge(kBins - 1);
 }
 
+double SpinBudget::share_within(Nanoseconds late) const {
+  std::uint32_t seen = 0;
+  for (std::size_t bin = 0; bin < kBins && upper_edge(bin) <= late; ++bin) seen += bins_[bin];
+  return static_cast<double>(seen) / counted_;
+}
+
+/// Of those whom the longest spin would catch all but one in a hundred of all: the rest is not worth its price.
 void SpinBudget::adapt() {
   p50_ = quantile(0.5);
   p99_ = quantile(0.99);
-  amount_ = std::clamp<Nanoseconds>(p99_ + kReserve - tolerated_, 0, most_);
+  const auto share = share_within(tolerated_ + most_ - kReserve) - 0.01;
+  amount_ = share <= 0 ? 0 : std::clamp<Nanoseconds>(quantile(share) + kReserve - tolerated_, 0, most_);
   bins_.fill(0);
   counted_ = 0;
 }

@@ -10,16 +10,17 @@
 namespace syncline {
 
 /// How long the end of each wait is spent asking the clock instead of sleeping: as long as this host needs so that 99
-/// of 100 frames leave in time, and not longer. In time is what is late by no more than `tolerated`: slaves with SYNC0
-/// take over at SYNC0, and the control loops know when each frame left. What comes later than that no spinning would
-/// catch. Allocates nothing.
+/// of 100 frames leave in time, and not longer; where some wake up so late that no spin catches them, 99 of 100 less
+/// those. In time is what is late by no more than `tolerated`: slaves with SYNC0 take over at SYNC0, and the control
+/// loops know when each frame left. What comes later than that no spinning would catch. Allocates nothing.
 class SpinBudget {
  public:
   /// `most`: the user's limit; 0 never spins.
   explicit SpinBudget(Nanoseconds most, Nanoseconds tolerated = 0)
       : most_(most), tolerated_(tolerated), amount_(most) {}
-  /// Of a cycle: late by so little changes nothing.
-  [[nodiscard]] static Nanoseconds tolerated(Nanoseconds cycle_time) { return cycle_time / 50; }
+  /// Of a cycle: late by so little changes nothing. Sync managers want their frame a good part of the cycle before
+  /// SYNC0 (half of it by default), so that this is a tenth of what there is.
+  [[nodiscard]] static Nanoseconds tolerated(Nanoseconds cycle_time) { return cycle_time / 20; }
 
   [[nodiscard]] Nanoseconds amount() const { return amount_; }
   /// How late the host was woken up from the sleep before the spinning; 0 when it did not sleep.
@@ -34,6 +35,7 @@ class SpinBudget {
  private:
   static constexpr std::size_t kBins = 256;
   [[nodiscard]] Nanoseconds quantile(double share) const;
+  [[nodiscard]] double share_within(Nanoseconds late) const;
   void adapt();
 
   Nanoseconds most_, tolerated_, amount_;

@@ -30,7 +30,8 @@ TEST(SpinBudget, BeginsWithAllThatIsAllowedAndEndsWithWhatTheHostNeeds) {
 TEST(SpinBudget, NeverSpendsMoreThanTheUserAllows) {
   SpinBudget budget(kMost);
   wake(budget, 5'000, 200'000);
-  EXPECT_EQ(budget.amount(), kMost);
+  EXPECT_LE(budget.amount(), kMost);
+  EXPECT_GT(budget.amount(), kMost * 8 / 10);
   SpinBudget none(0);
   wake(none, 5'000, 2'000);
   EXPECT_EQ(none.amount(), 0);
@@ -49,7 +50,14 @@ TEST(SpinBudget, SpendsNothingForWhatIsTolerated) {
   EXPECT_GT(busy.amount(), 17'000);
   EXPECT_LT(busy.amount(), 25'000);
   EXPECT_LT(busy.mean_spent(), 14'000);
-  EXPECT_EQ(SpinBudget::tolerated(kMillisecond), 20 * kMicrosecond);
+  EXPECT_EQ(SpinBudget::tolerated(kMillisecond), 50 * kMicrosecond);
+}
+
+TEST(SpinBudget, SpendsNothingOnWhatItCannotCatch) {
+  SpinBudget stalled(kMost, 50 * kMicrosecond);
+  for (int i = 0; i < 5'000; ++i) stalled.observe(i % 40 == 0 ? 2 * kMillisecond : 18 * kMicrosecond);
+  EXPECT_EQ(stalled.amount(), 0) << "one in 40 is late by milliseconds, all others are in time without";
+  EXPECT_GT(stalled.wake_p99(), kMillisecond) << "and this is told";
 }
 
 TEST(SpinBudget, FollowsAHostThatBecomesWorse) {
@@ -70,7 +78,7 @@ TEST(SpinBudget, AnyLatenessFindsABin) {
   SpinBudget budget(kSecond);
   for (Nanoseconds late = 1; late < 100 * kSecond; late = late * 3 + 1) budget.observe(late);
   for (int i = 0; i < 1'000; ++i) budget.observe(INT64_MAX / 4);
-  EXPECT_EQ(budget.amount(), kSecond);
+  EXPECT_EQ(budget.amount(), 0) << "none of these would be caught";
 }
 
 }  // namespace
