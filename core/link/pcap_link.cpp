@@ -22,6 +22,9 @@ class PcapLink final : public Link {
 
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
     for (;;) {
+      // Waited for first: right behind sending nothing is there yet, and to look would be a system call of its own.
+      const auto left = deadline - clock_.now();
+      port_.wait(left);
       const auto found = port_.poll();
       if (!found) return tl::unexpected(found.error());
       if (const auto& frame = *found) {
@@ -30,9 +33,7 @@ class PcapLink final : public Link {
         std::copy_n(frame->bytes.begin(), length, buffer.begin());
         return ReceivedFrame{length, frame->arrival_time};
       }
-      const auto left = deadline - clock_.now();
       if (left <= 0) return ReceivedFrame{};
-      port_.wait(left);
     }
   }
 

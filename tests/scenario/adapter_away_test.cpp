@@ -103,15 +103,20 @@ TEST(AdapterAwayProperty, DrivesThatFellForAMomentWithoutAdapterComeBack) {
 
 /// A frame that lay in the card while it was away is no late one of the card.
 TEST(AdapterAwayProperty, FramesOfAnOutageAccuseNotTheWayThroughTheCard) {
-  Random random(412275854916);
-  test::DiagnosedRun machine;
-  test::add_two_axes(machine.network);
-  test::give_random_clocks(machine.network, random);
-  machine.network.project.master.dc.sync_window.enabled = true;
-  machine.adapter_away = {{3'753'940'414, 4'047'105'312}};
-  machine.run(14 * kSecond);
-  EXPECT_GT(machine.report.late_frames, 0U) << "this one is to have one";
-  EXPECT_FALSE(machine.found(code::kFramesLate)) << machine.said();
+  std::uint64_t late = 0;
+  // Whether one lies there when it goes away is a matter of microseconds.
+  for (Nanoseconds phase = 0; phase < kMillisecond; phase += 20 * kMicrosecond) {
+    Random random(412275854916);
+    test::DiagnosedRun machine;
+    test::add_two_axes(machine.network);
+    test::give_random_clocks(machine.network, random);
+    machine.network.project.master.dc.sync_window.enabled = true;
+    machine.adapter_away = {{6'000'000'000 + phase, 6'300'000'000}};
+    machine.run(8 * kSecond);
+    late += machine.report.late_frames;
+    EXPECT_FALSE(machine.found(code::kFramesLate)) << machine.said();
+  }
+  EXPECT_GT(late, 0U) << "some are to have one";
 }
 
 TEST_F(AdapterAway, InTheMiddleOfABringUpThatIsToldAndBegunAgain) {

@@ -178,7 +178,7 @@ TEST_F(Disturbance, TheCommandSetsUpAnewWhatWasCutOffWithoutAutomaticRecovery) {
 }
 
 TEST_F(Disturbance, ABurstOfLostFramesLosesNoSlave) {
-  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 4);
+  fault(FaultKind::kLoseFrames, -1, 6 * kSecond, 0, 2);
   go_online();
   events.clear();
   run_until(8 * kSecond);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/run_diagnosis.h"
@@ -30,7 +32,16 @@ class AwayLink final : public Link {
   }
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
     if (away()) return fail(ErrorCode::kLinkDown, "test");
-    return inner_->receive(buffer, deadline);
+    if (in_card_) {
+      std::ranges::copy(bytes_, buffer.begin());
+      return *std::exchange(in_card_, std::nullopt);
+    }
+    auto received = inner_->receive(buffer, deadline);
+    if (!received || received->length == 0 || !away()) return received;
+    // It has come while the adapter went away, and is read when that is back.
+    bytes_.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(received->length));
+    in_card_ = *received;
+    return fail(ErrorCode::kLinkDown, "test");
   }
   [[nodiscard]] LinkDescription describe() const override { return inner_->describe(); }
 
@@ -43,6 +54,8 @@ class AwayLink final : public Link {
   Clock& clock_;
   std::vector<AwaySpan> spans_;
   Nanoseconds begin_;
+  std::optional<ReceivedFrame> in_card_{};
+  std::vector<std::uint8_t> bytes_{};
 };
 
 /// A simulated machine with something known wrong with it, run on the virtual clock, and what is found.

@@ -14,14 +14,15 @@ Status ClockAmendment::run(FrameExchange& exchange, const Request& request, Send
     filter_ = {Command::kFpwr, device_address(request.station, reg::kFilterDepthDifference), depth_};
     (void)frame_.add(filter_);
   }
-  if (request.told) {
-    const auto address = device_address(request.station, reg::kSystemTime);
+  told_ = request.told;
+  const auto address = device_address(request.station, reg::kSystemTime);
+  if (told_) {
     write_ = {Command::kFpwr, address, written_};
     write_.stamped = true;
-    reading_ = {Command::kFprd, address, read_};
     (void)frame_.add(write_);
-    (void)frame_.add(reading_);
   }
+  reading_ = {Command::kFprd, address, read_};
+  (void)frame_.add(reading_);
   sending_ = true;
   auto status = exchange.send(frame_, &stamp);
   sending_ = false;
@@ -30,10 +31,22 @@ Status ClockAmendment::run(FrameExchange& exchange, const Request& request, Send
   return exchange.collect(frames, deadline);
 }
 
-void ClockAmendment::write(Nanoseconds time) { store_le(std::span(written_), static_cast<std::uint32_t>(time)); }
+Status ClockAmendment::settle(FrameExchange& exchange, const Request& request, SendStamp& stamp, Nanoseconds deadline) {
+  if (auto sent = run(exchange, {request.station, request.depth, false}, stamp, deadline); !sent) return sent;
+  const auto time = reading();
+  if (!request.told || !time) return {};
+  ahead_ = static_cast<Nanoseconds>(*time) - send_time();
+  auto sent = run(exchange, {request.station, std::nullopt, true}, stamp, deadline);
+  ahead_.reset();
+  return sent;
+}
+
+void ClockAmendment::write(Nanoseconds time, Nanoseconds host_time) {
+  store_le(std::span(written_), static_cast<std::uint32_t>(ahead_ ? host_time + *ahead_ : time));
+}
 
 std::optional<std::uint32_t> ClockAmendment::reading() const {
-  if (!frame_.answered() || !write_.done() || !reading_.done()) return std::nullopt;
+  if (!frame_.answered() || (told_ && !write_.done()) || !reading_.done()) return std::nullopt;
   return load_le<std::uint32_t>(read_);
 }
 

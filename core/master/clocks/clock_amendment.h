@@ -18,7 +18,7 @@ class ClockAmendment {
   struct Request {
     std::uint16_t station = 0;          // address of the clock
     std::optional<std::uint8_t> depth;  // 0x0934
-    bool told = true;                   // its time, behind that
+    bool told = true;                   // its time, behind that; if not, it is only asked for it
   };
   ClockAmendment() = default;
   ClockAmendment(const ClockAmendment&) = delete;
@@ -27,8 +27,12 @@ class ClockAmendment {
   /// The time is asked of `stamp` when the frame is built, which calls write(). Waits for the answer until `deadline`;
   /// a frame that is not back then is lost like any other. Errors of the link.
   Status run(FrameExchange& exchange, const Request& request, SendStamp& stamp, Nanoseconds deadline);
-  /// System time for the frame that is being sent.
-  void write(Nanoseconds time);
+  /// The depth, and then a message that says nothing new: the clock is asked for its time in one frame and told that in
+  /// the next. Its average begins at zero, and it runs on with the rate that it has learned. write() is not wanted.
+  Status settle(FrameExchange& exchange, const Request& request, SendStamp& stamp, Nanoseconds deadline);
+  /// System time for the frame that is being sent, at that moment of the host's clock; what the clock itself has shown
+  /// takes precedence.
+  void write(Nanoseconds time, Nanoseconds host_time);
   [[nodiscard]] bool sending() const { return sending_; }
   /// Low half of the clock's time when the frame passed, when it came back from the clock.
   [[nodiscard]] std::optional<std::uint32_t> reading() const;
@@ -39,7 +43,8 @@ class ClockAmendment {
   std::array<std::uint8_t, 4> written_{}, read_{};
   Datagram filter_, write_, reading_;
   PendingFrame frame_;
-  bool sending_ = false;
+  bool sending_ = false, told_ = false;
+  std::optional<Nanoseconds> ahead_;  // of the host's clock, in settle()
 };
 
 }  // namespace syncline

@@ -13,6 +13,9 @@ constexpr Nanoseconds kRoundPeriod = 100 * kMillisecond;
 /// Readings in turn may be lost with their frames several times before nobody knows any more.
 constexpr Nanoseconds kLeastStaleReading = 500 * kMillisecond;
 constexpr int kStaleRounds = 4;
+/// So long must the readings of a clock be small that was away and whose slave does not work yet; and after so long it
+/// counts in any case where the slave works.
+constexpr Nanoseconds kCatchingUp = 300 * kMillisecond, kMostCatchingUp = 500 * kMillisecond;
 
 double in_ms(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
 
@@ -41,6 +44,7 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   for (auto& reading : readings_) reading.time = first_cycle;
   lost_.assign(config.slaves.size(), 0);
   returned_.assign(config.slaves.size(), 0);
+  returns_.assign(config.slaves.size(), {});
   out_since_.reset();
   round_since_.reset();
   known_.reset();
@@ -79,8 +83,9 @@ void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, const std
 }
 
 void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
+  for (const auto slave : awaited_) note_catching_up(slave, time);
   const bool news = known_ != Known{run_.slave_changes(), run_.snapshot.dc.reference_clock};
-  if (news || std::ranges::any_of(awaited_, [&](auto slave) { return caught_up(slave, time); })) look_who_follows(time);
+  if (news || std::ranges::any_of(awaited_, [&](auto slave) { return is_back(slave, time); })) look_who_follows(time);
   if (!distributed) return;
   for (const std::size_t i : run_.deviations_read) {
     const auto& slave = run_.snapshot.slaves[i];
@@ -96,6 +101,7 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
 /// Who is away stays away until presence changes; only who answers and has yet to catch up may do so in any cycle.
 void SlavesSync::look_who_follows(Nanoseconds time) {
   followers_ = 0;
+  alone_ = true;
   awaited_.clear();
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     auto& slave = run_.snapshot.slaves[i];
@@ -105,6 +111,8 @@ void SlavesSync::look_who_follows(Nanoseconds time) {
     if (follows != reading.follows) reading = {follows, false, time, 0};
     slave.follows = follows;
     followers_ += follows ? 1 : 0;
+    const bool leads = static_cast<int>(i) == run_.snapshot.dc.reference_clock;
+    alone_ = alone_ && (follows || leads || !slave.dc_enabled || !slave.present);
     if (slave.present && lost_[i] != 0 && may_follow(i)) awaited_.push_back(i);
   }
   known_ = {run_.slave_changes(), run_.snapshot.dc.reference_clock};
@@ -118,9 +126,15 @@ bool SlavesSync::may_follow(std::size_t slave) const {
 bool SlavesSync::follows_again(std::size_t slave, Nanoseconds time) {
   const bool present = run_.snapshot.slaves[slave].present;
   const bool was_lost = lost_[slave] != 0;
-  const bool follows = present && may_follow(slave) && !comes_back(slave, time);
-  if (!present) lost_[slave] = 1;
-  returned_[slave] = present && (returned_[slave] != 0 || (was_lost && lost_[slave] == 0)) ? 1 : 0;
+  const bool leads = static_cast<int>(slave) == run_.snapshot.dc.reference_clock;
+  if (!present) {
+    lost_[slave] = 1;
+    returns_[slave] = {};
+  } else if (was_lost && (leads || is_back(slave, time))) {
+    lost_[slave] = 0;
+  }
+  const bool follows = present && may_follow(slave) && lost_[slave] == 0;
+  returned_[slave] = present && !leads && (returned_[slave] != 0 || (was_lost && lost_[slave] == 0)) ? 1 : 0;
   return follows;
 }
 
@@ -133,20 +147,24 @@ void SlavesSync::tell_return(std::size_t slave, Nanoseconds time) {
   run_.event(time, static_cast<int>(slave), events::SlavesInSync{reading.magnitude()});
 }
 
-/// A clock that was away is set up anew before it can be asked to follow. It counts again when it has caught up, or
-/// when its slave works with it.
-bool SlavesSync::comes_back(std::size_t slave, Nanoseconds time) {
-  if (lost_[slave] == 0) return false;
-  const auto state = al_state_of(run_.snapshot.slaves[slave].al_status);
-  const bool works = state == AlState::kSafeop || state == AlState::kOp;
-  lost_[slave] = !works && !caught_up(slave, time) ? 1 : 0;
-  return lost_[slave] != 0;
+void SlavesSync::note_catching_up(std::size_t slave, Nanoseconds time) {
+  const auto& status = run_.snapshot.slaves[slave];
+  auto& [since, near_since] = returns_[slave];
+  if (!since) since = time;
+  if (!status.deviation_valid || status.deviation_time != time) return;
+  if (std::abs(std::int64_t{status.deviation_ns}) > verdict_.limit_ns()) return near_since.reset();
+  if (!near_since) near_since = time;
 }
 
-bool SlavesSync::caught_up(std::size_t slave, Nanoseconds time) const {
-  const auto& status = run_.snapshot.slaves[slave];
-  return status.deviation_valid && status.deviation_time == time &&
-         std::abs(std::int64_t{status.deviation_ns}) <= verdict_.limit_ns();
+/// A clock that was away ran on by itself, or is set up anew. It counts again when its slave works with it and it has
+/// caught up, or has had the time to; while the slave does not work, not at its first small readings: a clock that was
+/// just set drifts away before its loop has learned the quartz.
+bool SlavesSync::is_back(std::size_t slave, Nanoseconds time) const {
+  const auto& [since, near_since] = returns_[slave];
+  const auto state = al_state_of(run_.snapshot.slaves[slave].al_status);
+  const bool works = state == AlState::kSafeop || state == AlState::kOp;
+  if (works) return near_since.has_value() || (since && time - *since >= kMostCatchingUp);
+  return near_since && time - *near_since >= kCatchingUp;
 }
 
 /// A slave in front of the reference clock gets the master's time, and a reference clock that the master steers has its
@@ -159,7 +177,9 @@ dc::OredReading SlavesSync::meaning(const OredDeviation& ored) const {
     const auto& own = readings_[static_cast<std::size_t>(dc.reference_clock)];
     leader_is_quiet = !own.read || own.magnitude() <= verdict_.limit_ns();
   }
-  return {ored.magnitude_ns, ored.wkc >= with_leader, ored.wkc == with_leader && !steered_ && leader_is_quiet};
+  // One that has just gone and another one that is no follower would make up the same count.
+  const bool theirs = alone_ && ored.wkc == with_leader;
+  return {ored.magnitude_ns, ored.wkc >= with_leader, theirs && !steered_ && leader_is_quiet};
 }
 
 void SlavesSync::report(Nanoseconds time, CycleSample& sample) {

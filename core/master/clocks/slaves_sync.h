@@ -36,9 +36,10 @@ class SlavesSync {
   [[nodiscard]] bool may_follow(std::size_t slave) const;
   /// Whether a slave behind the reference clock follows, with what became of it while it was away.
   [[nodiscard]] bool follows_again(std::size_t slave, Nanoseconds time);
-  [[nodiscard]] bool caught_up(std::size_t slave, Nanoseconds time) const;
+  void note_catching_up(std::size_t slave, Nanoseconds time);
   void tell_return(std::size_t slave, Nanoseconds time);
-  [[nodiscard]] bool comes_back(std::size_t slave, Nanoseconds time);
+  /// Whether it counts again.
+  [[nodiscard]] bool is_back(std::size_t slave, Nanoseconds time) const;
   [[nodiscard]] dc::OredReading meaning(const OredDeviation& ored) const;
   void report(Nanoseconds time, CycleSample& sample);
   void look_closer(Nanoseconds time);
@@ -52,7 +53,13 @@ class SlavesSync {
   // Bytes, because all of them are asked in each cycle:
   std::vector<std::uint8_t> lost_;      // 1: were away and have not caught up
   std::vector<std::uint8_t> returned_;  // 1: have, and it is not told yet that they are in sync
+  /// Of one that was away and answers again: since when, and since when its readings are within the limit.
+  struct Return {
+    std::optional<Nanoseconds> since, near_since;
+  };
+  std::vector<Return> returns_;
   std::size_t followers_ = 0;
+  bool alone_ = true;  // no clock answers that is neither a follower nor the reference clock
   struct Known {
     std::uint64_t changes = 0;
     int leader = -1;

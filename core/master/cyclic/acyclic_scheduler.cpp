@@ -10,6 +10,9 @@ namespace syncline {
 namespace {
 
 constexpr std::size_t kMostFrames = 8;
+/// As long as the shortest frame of its own keeps the wire busy: 64 bytes, preamble and gap. The process data come back
+/// later by no more than that, 6.7 us.
+constexpr std::size_t kLongestRide = 84;
 
 std::size_t size_of(const Datagram& datagram) { return kDatagramHeaderSize + datagram.data.size() + kWkcSize; }
 
@@ -26,6 +29,7 @@ AcyclicScheduler::AcyclicScheduler(RunState& run, const MailboxBits& bits, SyncE
 
 PendingFrame& AcyclicScheduler::clear() {
   for (auto& frame : frames_) frame.clear();
+  carrier_ = nullptr;
   return frames_.front();
 }
 
@@ -79,6 +83,19 @@ void AcyclicScheduler::add_waiting(std::span<Datagram* const> waiting, const Roo
   }
 }
 
+void AcyclicScheduler::ride(PendingFrame& cyclic) {
+  auto& own = frames_.front();
+  if (own.empty() || !frames_[1].empty() || own.size() > kLongestRide || !cyclic.has_room(own)) return;
+  for (auto* datagram : own.datagrams()) (void)cyclic.add(*datagram);
+  own.clear();
+  carrier_ = &cyclic;
+}
+
+const PendingFrame* AcyclicScheduler::sent(const PendingFrame& frame) const {
+  if (!frame.empty()) return &frame;
+  return &frame == &frames_.front() ? carrier_ : nullptr;
+}
+
 Nanoseconds AcyclicScheduler::wire_time() const {
   Nanoseconds sum = 0;
   for (const auto& frame : frames_) {
@@ -90,18 +107,19 @@ Nanoseconds AcyclicScheduler::wire_time() const {
 /// A bus with many slaves has many requests, and how many frames a cycle can carry depends on the host,
 /// the wire and the length of the segment: found by trying.
 void AcyclicScheduler::adapt(Nanoseconds scheduled, Nanoseconds cycle_time) {
-  std::size_t sent = 0;
+  std::size_t count = 0;
   bool all_back = true;
   Nanoseconds last = scheduled;
-  for (const auto& frame : frames_) {
-    if (frame.empty()) continue;
-    ++sent;
-    all_back = all_back && frame.answered();
-    last = std::max(last, frame.arrival_time());
+  for (const auto& own : frames_) {
+    const auto* frame = sent(own);
+    if (frame == nullptr) continue;
+    ++count;
+    all_back = all_back && frame->answered();
+    last = std::max(last, frame->arrival_time());
   }
   if (!all_back) {
     limit_ = std::max<std::size_t>(1, limit_ / 2);
-  } else if (sent == limit_ && last < scheduled + cycle_time / 2) {
+  } else if (count == limit_ && last < scheduled + cycle_time / 2) {
     limit_ = std::min(limit_ + 1, kMostFrames);
   }
 }

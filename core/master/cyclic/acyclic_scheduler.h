@@ -41,6 +41,9 @@ class AcyclicScheduler {
   /// Behind what is in there.
   void fill(std::span<Datagram* const> waiting, const Room& room, Nanoseconds now);
   [[nodiscard]] std::span<PendingFrame> frames() { return frames_; }
+  /// When what goes in this cycle is short, it goes behind the commands of `cyclic`, and no frame of its own is sent:
+  /// that would take longer on the wire, and the host twice as long. Behind fill().
+  void ride(PendingFrame& cyclic);
   /// Of all its frames.
   [[nodiscard]] Nanoseconds wire_time() const;
   /// After the frames are back, or not: how many the next cycle can carry.
@@ -53,6 +56,8 @@ class AcyclicScheduler {
 
  private:
   bool add(Datagram& datagram);
+  /// The frame in which what is in this one was sent; null when it was not.
+  [[nodiscard]] const PendingFrame* sent(const PendingFrame& frame) const;
   void add_request(const Room& room, Nanoseconds now);
   void add_waiting(std::span<Datagram* const> waiting, const Room& room);
 
@@ -63,7 +68,8 @@ class AcyclicScheduler {
   EvidenceReader evidence_;
   InputWatch inputs_;
   std::vector<PendingFrame> frames_;
-  std::size_t limit_ = 1;  // frames a cycle, as many as come back in time
+  const PendingFrame* carrier_ = nullptr;  // the cyclic frame that took the first one's place in this cycle
+  std::size_t limit_ = 1;                  // frames a cycle, as many as come back in time
   bool request_asked_ = false, mailbox_asked_ = false, evidence_asked_ = false;
 };
 

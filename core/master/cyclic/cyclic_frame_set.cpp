@@ -193,11 +193,13 @@ bool CyclicFrameSet::reads_deviation() const {
 void CyclicFrameSet::prepare(std::uint64_t cycle, bool steer) {
   for (auto& frame : frames_) frame.clear();
   active_.clear();
+  time_frame_ = nullptr;
   for (auto& entry : entries_) {
     entry.sent = entry.selected && cycle % entry.divider == 0;
     if (!entry.sent) continue;
     fill(entry, steer);
     entry.sent = frames_[entry.frame].add(entry.datagram);
+    if (entry.sent && entry.role == Role::kReferenceTime) time_frame_ = &frames_[entry.frame];
   }
   for (auto& frame : frames_) {
     if (!frame.empty()) active_.push_back(&frame);

@@ -32,6 +32,8 @@ class CyclicFrameSet {
   /// slaves in front of it are written what the master sends, before the clock has put its own time into the datagram.
   void stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write);
   [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
+  /// The one that carries the reference clock's time in this cycle, if any does.
+  [[nodiscard]] const PendingFrame* time_frame() const { return time_frame_; }
 
   /// Whose clock the commands read and steer that the configuration means for the reference clock: that one,
   /// another slave's, or nobody's (then they travel as NOP: a clock that has just been switched on must not
@@ -115,6 +117,7 @@ class CyclicFrameSet {
   Leader leader_;
   std::vector<PendingFrame> frames_;
   std::vector<PendingFrame*> active_;
+  const PendingFrame* time_frame_ = nullptr;
   std::vector<std::uint8_t> inputs_, outputs_;
 };
 

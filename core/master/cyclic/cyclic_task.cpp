@@ -104,15 +104,16 @@ void CyclicTaskRunner::stamp(Nanoseconds send_time) {
   if (amendment_.sending()) {
     amendment_stamp_ = send_time;
     const auto steered = steering_ ? sync_.reference_write(send_time, send_time) : std::nullopt;
-    amendment_.write(steered.value_or(sync_.reference_time_at(send_time)));
+    amendment_.write(steered.value_or(sync_.reference_time_at(send_time)), send_time);
     return;
   }
   if (!first_stamp_) first_stamp_ = send_time;
   if (!sync_.active()) return;
-  frames_.stamp(sync_.reference_time_at(send_time),
+  const auto believed = sync_.reference_time_at(send_time);
+  frames_.stamp(sending_ == frames_.time_frame() ? told_.tell(believed) : believed,
                 steering_ ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
   // One behind the other, whatever the host's clock says when it hands them over.
-  feed_.stamp(sync_.reference_time_at(std::max(send_time, wire_free_)));
+  feed_.stamp(told_.tell_between(sync_.reference_time_at(std::max(send_time, wire_free_))));
 }
 
 void CyclicTaskRunner::note_sending(CycleSample& sample) {
@@ -134,8 +135,11 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
 
 void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
   // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
-  slaves_.add_to(acyclic_.clear(), sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
+  auto& first = acyclic_.clear();
+  slaves_.add_to(first, sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
+  reference_.add_to(first);
   acyclic_.fill(requests, {cycle_time_, cyclic_wire_time(), travel_}, now);
+  if (!frames_.frames().empty()) acyclic_.ride(*frames_.frames().back());
 }
 
 Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
@@ -176,6 +180,7 @@ Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {
 }
 
 Status CyclicTaskRunner::send(PendingFrame& frame) {
+  sending_ = &frame;
   if (auto sent = exchange_.send(frame, this); !sent) return sent;
   in_flight_.push_back(&frame);
   wire_free_ = std::max(wire_free_, frame.send_time()) + wire_time_ns(frame.size() + kFrameOverhead);
@@ -188,7 +193,7 @@ Status CyclicTaskRunner::amend_clock() {
   const auto latest = scheduled_ + cycle_time_ * 8 / 10;
   const auto is_time = [&] { return clock_.now() + cycle_time_ / 8 < latest; };
   if (const auto tuning = is_time() ? reference_.take_tuning() : std::nullopt) {
-    if (auto sent = amendment_.run(exchange_, *tuning, *this, latest); !sent) return sent;
+    if (auto sent = amendment_.settle(exchange_, *tuning, *this, latest); !sent) return sent;
   }
   bool again = station && steering_ && sync_.wants_second_write();
   for (int i = 0; again && i < kMostAmendments && is_time(); ++i) {
@@ -255,7 +260,9 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   mailbox_bits_.observe();
   // A slave that fell behind others that had fallen before says so itself.
   if (acyclic_.take_mailboxes(send_time_, sample)) slaves_.refresh_al_status();
-  adjust_ = sync_.observe_cycle(observation(reading), sample);
+  const auto observed = observation(reading);
+  told_.observe(observed.reference_time);
+  adjust_ = sync_.observe_cycle(observed, sample);
   reference_.watch(send_time_);
   const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);
   acyclic_.take_evidence(send_time_, all_back && sample.skipped_cycles == 0);

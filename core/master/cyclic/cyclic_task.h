@@ -9,6 +9,7 @@
 #include "master/clocks/clock_amendment.h"
 #include "master/clocks/clock_feed.h"
 #include "master/clocks/sync_watch.h"
+#include "master/clocks/told_time.h"
 #include "master/cyclic/acyclic_scheduler.h"
 #include "master/cyclic/bus_health.h"
 #include "master/cyclic/cyclic_frame_set.h"
@@ -86,6 +87,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   ReferenceClock reference_;
   ClockFeed feed_;
   ClockAmendment amendment_;
+  ToldTime told_;
+  const PendingFrame* sending_ = nullptr;
   std::uint64_t lost_seen_ = 0;  // lost frames that have been told
   std::uint64_t sweeps_seen_ = 0;
   std::vector<bool> without_;  // slaves that take no part in the process data

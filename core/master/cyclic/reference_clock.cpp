@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "master/clocks/dc_loop_values.h"
+#include "protocol/dc_registers.h"
+#include "protocol/registers.h"
+#include "support/byte_order.h"
 
 namespace syncline {
 namespace {
@@ -15,7 +18,9 @@ using What = events::ReferenceClockChanged::What;
 using Leader = CyclicFrameSet::Leader;
 
 constexpr int kLeadReadings = 16;
-constexpr std::int64_t kLeadNear = 50;  // ns: what the others do not notice
+constexpr std::int64_t kLeadNear = 50;   // ns: what the others do not notice
+constexpr std::int64_t kLimitShare = 4;  // nor this part of the sync window
+constexpr int kNearInARow = 4;
 /// A clock that is not near by then steps the others when it leads again; they bear it.
 constexpr Nanoseconds kLeadPatience = 10 * kSecond;
 
@@ -88,13 +93,19 @@ void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
 
 /// A clock that follows takes each message as it is, and runs on with the last one when nobody leads it any more: that
 /// was what the master believed, with the noise of a send stamp, because the leader was gone already. Averaged, one
-/// more message makes that good. Where the master steers the clock that leads, it goes on telling it the time.
+/// more message that says nothing new makes that good. Where the master steers the clock that leads, it goes on telling
+/// it the time, with the host's jitter; the one that has come home learned quickly (DcLoopRole::kReturning) and
+/// averages as a leader now.
 void ReferenceClock::tune(std::uint16_t position, bool leads) {
   const auto& config = run_.config();
   if (config.dc.dcm.standard_loop_values) return;
-  if (position == home_ || steers_reference_clock(config.dc.dcm.mode)) return;
+  // Home, it runs as it has learned where nobody steers it. A substitute that is steered keeps its quick loop: with
+  // this filter in front of it, it would swing.
+  const bool steered = steers_reference_clock(config.dc.dcm.mode), home = position == home_;
+  if (steered ? !(home && leads) : home) return;
   auto& slot = tunings_[tunings_[0] ? 1 : 0];
-  slot = ClockAmendment::Request{config.slaves[position].station_address, difference_depth(config, leads), leads};
+  slot = ClockAmendment::Request{config.slaves[position].station_address, difference_depth(config, leads),
+                                 leads && !steered};
 }
 
 std::optional<ClockAmendment::Request> ReferenceClock::take_tuning() {
@@ -123,9 +134,38 @@ void ReferenceClock::watch(Nanoseconds time) {
   run_.event(time, *home_, events::ReferenceClockChanged{What::kPresent});
 }
 
-/// In the mean of some readings: a clock in front of its substitute is told what the master believes, with the host's
-/// jitter.
-bool ReferenceClock::is_near() {
+void ReferenceClock::add_to(PendingFrame& frame) {
+  comparison_.asked = false;
+  if (!approach_ || !leader_ || *home_ >= *leader_) return;
+  const auto& slaves = run_.config().slaves;
+  const std::array stations{slaves[*home_].station_address, slaves[*leader_].station_address};
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    comparison_.bytes[i].fill(0);
+    comparison_.datagrams[i] = {Command::kFprd, device_address(stations[i], reg::kSystemTime), comparison_.bytes[i]};
+  }
+  comparison_.asked = frame.add(comparison_.datagrams[0]) && frame.add(comparison_.datagrams[1]);
+}
+
+std::int64_t ReferenceClock::near_enough() const {
+  const auto& dc = run_.snapshot.dc;
+  return dc.monitored ? std::max<std::int64_t>(kLeadNear, dc.limit_ns / kLimitShare) : kLeadNear;
+}
+
+bool ReferenceClock::is_near() { return *home_ < *leader_ ? compares_near() : follows_near(); }
+
+/// A clock in front of its substitute is told what the master believes: its 0x092C is the host's jitter, of a
+/// microsecond and more. So the clocks themselves are compared; in a row, because one that passes by is not near.
+bool ReferenceClock::compares_near() {
+  const auto& [mine, leaders] = comparison_.datagrams;
+  if (!std::exchange(comparison_.asked, false) || !mine.done() || !leaders.done()) return false;
+  const auto ahead =
+      static_cast<std::int32_t>(load_le<std::uint32_t>(mine.data) - load_le<std::uint32_t>(leaders.data));
+  approach_->near = std::abs(std::int64_t{ahead}) <= near_enough() ? approach_->near + 1 : 0;
+  return approach_->near >= kNearInARow;
+}
+
+/// Behind it, it follows its time; in the mean of some readings.
+bool ReferenceClock::follows_near() {
   const auto& status = run_.snapshot.slaves[*home_];
   if (!status.deviation_valid || status.deviation_time <= approach_->last_reading) return false;
   approach_->last_reading = status.deviation_time;
@@ -133,7 +173,7 @@ bool ReferenceClock::is_near() {
   if (++approach_->readings < kLeadReadings) return false;
   const auto sum = approach_->sum;
   approach_->sum = approach_->readings = 0;
-  return std::abs(sum) <= kLeadNear * kLeadReadings;
+  return std::abs(sum) <= near_enough() * kLeadReadings;
 }
 
 }  // namespace syncline

@@ -32,6 +32,8 @@ class ReferenceClock {
   [[nodiscard]] std::optional<std::uint16_t> station() const;
   /// What the control loops of those that began or ceased to lead are to be told, once.
   [[nodiscard]] std::optional<ClockAmendment::Request> take_tuning();
+  /// While the one that is to lead comes home in front of its substitute: both clocks' times in one frame.
+  void add_to(PendingFrame& frame);
   /// After each cycle: is the one that is to lead near enough?
   void watch(Nanoseconds time);
   /// Nobody leads: which of these slaves ought to, when its clock has been set.
@@ -42,14 +44,24 @@ class ReferenceClock {
   [[nodiscard]] std::optional<std::uint16_t> leader() const { return leader_; }
 
  private:
-  /// Readings of 0x092C of the one that comes home.
+  /// What was read of the one that comes home.
   struct Approach {
     Nanoseconds begin = 0, last_reading = 0;
     std::int64_t sum = 0;
     int readings = 0;
+    int near = 0;  // comparisons in a row
+  };
+  /// 0x0910 of the one that comes home and of its substitute, latched as one frame passed (ESC data sheet II, 2.37).
+  struct Comparison {
+    std::array<std::array<std::uint8_t, 4>, 2> bytes{};
+    std::array<Datagram, 2> datagrams;
+    bool asked = false;
   };
   [[nodiscard]] bool can_lead(std::size_t slave) const;
+  [[nodiscard]] std::int64_t near_enough() const;  // ns
   [[nodiscard]] bool is_near();
+  [[nodiscard]] bool follows_near();
+  [[nodiscard]] bool compares_near();
   void hand_over(std::uint16_t position);
   void tune(std::uint16_t position, bool leads);
 
@@ -60,6 +72,7 @@ class ReferenceClock {
   bool by_place_ = false;      // the configuration's commands mean the home clock by its place or address
   bool places_right_ = false;  // everybody in front of it is there
   std::optional<Approach> approach_;
+  Comparison comparison_;
   std::array<std::optional<ClockAmendment::Request>, 2> tunings_;
 };
 

@@ -37,6 +37,10 @@ bool PendingFrame::add(Datagram& datagram) {
   return true;
 }
 
+bool PendingFrame::has_room(const PendingFrame& other) const {
+  return count_ + other.count_ <= kMaxDatagrams && bytes_ + other.bytes_ <= kFrameCapacity;
+}
+
 void FrameExchange::set_addresses(const MacAddress& destination, const MacAddress& source) {
   builder_.set_addresses(destination, source);
 }

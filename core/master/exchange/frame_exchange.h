@@ -44,6 +44,8 @@ class PendingFrame {
   void clear();
   /// False when the frame is full; the datagram then belongs into the next one.
   bool add(Datagram& datagram);
+  /// For all that is in `other`.
+  [[nodiscard]] bool has_room(const PendingFrame& other) const;
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::span<Datagram* const> datagrams() const { return {datagrams_.data(), count_}; }
   [[nodiscard]] bool answered() const { return answered_; }

@@ -254,7 +254,31 @@ TEST_F(OneIsAway, WhoComesBackIsAwaitedUntilItHasCaughtUp) {
   EXPECT_FALSE(line.slaves_sync.settled());
   EXPECT_TRUE(line.events->together());
   cycles(1, 2);
+  EXPECT_FALSE(line.slaves_sync.settled()) << "one small reading of a clock that was just set says nothing";
+  cycles(static_cast<int>(300 * kMillisecond / kCycle), 2);
   EXPECT_TRUE(line.slaves_sync.settled());
+  EXPECT_TRUE(line.run.snapshot.slaves[2].follows);
+}
+
+TEST_F(OneIsAway, WhoWorksAgainCountsAtItsFirstSmallReading) {
+  cycles(200);
+  line.run.set_present(2, false, now);
+  cycles(3);
+  line.run.set_present(2, true, now);
+  line.run.set_al_status(2, static_cast<std::uint16_t>(AlState::kSafeop), 0, now);
+  cycles(3);
+  EXPECT_FALSE(line.run.snapshot.slaves[2].follows);
+  cycles(1, 2);
+  EXPECT_TRUE(line.run.snapshot.slaves[2].follows);
+}
+
+TEST_F(OneIsAway, WhoWorksAgainAndNeverCatchesUpCountsAllTheSame) {
+  cycles(200);
+  line.run.set_present(2, false, now);
+  cycles(3);
+  line.run.set_present(2, true, now);
+  line.run.set_al_status(2, static_cast<std::uint16_t>(AlState::kOp), 0, now);
+  cycles(static_cast<int>(500 * kMillisecond / kCycle) + 2);
   EXPECT_TRUE(line.run.snapshot.slaves[2].follows);
 }
 
