@@ -227,6 +227,14 @@
             <source>Compare the project with a file, the running machine or a bus, or two files</source>
             <translation>Das Projekt mit einer Datei, der laufenden Maschine oder einem Bus vergleichen, oder zwei Dateien</translation>
         </message>
+        <message>
+            <source>Export with Re&amp;port</source>
+            <translation>Mit Be&amp;richt exportieren</translation>
+        </message>
+        <message>
+            <source>Write an HTML report of the machine beside each ENI that is exported</source>
+            <translation>Neben jede ENI, die exportiert wird, einen HTML-Bericht der Maschine schreiben</translation>
+        </message>
 </context>
 <context>
     <name>BusCommands</name>
@@ -629,6 +637,10 @@
         <message>
             <source>&amp;Open</source>
             <translation>Ö&amp;ffnen</translation>
+        </message>
+        <message>
+            <source>ENI written to %1, report to %2</source>
+            <translation>ENI nach %1 geschrieben, Bericht nach %2</translation>
         </message>
 </context>
 <context>
@@ -4409,6 +4421,10 @@ Einstellung %2</translation>
             <source>Finding: %1</source>
             <translation>Befund: %1</translation>
         </message>
+        <message>
+            <source>Show in &amp;ENI</source>
+            <translation>In der ENI &amp;zeigen</translation>
+        </message>
 </context>
 <context>
     <name>NumberEdit</name>
@@ -7579,6 +7595,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
                 <numerusform>… %n Zeilen …</numerusform>
             </translation>
         </message>
+        <message>
+            <source>with the other value</source>
+            <translation>mit dem anderen Wert</translation>
+        </message>
+        <message>
+            <source>depends on the setting</source>
+            <translation>hängt von der Einstellung ab</translation>
+        </message>
 </context>
 <context>
     <name>EniFindingModel</name>
@@ -7832,6 +7856,46 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>The checker finds nothing</source>
             <translation>Der Prüfer findet nichts</translation>
+        </message>
+        <message>
+            <source>&amp;Report</source>
+            <translation>Be&amp;richt</translation>
+        </message>
+        <message>
+            <source>Write a report beside each ENI that is exported</source>
+            <translation>Neben jede ENI, die exportiert wird, einen Bericht schreiben</translation>
+        </message>
+        <message>
+            <source>An HTML file beside the ENI: slaves, clocks, frames, findings and the drawing of the wiring</source>
+            <translation>Eine HTML-Datei neben der ENI: Slaves, Uhren, Frames, Befunde und die Zeichnung der Verkabelung</translation>
+        </message>
+        <message>
+            <source>What depends on a setting</source>
+            <translation>Was von einer Einstellung abhängt</translation>
+        </message>
+        <message>
+            <source>Show &amp;Changes</source>
+            <translation>Änderungen &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>Show changes in place of what depends</source>
+            <translation>Änderungen zeigen statt dessen, was abhängt</translation>
+        </message>
+        <message>
+            <source>Looking for what depends on &quot;%1&quot; of %2…</source>
+            <translation>Es wird gesucht, was von „%1“ (%2) abhängt …</translation>
+        </message>
+        <message>
+            <source>No other value of &quot;%1&quot; of %2 can be tried, so what depends on it is not known.</source>
+            <translation>Von „%1“ (%2) lässt sich kein anderer Wert probieren; was davon abhängt, ist nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; of %2 does not change the ENI: it is used by the master at run time.</source>
+            <translation>„%1“ (%2) ändert die ENI nicht: Der Master verwendet es zur Laufzeit.</translation>
+        </message>
+        <message>
+            <source>Marked is what depends on &quot;%1&quot; of %2; struck out, how it would be with %3.</source>
+            <translation>Markiert ist, was von „%1“ (%2) abhängt; durchgestrichen, wie es mit %3 wäre.</translation>
         </message>
 </context>
 <context>

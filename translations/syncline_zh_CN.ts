@@ -227,6 +227,14 @@
             <source>Compare the project with a file, the running machine or a bus, or two files</source>
             <translation>将项目与文件、运行中的机器或总线比较，或比较两个文件</translation>
         </message>
+        <message>
+            <source>Export with Re&amp;port</source>
+            <translation>导出时附报告(&amp;P)</translation>
+        </message>
+        <message>
+            <source>Write an HTML report of the machine beside each ENI that is exported</source>
+            <translation>在每个导出的 ENI 旁写一份机器的 HTML 报告</translation>
+        </message>
 </context>
 <context>
     <name>BusCommands</name>
@@ -627,6 +635,10 @@
         <message>
             <source>&amp;Open</source>
             <translation>打开(&amp;O)</translation>
+        </message>
+        <message>
+            <source>ENI written to %1, report to %2</source>
+            <translation>ENI 已写入 %1，报告已写入 %2</translation>
         </message>
 </context>
 <context>
@@ -4394,6 +4406,10 @@ Setting %2</source>
             <source>Finding: %1</source>
             <translation>检查结果：%1</translation>
         </message>
+        <message>
+            <source>Show in &amp;ENI</source>
+            <translation>在 ENI 中显示(&amp;E)</translation>
+        </message>
 </context>
 <context>
     <name>NumberEdit</name>
@@ -7543,6 +7559,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
                 <numerusform>… %n 行 …</numerusform>
             </translation>
         </message>
+        <message>
+            <source>with the other value</source>
+            <translation>换成另一个值时</translation>
+        </message>
+        <message>
+            <source>depends on the setting</source>
+            <translation>取决于该设置</translation>
+        </message>
 </context>
 <context>
     <name>EniFindingModel</name>
@@ -7789,6 +7813,46 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>The checker finds nothing</source>
             <translation>检查未发现问题</translation>
+        </message>
+        <message>
+            <source>&amp;Report</source>
+            <translation>报告(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Write a report beside each ENI that is exported</source>
+            <translation>在每个导出的 ENI 旁写一份报告</translation>
+        </message>
+        <message>
+            <source>An HTML file beside the ENI: slaves, clocks, frames, findings and the drawing of the wiring</source>
+            <translation>ENI 旁的一个 HTML 文件：从站、时钟、帧、检查结果和接线图</translation>
+        </message>
+        <message>
+            <source>What depends on a setting</source>
+            <translation>哪些内容取决于某个设置</translation>
+        </message>
+        <message>
+            <source>Show &amp;Changes</source>
+            <translation>显示更改(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Show changes in place of what depends</source>
+            <translation>显示更改，而不显示相关内容</translation>
+        </message>
+        <message>
+            <source>Looking for what depends on &quot;%1&quot; of %2…</source>
+            <translation>正在查找哪些内容取决于 %2 的“%1”…</translation>
+        </message>
+        <message>
+            <source>No other value of &quot;%1&quot; of %2 can be tried, so what depends on it is not known.</source>
+            <translation>%2 的“%1”没有别的值可试，因此不知道哪些内容取决于它。</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; of %2 does not change the ENI: it is used by the master at run time.</source>
+            <translation>%2 的“%1”不改变 ENI：主站在运行时使用它。</translation>
+        </message>
+        <message>
+            <source>Marked is what depends on &quot;%1&quot; of %2; struck out, how it would be with %3.</source>
+            <translation>标出的是取决于 %2 的“%1”的内容；带删除线的是换成 %3 时的样子。</translation>
         </message>
 </context>
 <context>

@@ -163,6 +163,11 @@ void MainWindow::connectActions() {
   on(actions_->save, [this] { files_->save(); });
   on(actions_->save_as, [this] { files_->saveAs(); });
   on(actions_->export_eni, [this] { files_->exportEni(); });
+  auto& eni = workspace_.eni();
+  actions_->export_report->setChecked(eni.reported());
+  connect(actions_->export_report, &QAction::toggled, &eni, &EniPreview::setReported);
+  connect(&eni, &EniPreview::reportedChanged, actions_->export_report,
+          [this] { actions_->export_report->setChecked(workspace_.eni().reported()); });
   connect(editor_, &DeviceEditor::compareWanted, actions_->compare, &QAction::trigger);
   connect(editor_, &DeviceEditor::exportWanted, actions_->export_eni, &QAction::trigger);
   on(actions_->scan, [this] { bus_->scan(); });

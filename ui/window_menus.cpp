@@ -20,7 +20,7 @@ void buildFileMenu(QMenu& menu, const Actions& actions, QMenu& recent) {
   menu.addAction(actions.close_recording);
   menu.addActions({actions.save, actions.save_as});
   menu.addSeparator();
-  menu.addActions({actions.export_eni, actions.compare});
+  menu.addActions({actions.export_eni, actions.export_report, actions.compare});
   menu.addSeparator();
   menu.addAction(actions.quit);
 }
