@@ -228,6 +228,14 @@
             <translation>Das Projekt mit einer Datei, der laufenden Maschine oder einem Bus vergleichen, oder zwei Dateien</translation>
         </message>
         <message>
+            <source>Save as &amp;Template…</source>
+            <translation>Als Vor&amp;lage sichern …</translation>
+        </message>
+        <message>
+            <source>Keep the project as what others can begin with</source>
+            <translation>Das Projekt aufheben, damit andere damit beginnen können</translation>
+        </message>
+        <message>
             <source>Export with Re&amp;port</source>
             <translation>Mit Be&amp;richt exportieren</translation>
         </message>
@@ -1961,6 +1969,30 @@
             <source>Syncline projects (*.syncline)</source>
             <translation>Syncline-Projekte (*.syncline)</translation>
         </message>
+        <message>
+            <source>Your templates (File, Save as Template)</source>
+            <translation>Eigene Vorlagen (Datei, Als Vorlage sichern)</translation>
+        </message>
+        <message>
+            <source>&amp;Your templates (File, Save as Template)</source>
+            <translation>E&amp;igene Vorlagen (Datei, Als Vorlage sichern)</translation>
+        </message>
+        <message>
+            <source>&amp;Use Template</source>
+            <translation>Vorlage &amp;nehmen</translation>
+        </message>
+        <message>
+            <source>Take the slaves of the template</source>
+            <translation>Die Slaves der Vorlage nehmen</translation>
+        </message>
+        <message>
+            <source>Re&amp;move Template…</source>
+            <translation>Vorlage entfe&amp;rnen …</translation>
+        </message>
+        <message>
+            <source>Remove the template</source>
+            <translation>Die Vorlage entfernen</translation>
+        </message>
     </context>
     <context>
     <name>SummaryStep</name>
@@ -3319,6 +3351,29 @@ Einstellung %2</translation>
         <message>
             <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
             <translation>Mit der simulierten Vorführmaschine, einem Bus, Geräten des Katalogs oder einer Projektdatei beginnen.</translation>
+        </message>
+        <message>
+            <source>New from a template of yours</source>
+            <translation>Neu aus einer eigenen Vorlage</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more in New Machine</source>
+            <translation>
+                <numerusform>%n weitere in „Neue Maschine“</numerusform>
+                <numerusform>%n weitere in „Neue Maschine“</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>New from the template %1</source>
+            <translation>Neu aus der Vorlage %1</translation>
+        </message>
+        <message>
+            <source>Remove the template %1</source>
+            <translation>Die Vorlage %1 entfernen</translation>
+        </message>
+        <message>
+            <source>Remove this template</source>
+            <translation>Diese Vorlage entfernen</translation>
         </message>
 </context>
 <context>
@@ -8685,6 +8740,65 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Click the number for the error counters of %1.</source>
             <translation>Ein Klick auf die Zahl führt zu den Fehlerzählern von %1.</translation>
+        </message>
+</context>
+    <context>
+        <name>TemplateCommands</name>
+        <message>
+            <source>Save as Template</source>
+            <translation>Als Vorlage sichern</translation>
+        </message>
+        <message>
+            <source>Name of the template:</source>
+            <translation>Name der Vorlage:</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Sichern</translation>
+        </message>
+        <message>
+            <source>There is a template %1 already.</source>
+            <translation>Es gibt schon eine Vorlage %1.</translation>
+        </message>
+        <message>
+            <source>What it holds is lost when it is replaced.</source>
+            <translation>Was sie enthält, geht verloren, wenn sie ersetzt wird.</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>Ersetzen</translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation>Vorlage</translation>
+        </message>
+        <message>
+            <source>The template could not be saved.</source>
+            <translation>Die Vorlage konnte nicht gesichert werden.</translation>
+        </message>
+        <message>
+            <source>Saved the template %1</source>
+            <translation>Die Vorlage %1 ist gesichert</translation>
+        </message>
+        <message>
+            <source>The template %1 cannot be read.</source>
+            <translation>Die Vorlage %1 kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Remove the template %1?</source>
+            <translation>Die Vorlage %1 entfernen?</translation>
+        </message>
+        <message>
+            <source>Projects that were begun with it stay as they are.</source>
+            <translation>Projekte, die mit ihr begonnen wurden, bleiben, wie sie sind.</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>The template %1 could not be removed.</source>
+            <translation>Die Vorlage %1 konnte nicht entfernt werden.</translation>
         </message>
 </context>
 </TS>

@@ -228,6 +228,14 @@
             <translation>将项目与文件、运行中的机器或总线比较，或比较两个文件</translation>
         </message>
         <message>
+            <source>Save as &amp;Template…</source>
+            <translation>存为模板(&amp;T)…</translation>
+        </message>
+        <message>
+            <source>Keep the project as what others can begin with</source>
+            <translation>保留此项目，供其他项目以它开始</translation>
+        </message>
+        <message>
             <source>Export with Re&amp;port</source>
             <translation>导出时附报告(&amp;P)</translation>
         </message>
@@ -1954,6 +1962,30 @@
             <source>Syncline projects (*.syncline)</source>
             <translation>Syncline 项目 (*.syncline)</translation>
         </message>
+        <message>
+            <source>Your templates (File, Save as Template)</source>
+            <translation>您的模板（文件，存为模板）</translation>
+        </message>
+        <message>
+            <source>&amp;Your templates (File, Save as Template)</source>
+            <translation>您的模板（文件，存为模板）(&amp;Y)</translation>
+        </message>
+        <message>
+            <source>&amp;Use Template</source>
+            <translation>使用模板(&amp;U)</translation>
+        </message>
+        <message>
+            <source>Take the slaves of the template</source>
+            <translation>采用模板的从站</translation>
+        </message>
+        <message>
+            <source>Re&amp;move Template…</source>
+            <translation>删除模板(&amp;M)…</translation>
+        </message>
+        <message>
+            <source>Remove the template</source>
+            <translation>删除该模板</translation>
+        </message>
     </context>
     <context>
     <name>SummaryStep</name>
@@ -3305,6 +3337,28 @@ Setting %2</source>
         <message>
             <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
             <translation>从仿真的演示机器、总线、目录中的设备或项目文件开始。</translation>
+        </message>
+        <message>
+            <source>New from a template of yours</source>
+            <translation>从您的模板新建</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more in New Machine</source>
+            <translation>
+                <numerusform>“新建机器”中还有 %n 个</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>New from the template %1</source>
+            <translation>从模板 %1 新建</translation>
+        </message>
+        <message>
+            <source>Remove the template %1</source>
+            <translation>删除模板 %1</translation>
+        </message>
+        <message>
+            <source>Remove this template</source>
+            <translation>删除此模板</translation>
         </message>
 </context>
 <context>
@@ -8639,6 +8693,65 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Click the number for the error counters of %1.</source>
             <translation>点击数字可查看 %1 的错误计数器。</translation>
+        </message>
+</context>
+    <context>
+        <name>TemplateCommands</name>
+        <message>
+            <source>Save as Template</source>
+            <translation>存为模板</translation>
+        </message>
+        <message>
+            <source>Name of the template:</source>
+            <translation>模板名称：</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>There is a template %1 already.</source>
+            <translation>已有模板 %1。</translation>
+        </message>
+        <message>
+            <source>What it holds is lost when it is replaced.</source>
+            <translation>替换后，其中的内容将丢失。</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>替换</translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation>模板</translation>
+        </message>
+        <message>
+            <source>The template could not be saved.</source>
+            <translation>无法保存模板。</translation>
+        </message>
+        <message>
+            <source>Saved the template %1</source>
+            <translation>已保存模板 %1</translation>
+        </message>
+        <message>
+            <source>The template %1 cannot be read.</source>
+            <translation>无法读取模板 %1。</translation>
+        </message>
+        <message>
+            <source>Remove the template %1?</source>
+            <translation>删除模板 %1？</translation>
+        </message>
+        <message>
+            <source>Projects that were begun with it stay as they are.</source>
+            <translation>以它开始的项目保持不变。</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>The template %1 could not be removed.</source>
+            <translation>无法删除模板 %1。</translation>
         </message>
 </context>
 </TS>
