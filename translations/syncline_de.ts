@@ -227,6 +227,22 @@
             <source>Compare the project with a file, the running machine or a bus, or two files</source>
             <translation>Das Projekt mit einer Datei, der laufenden Maschine oder einem Bus vergleichen, oder zwei Dateien</translation>
         </message>
+        <message>
+            <source>Save as &amp;Template…</source>
+            <translation>Als Vor&amp;lage sichern …</translation>
+        </message>
+        <message>
+            <source>Keep the project as what others can begin with</source>
+            <translation>Das Projekt aufheben, damit andere damit beginnen können</translation>
+        </message>
+        <message>
+            <source>Export with Re&amp;port</source>
+            <translation>Mit Be&amp;richt exportieren</translation>
+        </message>
+        <message>
+            <source>Write an HTML report of the machine beside each ENI that is exported</source>
+            <translation>Neben jede ENI, die exportiert wird, einen HTML-Bericht der Maschine schreiben</translation>
+        </message>
 </context>
 <context>
     <name>BusCommands</name>
@@ -629,6 +645,10 @@
         <message>
             <source>&amp;Open</source>
             <translation>Ö&amp;ffnen</translation>
+        </message>
+        <message>
+            <source>ENI written to %1, report to %2</source>
+            <translation>ENI nach %1 geschrieben, Bericht nach %2</translation>
         </message>
 </context>
 <context>
@@ -1948,6 +1968,30 @@
         <message>
             <source>Syncline projects (*.syncline)</source>
             <translation>Syncline-Projekte (*.syncline)</translation>
+        </message>
+        <message>
+            <source>Your templates (File, Save as Template)</source>
+            <translation>Eigene Vorlagen (Datei, Als Vorlage sichern)</translation>
+        </message>
+        <message>
+            <source>&amp;Your templates (File, Save as Template)</source>
+            <translation>E&amp;igene Vorlagen (Datei, Als Vorlage sichern)</translation>
+        </message>
+        <message>
+            <source>&amp;Use Template</source>
+            <translation>Vorlage &amp;nehmen</translation>
+        </message>
+        <message>
+            <source>Take the slaves of the template</source>
+            <translation>Die Slaves der Vorlage nehmen</translation>
+        </message>
+        <message>
+            <source>Re&amp;move Template…</source>
+            <translation>Vorlage entfe&amp;rnen …</translation>
+        </message>
+        <message>
+            <source>Remove the template</source>
+            <translation>Die Vorlage entfernen</translation>
         </message>
     </context>
     <context>
@@ -3308,6 +3352,29 @@ Einstellung %2</translation>
             <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
             <translation>Mit der simulierten Vorführmaschine, einem Bus, Geräten des Katalogs oder einer Projektdatei beginnen.</translation>
         </message>
+        <message>
+            <source>New from a template of yours</source>
+            <translation>Neu aus einer eigenen Vorlage</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more in New Machine</source>
+            <translation>
+                <numerusform>%n weitere in „Neue Maschine“</numerusform>
+                <numerusform>%n weitere in „Neue Maschine“</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>New from the template %1</source>
+            <translation>Neu aus der Vorlage %1</translation>
+        </message>
+        <message>
+            <source>Remove the template %1</source>
+            <translation>Die Vorlage %1 entfernen</translation>
+        </message>
+        <message>
+            <source>Remove this template</source>
+            <translation>Diese Vorlage entfernen</translation>
+        </message>
 </context>
 <context>
     <name>Workspace</name>
@@ -4408,6 +4475,10 @@ Einstellung %2</translation>
         <message>
             <source>Finding: %1</source>
             <translation>Befund: %1</translation>
+        </message>
+        <message>
+            <source>Show in &amp;ENI</source>
+            <translation>In der ENI &amp;zeigen</translation>
         </message>
 </context>
 <context>
@@ -7579,6 +7650,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
                 <numerusform>… %n Zeilen …</numerusform>
             </translation>
         </message>
+        <message>
+            <source>with the other value</source>
+            <translation>mit dem anderen Wert</translation>
+        </message>
+        <message>
+            <source>depends on the setting</source>
+            <translation>hängt von der Einstellung ab</translation>
+        </message>
 </context>
 <context>
     <name>EniFindingModel</name>
@@ -7832,6 +7911,46 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>The checker finds nothing</source>
             <translation>Der Prüfer findet nichts</translation>
+        </message>
+        <message>
+            <source>&amp;Report</source>
+            <translation>Be&amp;richt</translation>
+        </message>
+        <message>
+            <source>Write a report beside each ENI that is exported</source>
+            <translation>Neben jede ENI, die exportiert wird, einen Bericht schreiben</translation>
+        </message>
+        <message>
+            <source>An HTML file beside the ENI: slaves, clocks, frames, findings and the drawing of the wiring</source>
+            <translation>Eine HTML-Datei neben der ENI: Slaves, Uhren, Frames, Befunde und die Zeichnung der Verkabelung</translation>
+        </message>
+        <message>
+            <source>What depends on a setting</source>
+            <translation>Was von einer Einstellung abhängt</translation>
+        </message>
+        <message>
+            <source>Show &amp;Changes</source>
+            <translation>Änderungen &amp;zeigen</translation>
+        </message>
+        <message>
+            <source>Show changes in place of what depends</source>
+            <translation>Änderungen zeigen statt dessen, was abhängt</translation>
+        </message>
+        <message>
+            <source>Looking for what depends on &quot;%1&quot; of %2…</source>
+            <translation>Es wird gesucht, was von „%1“ (%2) abhängt …</translation>
+        </message>
+        <message>
+            <source>No other value of &quot;%1&quot; of %2 can be tried, so what depends on it is not known.</source>
+            <translation>Von „%1“ (%2) lässt sich kein anderer Wert probieren; was davon abhängt, ist nicht bekannt.</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; of %2 does not change the ENI: it is used by the master at run time.</source>
+            <translation>„%1“ (%2) ändert die ENI nicht: Der Master verwendet es zur Laufzeit.</translation>
+        </message>
+        <message>
+            <source>Marked is what depends on &quot;%1&quot; of %2; struck out, how it would be with %3.</source>
+            <translation>Markiert ist, was von „%1“ (%2) abhängt; durchgestrichen, wie es mit %3 wäre.</translation>
         </message>
 </context>
 <context>
@@ -8621,6 +8740,65 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Click the number for the error counters of %1.</source>
             <translation>Ein Klick auf die Zahl führt zu den Fehlerzählern von %1.</translation>
+        </message>
+</context>
+    <context>
+        <name>TemplateCommands</name>
+        <message>
+            <source>Save as Template</source>
+            <translation>Als Vorlage sichern</translation>
+        </message>
+        <message>
+            <source>Name of the template:</source>
+            <translation>Name der Vorlage:</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Sichern</translation>
+        </message>
+        <message>
+            <source>There is a template %1 already.</source>
+            <translation>Es gibt schon eine Vorlage %1.</translation>
+        </message>
+        <message>
+            <source>What it holds is lost when it is replaced.</source>
+            <translation>Was sie enthält, geht verloren, wenn sie ersetzt wird.</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>Ersetzen</translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation>Vorlage</translation>
+        </message>
+        <message>
+            <source>The template could not be saved.</source>
+            <translation>Die Vorlage konnte nicht gesichert werden.</translation>
+        </message>
+        <message>
+            <source>Saved the template %1</source>
+            <translation>Die Vorlage %1 ist gesichert</translation>
+        </message>
+        <message>
+            <source>The template %1 cannot be read.</source>
+            <translation>Die Vorlage %1 kann nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Remove the template %1?</source>
+            <translation>Die Vorlage %1 entfernen?</translation>
+        </message>
+        <message>
+            <source>Projects that were begun with it stay as they are.</source>
+            <translation>Projekte, die mit ihr begonnen wurden, bleiben, wie sie sind.</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>The template %1 could not be removed.</source>
+            <translation>Die Vorlage %1 konnte nicht entfernt werden.</translation>
         </message>
 </context>
 </TS>

@@ -409,4 +409,14 @@
             </translation>
         </message>
 </context>
+    <context>
+        <name>WelcomePage</name>
+        <message numerus="yes">
+            <source>%n more in New Machine</source>
+            <translation>
+                <numerusform>%n more in New Machine</numerusform>
+                <numerusform>%n more in New Machine</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

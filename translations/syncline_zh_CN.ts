@@ -227,6 +227,22 @@
             <source>Compare the project with a file, the running machine or a bus, or two files</source>
             <translation>将项目与文件、运行中的机器或总线比较，或比较两个文件</translation>
         </message>
+        <message>
+            <source>Save as &amp;Template…</source>
+            <translation>存为模板(&amp;T)…</translation>
+        </message>
+        <message>
+            <source>Keep the project as what others can begin with</source>
+            <translation>保留此项目，供其他项目以它开始</translation>
+        </message>
+        <message>
+            <source>Export with Re&amp;port</source>
+            <translation>导出时附报告(&amp;P)</translation>
+        </message>
+        <message>
+            <source>Write an HTML report of the machine beside each ENI that is exported</source>
+            <translation>在每个导出的 ENI 旁写一份机器的 HTML 报告</translation>
+        </message>
 </context>
 <context>
     <name>BusCommands</name>
@@ -627,6 +643,10 @@
         <message>
             <source>&amp;Open</source>
             <translation>打开(&amp;O)</translation>
+        </message>
+        <message>
+            <source>ENI written to %1, report to %2</source>
+            <translation>ENI 已写入 %1，报告已写入 %2</translation>
         </message>
 </context>
 <context>
@@ -1941,6 +1961,30 @@
         <message>
             <source>Syncline projects (*.syncline)</source>
             <translation>Syncline 项目 (*.syncline)</translation>
+        </message>
+        <message>
+            <source>Your templates (File, Save as Template)</source>
+            <translation>您的模板（文件，存为模板）</translation>
+        </message>
+        <message>
+            <source>&amp;Your templates (File, Save as Template)</source>
+            <translation>您的模板（文件，存为模板）(&amp;Y)</translation>
+        </message>
+        <message>
+            <source>&amp;Use Template</source>
+            <translation>使用模板(&amp;U)</translation>
+        </message>
+        <message>
+            <source>Take the slaves of the template</source>
+            <translation>采用模板的从站</translation>
+        </message>
+        <message>
+            <source>Re&amp;move Template…</source>
+            <translation>删除模板(&amp;M)…</translation>
+        </message>
+        <message>
+            <source>Remove the template</source>
+            <translation>删除该模板</translation>
         </message>
     </context>
     <context>
@@ -3294,6 +3338,28 @@ Setting %2</source>
             <source>Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file.</source>
             <translation>从仿真的演示机器、总线、目录中的设备或项目文件开始。</translation>
         </message>
+        <message>
+            <source>New from a template of yours</source>
+            <translation>从您的模板新建</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more in New Machine</source>
+            <translation>
+                <numerusform>“新建机器”中还有 %n 个</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>New from the template %1</source>
+            <translation>从模板 %1 新建</translation>
+        </message>
+        <message>
+            <source>Remove the template %1</source>
+            <translation>删除模板 %1</translation>
+        </message>
+        <message>
+            <source>Remove this template</source>
+            <translation>删除此模板</translation>
+        </message>
 </context>
 <context>
     <name>Workspace</name>
@@ -4393,6 +4459,10 @@ Setting %2</source>
         <message>
             <source>Finding: %1</source>
             <translation>检查结果：%1</translation>
+        </message>
+        <message>
+            <source>Show in &amp;ENI</source>
+            <translation>在 ENI 中显示(&amp;E)</translation>
         </message>
 </context>
 <context>
@@ -7543,6 +7613,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
                 <numerusform>… %n 行 …</numerusform>
             </translation>
         </message>
+        <message>
+            <source>with the other value</source>
+            <translation>换成另一个值时</translation>
+        </message>
+        <message>
+            <source>depends on the setting</source>
+            <translation>取决于该设置</translation>
+        </message>
 </context>
 <context>
     <name>EniFindingModel</name>
@@ -7789,6 +7867,46 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>The checker finds nothing</source>
             <translation>检查未发现问题</translation>
+        </message>
+        <message>
+            <source>&amp;Report</source>
+            <translation>报告(&amp;R)</translation>
+        </message>
+        <message>
+            <source>Write a report beside each ENI that is exported</source>
+            <translation>在每个导出的 ENI 旁写一份报告</translation>
+        </message>
+        <message>
+            <source>An HTML file beside the ENI: slaves, clocks, frames, findings and the drawing of the wiring</source>
+            <translation>ENI 旁的一个 HTML 文件：从站、时钟、帧、检查结果和接线图</translation>
+        </message>
+        <message>
+            <source>What depends on a setting</source>
+            <translation>哪些内容取决于某个设置</translation>
+        </message>
+        <message>
+            <source>Show &amp;Changes</source>
+            <translation>显示更改(&amp;C)</translation>
+        </message>
+        <message>
+            <source>Show changes in place of what depends</source>
+            <translation>显示更改，而不显示相关内容</translation>
+        </message>
+        <message>
+            <source>Looking for what depends on &quot;%1&quot; of %2…</source>
+            <translation>正在查找哪些内容取决于 %2 的“%1”…</translation>
+        </message>
+        <message>
+            <source>No other value of &quot;%1&quot; of %2 can be tried, so what depends on it is not known.</source>
+            <translation>%2 的“%1”没有别的值可试，因此不知道哪些内容取决于它。</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; of %2 does not change the ENI: it is used by the master at run time.</source>
+            <translation>%2 的“%1”不改变 ENI：主站在运行时使用它。</translation>
+        </message>
+        <message>
+            <source>Marked is what depends on &quot;%1&quot; of %2; struck out, how it would be with %3.</source>
+            <translation>标出的是取决于 %2 的“%1”的内容；带删除线的是换成 %3 时的样子。</translation>
         </message>
 </context>
 <context>
@@ -8575,6 +8693,65 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Click the number for the error counters of %1.</source>
             <translation>点击数字可查看 %1 的错误计数器。</translation>
+        </message>
+</context>
+    <context>
+        <name>TemplateCommands</name>
+        <message>
+            <source>Save as Template</source>
+            <translation>存为模板</translation>
+        </message>
+        <message>
+            <source>Name of the template:</source>
+            <translation>模板名称：</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>There is a template %1 already.</source>
+            <translation>已有模板 %1。</translation>
+        </message>
+        <message>
+            <source>What it holds is lost when it is replaced.</source>
+            <translation>替换后，其中的内容将丢失。</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>替换</translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation>模板</translation>
+        </message>
+        <message>
+            <source>The template could not be saved.</source>
+            <translation>无法保存模板。</translation>
+        </message>
+        <message>
+            <source>Saved the template %1</source>
+            <translation>已保存模板 %1</translation>
+        </message>
+        <message>
+            <source>The template %1 cannot be read.</source>
+            <translation>无法读取模板 %1。</translation>
+        </message>
+        <message>
+            <source>Remove the template %1?</source>
+            <translation>删除模板 %1？</translation>
+        </message>
+        <message>
+            <source>Projects that were begun with it stay as they are.</source>
+            <translation>以它开始的项目保持不变。</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>The template %1 could not be removed.</source>
+            <translation>无法删除模板 %1。</translation>
         </message>
 </context>
 </TS>

@@ -18,6 +18,7 @@ void updateActionStates(const Actions& actions, Workspace& workspace, const Reco
   actions.new_machine->setEnabled(!busy);
   actions.open->setEnabled(!workspace.scan().isRunning());
   for (auto* action : {actions.save, actions.save_as, actions.export_eni, actions.compare}) action->setEnabled(some);
+  actions.save_template->setEnabled(some && workspace.templates().isKept());
   actions.go_to->setEnabled(!recorded);
   // Nobody would see what they change.
   const auto& steps = workspace.document().undoStack();

@@ -43,8 +43,13 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   save = add("actionSave", tr("&Save"), "save", tr("Save the project"), QKeySequence::Save);
   save_as = add("actionSaveAs", tr("Save &As…"), "save-as", tr("Save the project under another name"),
                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+  save_template =
+      add("actionSaveTemplate", tr("Save as &Template…"), "", tr("Keep the project as what others can begin with"));
   export_eni = add("actionExport", tr("&Export ENI…"), "export", tr("Write the network information file (ETG.2100)"),
                    QKeySequence(Qt::CTRL | Qt::Key_E));
+  export_report = add("actionExportReport", tr("Export with Re&port"), "",
+                      tr("Write an HTML report of the machine beside each ENI that is exported"));
+  export_report->setCheckable(true);
   close_recording = add("actionCloseRecording", tr("&Close Recording"), "",
                         tr("Show the project and its machine again in place of the recording"));
   quit = add("actionQuit", tr("&Quit"), "", tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));

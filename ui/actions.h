@@ -19,7 +19,8 @@ class Actions final : public QObject {
   /// Draws the icons in the colours of the palette, and marks the theme that is chosen.
   void drawIcons(const QPalette& palette);
 
-  QAction *create, *new_machine, *open, *save, *save_as, *export_eni, *close_recording, *quit;
+  QAction *create, *new_machine, *open, *save, *save_as, *save_template, *export_eni, *export_report, *close_recording,
+      *quit;
   QAction *undo, *redo, *go_to, *compare;
   QAction *demo, *scan, *online, *offline, *clear_statistics, *record, *save_recent;
   QList<QAction*> states;  // INIT, PREOP, SAFEOP, OP; data() is the AlState

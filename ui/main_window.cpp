@@ -25,6 +25,7 @@
 #include "ui/dialogs/scan_progress.h"
 #include "ui/dialogs/slave_commands.h"
 #include "ui/dialogs/slave_state_commands.h"
+#include "ui/dialogs/template_commands.h"
 #include "ui/machine_building.h"
 #include "ui/pages/device_editor.h"
 #include "ui/pages/welcome_page.h"
@@ -53,6 +54,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   setDockNestingEnabled(false);
   actions_ = new Actions(workspace.document().undoStack(), this);
   files_ = new FileCommands(workspace, *this);
+  templates_ = new TemplateCommands(workspace, *files_, *this);
   bus_ = new BusCommands(workspace, *this);
   recordings_ = new RecordingCommands(workspace, *this);
   building_ = new MachineBuilding(workspace, *this, [this] { return commitFields(); });
@@ -80,7 +82,9 @@ MainWindow::~MainWindow() {
 void MainWindow::buildCentre() {
   auto* welcome = new WelcomePage(
       {actions_->demo, actions_->new_machine, actions_->scan, building_->commands().add, actions_->open},
-      workspace_.memory());
+      workspace_.memory(), workspace_.templates());
+  connect(welcome, &WelcomePage::templateWanted, templates_, &TemplateCommands::begin);
+  connect(welcome, &WelcomePage::templateRemoveWanted, templates_, &TemplateCommands::remove);
   connect(welcome, &WelcomePage::fileWanted, this, [this](const QString& file) { files_->openAny(file); });
   centre_ = new WindowCentre(workspace_, welcome);
   editor_ = &centre_->editor();
@@ -162,7 +166,13 @@ void MainWindow::connectActions() {
   on(actions_->open, [this] { files_->open(); });
   on(actions_->save, [this] { files_->save(); });
   on(actions_->save_as, [this] { files_->saveAs(); });
+  on(actions_->save_template, [this] { templates_->save(); });
   on(actions_->export_eni, [this] { files_->exportEni(); });
+  auto& eni = workspace_.eni();
+  actions_->export_report->setChecked(eni.reported());
+  connect(actions_->export_report, &QAction::toggled, &eni, &EniPreview::setReported);
+  connect(&eni, &EniPreview::reportedChanged, actions_->export_report,
+          [this] { actions_->export_report->setChecked(workspace_.eni().reported()); });
   connect(editor_, &DeviceEditor::compareWanted, actions_->compare, &QAction::trigger);
   connect(editor_, &DeviceEditor::exportWanted, actions_->export_eni, &QAction::trigger);
   on(actions_->scan, [this] { bus_->scan(); });

@@ -20,6 +20,7 @@ class MessagesPanel;
 class OverviewPanel;
 class RecordingCommands;
 class MachineBuilding;
+class TemplateCommands;
 class WindowCentre;
 class WindowDocks;
 class WindowLayout;
@@ -34,6 +35,7 @@ class MainWindow final : public QMainWindow {
   ~MainWindow() override;
 
   [[nodiscard]] FileCommands& files() { return *files_; }
+  [[nodiscard]] TemplateCommands& templates() { return *templates_; }
   [[nodiscard]] BusCommands& bus() { return *bus_; }
   [[nodiscard]] RecordingCommands& recordings() { return *recordings_; }
   [[nodiscard]] DeviceEditor& editor() { return *editor_; }
@@ -72,6 +74,7 @@ class MainWindow final : public QMainWindow {
   Workspace& workspace_;
   Actions* actions_;
   FileCommands* files_;
+  TemplateCommands* templates_;
   BusCommands* bus_;
   RecordingCommands* recordings_;
   MachineBuilding* building_;

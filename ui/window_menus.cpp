@@ -18,9 +18,9 @@ void buildFileMenu(QMenu& menu, const Actions& actions, QMenu& recent) {
   menu.addActions({actions.create, actions.new_machine, actions.open});
   menu.addMenu(&recent);
   menu.addAction(actions.close_recording);
-  menu.addActions({actions.save, actions.save_as});
+  menu.addActions({actions.save, actions.save_as, actions.save_template});
   menu.addSeparator();
-  menu.addActions({actions.export_eni, actions.compare});
+  menu.addActions({actions.export_eni, actions.export_report, actions.compare});
   menu.addSeparator();
   menu.addAction(actions.quit);
 }

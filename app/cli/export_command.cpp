@@ -11,6 +11,7 @@
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
 #include "eni/format/eni_file.h"
+#include "eni/report/reported_eni.h"
 #include "eni/xml/xml_text.h"
 #include "exports/exports.h"
 #include "findings/recovered_words.h"
@@ -21,7 +22,7 @@ namespace syncline::cli {
 namespace {
 
 struct ExportOptions {
-  std::string file, network, output, dialect, format = "eni";
+  std::string file, network, output, dialect, report, format = "eni";
   bool json = false;
 };
 
@@ -46,14 +47,27 @@ std::vector<Finding> about_layout(const ExportOptions& options, const LoadedConf
   return {make_finding<words::kRecovered>("eni-layout-kept", {}, fig::text<"file">(options.file))};
 }
 
+Status write(const ExportOptions& options, const LoadedConfig& loaded) {
+  if (options.report.empty()) return eni::write_file_atomic(options.output, content(options, loaded.config));
+  const eni::ReportedEni reported{.config = loaded.config,
+                                  .dialect = chosen_dialect(options),
+                                  .source = loaded.source ? &*loaded.source : nullptr,
+                                  .name = std::filesystem::path(options.file).filename().string(),
+                                  .program = std::string("synclinectl ") + SYNCLINE_VERSION,
+                                  .date = eni::report_date(),
+                                  .findings = loaded.findings};
+  return eni::save_reported_eni(reported, options.output, options.report);
+}
+
 void export_file(Context& context, const ExportOptions& options) {
+  if (!options.report.empty() && options.format != "eni")
+    return context.fail_with_words("--report goes with an ENI, not with --format " + options.format, kUsage);
   auto loaded = load_any_config(options.file, {chosen_dialect(options)}, options.network);
   if (!loaded) return context.fail_with(loaded.error());
   for (auto& finding : about_layout(options, *loaded)) loaded->findings.push_back(std::move(finding));
   const bool refused = has_errors(loaded->findings);
   if (!refused) {
-    const auto status = eni::write_file_atomic(options.output, content(options, loaded->config));
-    if (!status) return context.fail_with(status.error());
+    if (const auto status = write(options, *loaded); !status) return context.fail_with(status.error());
   }
   if (refused) context.exit_code = kAnswerIsNo;
   const auto slaves = loaded->config.slaves.size();
@@ -62,13 +76,15 @@ void export_file(Context& context, const ExportOptions& options) {
                           {"written", !refused},
                           {"slaves", slaves},
                           {"findings", to_json(loaded->findings)},
-                          {"format", options.format}});
+                          {"format", options.format},
+                          {"report", options.report.empty() ? Json(nullptr) : Json(options.report)}});
   }
   print(context.console.err, loaded->findings);
   if (refused) {
     context.console.err << "synclinectl: " << options.output << " was not written; mend the errors above first\n";
   } else {
     context.console.out << fmt::format("{}: {}\n", options.output, counted(slaves, "slave"));
+    if (!options.report.empty()) context.console.out << fmt::format("{}: report\n", options.report);
   }
 }
 
@@ -88,6 +104,8 @@ void add_export_command(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"eni", "c-header", "csv", "pdo-csv", "slaves-csv", "svg"}));
   command->add_option("--dialect", options->dialect, "ec-master or twincat")
       ->check(CLI::IsMember({"ec-master", "twincat"}));
+  command->add_option("--report", options->report,
+                      "HTML file that documents the ENI: slaves, clocks, frames, findings, drawing");
   command->add_option("--network", options->network, "Network of a file that holds several: name or number");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { export_file(context, *options); });

@@ -8,11 +8,11 @@
 namespace syncline {
 
 Result<LoadedConfig> load_any_config(const std::string& path, const CompileOptions& options, std::string_view network) {
-  const auto project = eni::load_project(path, network);
+  auto project = eni::load_project(path, network);
   if (project) {
     auto compiled = compile(*project, options);
     if (!compiled) return tl::unexpected(compiled.error());
-    return LoadedConfig{std::move(compiled->config), std::move(compiled->findings), false};
+    return LoadedConfig{std::move(compiled->config), std::move(compiled->findings), false, std::move(*project)};
   }
   if (project.error().code != ErrorCode::kNotThatKindOfFile) return tl::unexpected(project.error());
   auto config = eni::read_eni(path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@ struct LoadedConfig {
   NetworkConfig config;
   std::vector<Finding> findings;
   bool is_eni = false;
+  std::optional<Project> source{};  // what was compiled
 };
 /// The same for those who want to know which of the two it was.
 [[nodiscard]] Result<LoadedConfig> load_any_config(const std::string& path, const CompileOptions& options = {},

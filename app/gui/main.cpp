@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <QSocketNotifier>
+#include <QStandardPaths>
 #include <QStyle>
 #include <QTimer>
 #include <algorithm>
@@ -133,6 +134,8 @@ ui::Environment environment() {
   environment.list_adapters = adapters;
   environment.eeprom_repairs = eeprom_repairs();
   environment.recovery_folder = QString::fromStdString(state_folder("unsaved"));
+  environment.templates_folder =
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/templates");
   environment.version = QStringLiteral(SYNCLINE_VERSION);
   return environment;
 }
@@ -213,6 +216,7 @@ int main(int argc, char* argv[]) {
     surroundings.settings_file = settings.fileName();
   } else {
     surroundings.recovery_folder.clear();  // its edits are nobody's work
+    surroundings.templates_folder.clear();
   }
   ui::Workspace workspace(std::move(surroundings));
   ui::MainWindow window(workspace);

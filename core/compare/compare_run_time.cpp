@@ -25,6 +25,12 @@ bool is_run_time(const std::string& key) {
 
 }  // namespace
 
+bool is_unsaid_setting(const std::string& key) {
+  static const std::set<std::string> kSaid = {"master.dc.continuous_propagation_compensation",
+                                              "master.dc.standard_loop_values"};
+  return is_run_time(key) && !kSaid.contains(key);
+}
+
 std::vector<ConfigDifference> compare_run_time(const Project& left, const Project& right) {
   std::map<std::string, std::string> others;
   for (const auto& [key, value] : list_settings(right)) others.emplace(key, value);

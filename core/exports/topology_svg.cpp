@@ -5,6 +5,7 @@
 
 #include "config/entry_ports.h"
 #include "exports/exports.h"
+#include "exports/markup_text.h"
 
 namespace syncline::exports {
 namespace {
@@ -12,29 +13,6 @@ namespace {
 constexpr int kMargin = 24, kIndent = 56, kBoxWidth = 400, kBoxHeight = 52, kRowHeight = 72, kTrunk = 28,
               kLegendHeight = 40;
 constexpr int kFirstRow = kMargin + kRowHeight;
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
 
 /// At most `most` characters; a UTF-8 character is never cut.
 std::string shortened(const std::string& text, std::size_t most) {
@@ -102,7 +80,7 @@ std::string line(int x1, int y1, int x2, int y2) {
 }
 
 std::string label(int x, int y, const char* kind, std::string_view text) {
-  return fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\">{}</text>\n", x, y, kind, escaped(text));
+  return fmt::format("<text x=\"{}\" y=\"{}\" class=\"{}\">{}</text>\n", x, y, kind, markup_text(text));
 }
 
 std::string cables(const Tree& tree) {
@@ -135,7 +113,7 @@ const char* kind_of(const SlaveConfig& slave) {
 
 std::string box(const Node& node, std::size_t position, const SlaveConfig& slave) {
   const int x = left(node), y = top(position);
-  std::string out = fmt::format("<g><title>{}</title>\n", escaped(slave.name));
+  std::string out = fmt::format("<g><title>{}</title>\n", markup_text(slave.name));
   out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"6\" class=\"box{}\"/>\n", x, y, kBoxWidth,
                      kBoxHeight, slave.hot_connect ? " hot" : "");
   out += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"6\" height=\"{}\" class=\"{}\"/>\n", x, y + 6, kBoxHeight - 12,

@@ -30,6 +30,7 @@ inline constexpr std::string_view kFileReasons[] = {
     "{devices} have no function {number}",
     "slave.{position}.{key}: {reason}",
     "it is a folder",
+    "the ENI goes to this file",
     "it is a disk, not a file",
     "it is a socket, not a file",
     "it is empty",

@@ -31,6 +31,13 @@ std::string text_of(const Setting& setting, const Project& project, const Place&
   return std::holds_alternative<Unset>(value) ? setting.unset : format_value(setting.type, value);
 }
 
+std::string text_with_unit(const Setting& setting, const Project& project, const Place& place) {
+  const auto text = text_of(setting, project, place);
+  const auto* number = std::get_if<Number>(&setting.type);
+  const bool plain = number == nullptr || number->unit.empty() || text == setting.unset;
+  return plain ? text : fmt::format("{} {}", text, number->unit);
+}
+
 Status set_value(const Setting& setting, Project& project, const Place& place, const Value& value) {
   if (std::holds_alternative<Unset>(value)) {
     if (setting.unset.empty()) return bad_value("the setting needs a value");

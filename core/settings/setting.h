@@ -71,6 +71,8 @@ struct Setting {
 /// Default in words: what a new project or a new slave has.
 [[nodiscard]] std::string preset_text(const Setting& setting);
 [[nodiscard]] std::string text_of(const Setting& setting, const Project& project, const Place& place);
+/// The same with the unit that a number has: "1500 ms".
+[[nodiscard]] std::string text_with_unit(const Setting& setting, const Project& project, const Place& place);
 /// Typed setter: kBadValue without subject; the project is unchanged then.
 [[nodiscard]] Status set_value(const Setting& setting, Project& project, const Place& place, const Value& value);
 [[nodiscard]] Status set_text(const Setting& setting, Project& project, const Place& place, std::string_view text);

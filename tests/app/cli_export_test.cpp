@@ -67,6 +67,43 @@ TEST_F(CliExport, WritesTablesAHeaderAndADrawing) {
   EXPECT_EQ(cli_run({"export", project_, "-o", folder_.file("x"), "--format", "pdf"}).code, cli::kUsage);
 }
 
+TEST_F(CliExport, DocumentsTheDemonstrationMachine) {
+  const auto report = folder_.file("report.html");
+  const auto run = cli_run({"export", project_, "-o", eni_, "--report", report, "--json"});
+  ASSERT_EQ(run.code, cli::kDone) << run.err;
+  EXPECT_EQ(run.json()["report"], report);
+  const auto html = content(report);
+  EXPECT_THAT(html, StartsWith("<!DOCTYPE html>"));
+  const auto size = std::to_string(content(eni_).size());
+  for (const auto& part :
+       {std::string("machine.syncline"), std::string("synclinectl "), "machine.xml, " + size + " bytes",
+        std::string("master.dc.burst_total"), std::string("10000 frames"), std::string("SL-SV7"), std::string(" UTC")})
+    EXPECT_THAT(html, HasSubstr(part));
+  ASSERT_EQ(cli_run({"export", eni_, "-o", folder_.file("again.xml"), "--report", report}).code, cli::kDone);
+  EXPECT_THAT(content(report), HasSubstr("it was read from an ENI"));
+  EXPECT_EQ(content(folder_.file("again.xml")), content(eni_));
+}
+
+TEST_F(CliExport, LeavesNeitherFileWhenOneCannotBeWritten) {
+  const auto eni = folder_.file("new.xml"), missing = folder_.file("missing/report.html");
+  auto run = cli_run({"export", project_, "-o", eni, "--report", missing});
+  EXPECT_EQ(run.code, cli::kFailed);
+  EXPECT_THAT(run.err, HasSubstr(missing));
+  EXPECT_FALSE(std::filesystem::exists(eni));
+  const auto report = folder_.file("report.html");
+  run = cli_run({"export", project_, "-o", folder_.file("missing/new.xml"), "--report", report});
+  EXPECT_EQ(run.code, cli::kFailed);
+  EXPECT_FALSE(std::filesystem::exists(report));
+  run = cli_run({"export", project_, "-o", eni, "--report", eni});
+  EXPECT_EQ(run.code, cli::kFailed);
+  EXPECT_THAT(run.err, HasSubstr("the ENI goes to this file"));
+  EXPECT_FALSE(std::filesystem::exists(eni));
+  EXPECT_EQ(cli_run({"export", project_, "-o", eni, "--format", "svg", "--report", report}).code, cli::kUsage);
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_.file(""))) ++files;
+  EXPECT_EQ(files, 2U) << "project and ENI of before, nothing beside them";
+}
+
 TEST_F(CliExport, AnEniBecomesAProjectThatExportsTheSame) {
   const auto recovered = folder_.file("recovered.syncline");
   const auto run = cli_run(

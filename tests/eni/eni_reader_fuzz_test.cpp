@@ -8,6 +8,7 @@
 
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
+#include "exports/export_report.h"
 #include "exports/exports.h"
 #include "recover/recover_project.h"
 #include "recover/simulated_network.h"
@@ -90,6 +91,7 @@ RC_GTEST_PROP(EniReader, ExtremeNumbersHarmNothingThatIsMadeFromTheFile, ()) {
                             exports::pdo_csv(*config).size() + exports::slaves_csv(*config).size() +
                             exports::topology_svg(*config).size();
   RC_ASSERT(bytes < 4 * text.size());
+  RC_ASSERT(exports::export_report(*config, {}).ends_with("</html>\n"));
 }
 
 }  // namespace

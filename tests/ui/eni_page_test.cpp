@@ -4,15 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
+#include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QPushButton>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <algorithm>
+#include <map>
 
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
@@ -25,6 +32,7 @@
 #include "ui/pages/eni_page.h"
 #include "ui/pages/eni_text_view.h"
 #include "ui/session/eni_preview.h"
+#include "ui/session/exporter.h"
 #include "ui/text/xml_spans.h"
 
 namespace syncline::ui {
@@ -114,6 +122,144 @@ TEST_F(EniPageTest, ShowsWhatIsExportedInBothDialects) {
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_EQ(file.readAll().toStdString(), shown().after) << "what is shown is what is exported";
   choose("eniDialect", 0);
+}
+
+TEST_F(EniPageTest, WritesAReportBesideTheEniWhereItIsWanted) {
+  open();
+  const QTemporaryDir folder;
+  const auto eni = folder.filePath(QStringLiteral("m.eni.xml")),
+             report = folder.filePath(QStringLiteral("m.report.html"));
+  ASSERT_TRUE(window_.files().exportTo(eni));
+  EXPECT_FALSE(QFile::exists(report));
+  auto& box = field<QCheckBox>("eniReport");
+  auto* action = window_.findChild<QAction*>(QStringLiteral("actionExportReport"));
+  ASSERT_NE(action, nullptr);
+  box.setChecked(true);
+  EXPECT_TRUE(action->isChecked()) << "one choice in two places";
+  set("slave.1.name", "<Press & Co>");
+  ASSERT_TRUE(window_.files().exportTo(eni));
+  QFile file(report);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const auto html = file.readAll();
+  EXPECT_TRUE(html.contains("&lt;Press &amp; Co&gt;"));
+  EXPECT_TRUE(html.contains("Syncline test"));
+  EXPECT_TRUE(html.contains("m.eni.xml, " + QByteArray::number(QFileInfo(eni).size()) + " bytes"));
+  action->setChecked(false);
+  EXPECT_FALSE(box.isChecked());
+  EXPECT_EQ(reportFile(QStringLiteral("a/m.xml")), QStringLiteral("a/m.report.html"));
+}
+
+TEST_F(EniPageTest, WritesNeitherEniNorReportWhereOneCannotBe) {
+  open();
+  field<QCheckBox>("eniReport").setChecked(true);
+  const QTemporaryDir folder;
+  ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("m.report.html")));  // a folder is in the way
+  const auto eni = folder.filePath(QStringLiteral("m.eni.xml"));
+  EXPECT_FALSE(exportEni(workspace_, eni));
+  EXPECT_FALSE(QFile::exists(eni));
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 0);
+  field<QCheckBox>("eniReport").setChecked(false);
+}
+
+/// What depends on settings of all kinds: the lines that another value makes different, and no others.
+TEST_F(EniPageTest, ShowsWhatDependsOnASetting) {
+  open();
+  const char* const kKeys[] = {
+      "master.dc.mode", "slave.3.dc.sync0.shift_us", "master.dc.sync_window", "master.cycle_time_us", "slave.1.name",
+      "slave.2.alias",  "master.destination_mac",    "slave.3.pdo.rx"};
+  const auto eni = eniOf(project());
+  for (const char* key : kKeys) {
+    window_.editor().showInEni(QString::fromLatin1(key));
+    settle();
+    const auto& view = *preview().view();
+    ASSERT_TRUE(view.trial) << key;
+    EXPECT_EQ(view.trial->key, key);
+    ASSERT_FALSE(view.changes.empty()) << key;
+    const auto page = shown();
+    EXPECT_EQ(page.after, eni) << key << ": the ENI as it is";
+    EXPECT_NE(page.before, eni) << key;
+    EXPECT_EQ(page.marked, shortest(eni::lines_of(page.before), eni::lines_of(eni))) << key;
+    EXPECT_EQ(text().currentIndex().row(), static_cast<int>(view.changes.front())) << key << ": at the first";
+    EXPECT_TRUE(field<QLabel>("eniTrial").isVisible());
+    EXPECT_TRUE(field<QLabel>("eniTrial").text().contains(QStringLiteral("Marked"))) << key;
+  }
+  EXPECT_EQ(eniOf(project()), eni) << "nothing was changed";
+  EXPECT_TRUE(workspace_.document().undoStack().isClean());
+}
+
+/// The second key is asked for before the first one is answered: its answer is what is shown.
+TEST_F(EniPageTest, OfTwoSettingsTheLastOneIsAnswered) {
+  open();
+  const std::string shift = "slave.3.dc.sync0.shift_us", name = "slave.1.name", window = "master.dc.sync_window";
+  const auto marks = [&](const std::string& key) {
+    window_.editor().showInEni(QString::fromStdString(key));
+    settle();
+    return shown().before;
+  };
+  const std::map<std::string, std::string> alone{{shift, marks(shift)}, {name, marks(name)}, {window, marks(window)}};
+  EXPECT_NE(alone.at(shift), alone.at(name));
+  for (const auto& [first, one] : alone) {
+    for (const auto& [second, other] : alone) {
+      if (first == second) continue;
+      window_.editor().showInEni(QString::fromStdString(first));
+      window_.editor().showInEni(QString::fromStdString(second));
+      EXPECT_FALSE(preview().isCurrent()) << "nobody's answer yet";
+      EXPECT_TRUE(field<QLabel>("eniTrial").text().contains(QStringLiteral("Looking")));
+      settle();
+      EXPECT_EQ(preview().view()->trial->key, second) << "after " << first;
+      EXPECT_EQ(shown().before, other) << second << " after " << first;
+      // Back to what was answered last but one.
+      window_.editor().showInEni(QString::fromStdString(first));
+      window_.editor().showInEni(QString::fromStdString(second));
+      settle();
+      EXPECT_EQ(shown().before, other) << second << " again";
+    }
+  }
+}
+
+TEST_F(EniPageTest, SaysThatASettingDoesNotChangeTheEni) {
+  open();
+  for (const char* key : {"master.dc.sync_window_settle_ms", "master.recovery.automatic", "master.dc.burst_total"}) {
+    window_.editor().showInEni(QString::fromLatin1(key));
+    settle();
+    EXPECT_EQ(shown().marked, 0U) << key;
+    EXPECT_TRUE(field<QLabel>("eniTrial").text().contains(QStringLiteral("does not change the ENI"))) << key;
+  }
+  set("slave.1.name", "Other");
+  QTest::mouseClick(&field<QPushButton>("eniTrialEnd"), Qt::LeftButton);
+  settle();
+  EXPECT_FALSE(field<QLabel>("eniTrial").isVisible());
+  EXPECT_FALSE(preview().view()->trial);
+  EXPECT_GT(shown().marked, 0U) << "changes again";
+}
+
+/// From the field: by its menu, and by its key.
+TEST_F(EniPageTest, IsAskedFromTheFieldItself) {
+  const auto answered = [this](const char* key) {
+    ASSERT_TRUE(test::waitFor([this] { return preview().isCurrent(); }));
+    EXPECT_EQ(window_.editor().tabs()->currentWidget()->objectName(), QStringLiteral("eniPage")) << key;
+    ASSERT_TRUE(preview().view()->trial) << key;
+    EXPECT_EQ(preview().view()->trial->key, key);
+  };
+  show(3, "slaveGeneralPage");
+  auto& alias = field<QWidget>("slaveAlias");
+  alias.setFocus();
+  QTest::keyClick(&alias, Qt::Key_I, Qt::ControlModifier);
+  answered("slave.3.alias");
+  show(3, "slaveGeneralPage");
+  auto& name = field<QLineEdit>("slaveName");
+  QContextMenuEvent wanted(QContextMenuEvent::Mouse, QPoint(3, 3), name.mapToGlobal(QPoint(3, 3)));
+  QApplication::sendEvent(&name, &wanted);
+  auto* menu = name.findChild<QMenu*>(QStringLiteral("fieldMenu"));
+  ASSERT_NE(menu, nullptr);
+  EXPECT_GT(menu->actions().size(), 4) << "copy and paste are there, too";
+  auto* entry = menu->findChild<QAction*>(QStringLiteral("fieldShowInEni"));
+  ASSERT_NE(entry, nullptr);
+  entry->trigger();
+  menu->close();
+  answered("slave.3.name");
+  show(-1, "masterDcPage");
+  EXPECT_TRUE(preview().dependentsOf().empty()) << "who leaves the page and comes back sees changes";
 }
 
 /// Each edit marks exactly the lines in which both exports differ.

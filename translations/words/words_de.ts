@@ -7909,6 +7909,10 @@
         <translation>es ist ein Ordner</translation>
     </message>
     <message>
+        <source>the ENI goes to this file</source>
+        <translation>die ENI kommt in diese Datei</translation>
+    </message>
+    <message>
         <source>it is a disk, not a file</source>
         <translation>es ist ein Laufwerk, keine Datei</translation>
     </message>

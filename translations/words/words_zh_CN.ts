@@ -7909,6 +7909,10 @@
         <translation>它是文件夹</translation>
     </message>
     <message>
+        <source>the ENI goes to this file</source>
+        <translation>ENI 要写入这个文件</translation>
+    </message>
+    <message>
         <source>it is a disk, not a file</source>
         <translation>它是磁盘，不是文件</translation>
     </message>

@@ -177,7 +177,9 @@ bool FileCommands::exportTo(const QString& path) {
     showError(&window_, tr("The ENI could not be written."), status.error());
     return false;
   }
-  workspace_.inform(tr("Export"), tr("ENI written to %1").arg(path));
+  workspace_.inform(tr("Export"), workspace_.eni().reported()
+                                      ? tr("ENI written to %1, report to %2").arg(path, reportFile(path))
+                                      : tr("ENI written to %1").arg(path));
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QGridLayout>
+#include <QLineEdit>
 #include <QRadioButton>
 #include <algorithm>
 #include <utility>
@@ -93,6 +94,8 @@ void FieldBinder::bind(QWidget& field, const char* key, std::function<void()> sh
   const auto& setting = settings::row(key);
   if (field.toolTip().isEmpty()) field.setToolTip(settingTip(setting));
   field.setWhatsThis(settingHelp(setting));
+  field.installEventFilter(this);
+  if (auto* line = field.findChild<QLineEdit*>()) line->installEventFilter(this);  // has a menu of its own
   bound_.push_back({.setting = &setting, .widget = &field, .show = std::move(show), .place = where_});
 }
 

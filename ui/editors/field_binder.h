@@ -40,6 +40,9 @@ class FieldBinder final : public QObject {
 
   explicit FieldBinder(Page& page);
 
+  /// Key of the setting ("slave.3.alias") whose field has or holds the widget; "": none has.
+  [[nodiscard]] QString keyOf(const QWidget* widget) const;
+
   /// A field for each key, of the kind that its row asks for, named after the key: "slave.N.eoe.host_name" is
   /// "slaveEoeHostName". Only for slaves that `applies` says yes to. A card of nothing else is hidden while none of
   /// its fields is shown, and says so when all of them are for experts.
@@ -114,6 +117,13 @@ class FieldBinder final : public QObject {
   [[nodiscard]] const std::vector<Bound>& bound() const { return bound_; }
   /// Those that have fields here, once each; also of lists that nobody has filled yet.
   [[nodiscard]] std::vector<const settings::Setting*> settings() const;
+
+ Q_SIGNALS:
+  /// The context menu of a field asks what of the ENI depends on it. It does so only where somebody is connected.
+  void eniWanted(const QString& key);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   using Where = std::function<std::optional<settings::Place>()>;

@@ -26,6 +26,13 @@ QString changeMark(EniRowKind kind) {
   return {};
 }
 
+/// Of lines that depend on a setting.
+QString dependentWord(EniRowKind kind) {
+  const bool ghost = kind == EniRowKind::kBefore || kind == EniRowKind::kRemoved;
+  if (kind == EniRowKind::kSame) return {};
+  return ghost ? EniModel::tr("with the other value") : EniModel::tr("depends on the setting");
+}
+
 QString changeWord(EniRowKind kind) {
   switch (kind) {
     case EniRowKind::kAdded:
@@ -165,7 +172,8 @@ QVariant EniModel::data(const QModelIndex& index, int role) const {
       return (index.column() == kLine ? Qt::AlignRight | Qt::AlignVCenter : Qt::Alignment(Qt::AlignCenter)).toInt();
     case Qt::AccessibleTextRole:
     case Qt::ToolTipRole:
-      if (index.column() == kChange) return gap ? QString() : changeWord(row.kind);
+      if (index.column() == kChange)
+        return gap ? QString() : view_->trial ? dependentWord(row.kind) : changeWord(row.kind);
       if (role == Qt::ToolTipRole) return {};
       [[fallthrough]];
     case Qt::DisplayRole:

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,13 @@ struct EniRow {
   bool operator==(const EniRow&) const = default;
 };
 
+/// Another value of a setting that was tried, to see which lines depend on it.
+struct EniTrial {
+  std::string key;     // "slave.3.alias"
+  std::string value;   // the one that was tried, with its unit
+  bool tried = false;  // false: no other value could be tried
+};
+
 /// An ENI and what became other in it since another one: both texts in one list of rows.
 struct EniView {
   EniDialect dialect = EniDialect::kEcEngineer;
@@ -48,6 +56,8 @@ struct EniView {
   std::size_t added = 0, removed = 0, altered = 0;
   std::size_t widest = 0;         // characters of the longest line
   std::vector<Finding> findings;  // of the compiler
+  /// `before` is the ENI as it would be with that value; empty: as it was.
+  std::optional<EniTrial> trial{};
 
   [[nodiscard]] static std::shared_ptr<EniView> of(std::shared_ptr<const EniLines> text,
                                                    std::shared_ptr<const EniLines> before);

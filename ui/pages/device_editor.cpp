@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/device_editor.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +12,7 @@
 #include "settings/settings_table.h"
 #include "ui/dialogs/slave_state_commands.h"
 #include "ui/editors/field_binder.h"
+#include "ui/editors/field_menu.h"
 #include "ui/pages/eni_page.h"
 #include "ui/pages/master_dc_expert_page.h"
 #include "ui/pages/master_dc_page.h"
@@ -97,7 +99,10 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();
+    connect(&page->fields(), &FieldBinder::eniWanted, this, &DeviceEditor::showInEni);
   }
+  eni_ = eni;
+  buildEniKey();
   // Before any selection changes: what is typed belongs to slaves that may be others now.
   connect(&workspace.document(), &ProjectDocument::slavesReplaced, this, [this] {
     revertFields();
@@ -134,6 +139,27 @@ Segments* DeviceEditor::buildModes() {
   mode_ = static_cast<Mode>(std::clamp(remembered, 0, static_cast<int>(Mode::kDiagnosis)));
   modes->setCurrent(static_cast<int>(mode_));
   return modes;
+}
+
+/// For the field that has the focus.
+void DeviceEditor::buildEniKey() {
+  auto* show = new QAction(showInEniText(), this);
+  show->setObjectName(QStringLiteral("actionShowInEni"));
+  show->setShortcut(kShowInEniKey);
+  show->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  addAction(show);
+  connect(show, &QAction::triggered, this, [this] {
+    for (const auto* page : pages_) {
+      const auto key = page->fields().keyOf(QApplication::focusWidget());
+      if (!key.isEmpty()) return showInEni(key);
+    }
+  });
+}
+
+void DeviceEditor::showInEni(const QString& key) {
+  if (!commitFields()) return;
+  reveal(eni_);
+  eni_->showDependents(key);
 }
 
 const QList<QAction*>& DeviceEditor::modeActions() const { return modes_->choices(); }

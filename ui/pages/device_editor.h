@@ -11,6 +11,7 @@ class QTabWidget;
 
 namespace syncline::ui {
 
+class EniPage;
 class Page;
 class Pill;
 class Segments;
@@ -44,6 +45,9 @@ class DeviceEditor final : public QWidget {
   /// it. False: there is no such field.
   bool showKey(const QString& key);
 
+  /// Goes to the page of the ENI and marks there what depends on a setting.
+  void showInEni(const QString& key);
+
   /// Goes to a page of the shown node by its object name; nothing where the node has none.
   void showPage(const char* object_name);
 
@@ -64,6 +68,7 @@ class DeviceEditor final : public QWidget {
   void showLive();
   void chooseTabs();
   [[nodiscard]] Segments* buildModes();
+  void buildEniKey();
   [[nodiscard]] bool isShown(const Page& page) const;
   /// Brings a page to the front, whatever the mode.
   void reveal(Page* page);
@@ -77,6 +82,7 @@ class DeviceEditor final : public QWidget {
   Mode mode_ = Mode::kAll;
   QTabWidget* tabs_;
   QList<Page*> pages_;
+  EniPage* eni_ = nullptr;
   int slave_ = -1;
 };
 

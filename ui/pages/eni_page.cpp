@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QHideEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -17,6 +18,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "settings/settings_table.h"
 #include "ui/models/eni_finding_model.h"
 #include "ui/models/eni_model.h"
 #include "ui/pages/eni_text_view.h"
@@ -25,6 +27,7 @@
 #include "ui/text/error_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
+#include "ui/text/setting_text.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
 #include "ui/widgets/value_label.h"
@@ -32,7 +35,7 @@
 namespace syncline::ui {
 namespace {
 
-const QString kDialectKey = QStringLiteral("eni/dialect");
+const QString kDialectKey = QStringLiteral("eni/dialect"), kReportKey = QStringLiteral("eni/report");
 constexpr int kNoSection = -1;
 
 QString sectionName(const eni::EniSection& section, const Project& project) {
@@ -73,6 +76,7 @@ EniPage::EniPage(Workspace& workspace)
       model_(new EniModel(this)),
       findings_(new EniFindingModel(this)) {
   preview_.setDialect(static_cast<EniDialect>(workspace.memory().value(kDialectKey).toInt() != 0));
+  preview_.setReported(workspace.memory().value(kReportKey).toBool());
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(12, 8, 12, 8);
@@ -83,6 +87,7 @@ EniPage::EniPage(Workspace& workspace)
   trouble_->setWordWrap(true);
   trouble_->hide();
   layout->addWidget(trouble_);
+  layout->addWidget(buildTrial());
   auto* split = named(new QSplitter(Qt::Vertical), "eniSplitter", tr("ENI and what the checker says of it"));
   text_ = new EniTextView(*model_);
   split->addWidget(text_);
@@ -182,10 +187,21 @@ QWidget* EniPage::buildSearch() {
   words_->setClearButtonEnabled(true);
   found_up_ = stepButton("eniFoundUp", tr("Previous place"), Qt::UpArrow, QKeySequence(Qt::SHIFT | Qt::Key_F3));
   found_down_ = stepButton("eniFoundDown", tr("Next place"), Qt::DownArrow, QKeySequence(Qt::Key_F3));
+  report_ = named(new QCheckBox(tr("&Report")), "eniReport", tr("Write a report beside each ENI that is exported"));
+  report_->setToolTip(
+      tr("An HTML file beside the ENI: slaves, clocks, frames, findings and the drawing of the wiring"));
+  report_->setChecked(preview_.reported());
   layout->addWidget(section_);
   layout->addWidget(words_, 1);
   layout->addWidget(found_up_);
   layout->addWidget(found_down_);
+  layout->addSpacing(8);
+  layout->addWidget(report_);
+  connect(report_, &QCheckBox::toggled, &preview_, &EniPreview::setReported);
+  connect(&preview_, &EniPreview::reportedChanged, this, [this] {
+    report_->setChecked(preview_.reported());
+    this->workspace().memory().setValue(kReportKey, preview_.reported());
+  });
   connect(section_, &QComboBox::activated, this, [this] {
     const auto line = static_cast<std::size_t>(section_->currentData().toULongLong());
     text_->goToRow(model_->rowOf(line), EniTextView::PositionAtTop);
@@ -194,6 +210,23 @@ QWidget* EniPage::buildSearch() {
   connect(found_up_, &QToolButton::clicked, this, [this] { stepFound(false); });
   connect(found_down_, &QToolButton::clicked, this, [this] { stepFound(true); });
   return area;
+}
+
+QWidget* EniPage::buildTrial() {
+  trial_bar_ = new QWidget;
+  auto* layout = new QHBoxLayout(trial_bar_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  trial_ = named(new ValueLabel, "eniTrial", tr("What depends on a setting"));
+  trial_->setLeastCharacters(30);
+  auto* end = named(new QPushButton(tr("Show &Changes")), "eniTrialEnd", tr("Show changes in place of what depends"));
+  layout->addWidget(trial_, 1);
+  layout->addWidget(end);
+  connect(end, &QPushButton::clicked, this, [this] {
+    text_->setFocus();
+    preview_.showDependents({});
+  });
+  trial_bar_->hide();
+  return trial_bar_;
 }
 
 QTableView* EniPage::buildFindings() {
@@ -245,6 +278,7 @@ void EniPage::showEvent(QShowEvent* event) {
 
 void EniPage::hideEvent(QHideEvent* event) {
   preview_.setWatched(false);
+  if (!event->spontaneous()) preview_.showDependents({});
   Page::hideEvent(event);
 }
 
@@ -258,6 +292,22 @@ void EniPage::goToNode() {
   if (found == view->text->sections.end()) return;
   text_->goToRow(model_->rowOf(found->first), EniTextView::PositionAtTop);
   section_->setCurrentIndex(static_cast<int>(found - view->text->sections.begin()));
+}
+
+void EniPage::showDependents(const QString& key) {
+  first_wanted_ = true;
+  preview_.showDependents(key.toStdString());
+  showProgress();
+  goToFirst();
+}
+
+/// Once for each setting that is asked for, when it is its lines that are shown.
+void EniPage::goToFirst() {
+  const auto* view = model_->view();
+  if (!first_wanted_ || !preview_.isCurrent() || view == nullptr || !view->trial) return;
+  if (view->trial->key != preview_.dependentsOf()) return;
+  first_wanted_ = false;
+  if (!view->changes.empty()) text_->goToRow(model_->changeFrom(-1, true));
 }
 
 void EniPage::goToLine(std::size_t line) { text_->goToRow(model_->rowOf(line)); }
@@ -292,6 +342,7 @@ void EniPage::showView() {
   }
   since_->setCurrentIndex(static_cast<int>(preview_.since()));
   showProgress();
+  goToFirst();
 }
 
 void EniPage::fillSections() {
@@ -312,6 +363,7 @@ void EniPage::fillSections() {
 void EniPage::showProgress() {
   showFindings();
   showSummary();
+  showTrial();
   text_->setOutdated(preview_.failure().has_value());
   QString trouble;
   if (preview_.failure()) {
@@ -334,7 +386,7 @@ void EniPage::showSummary() {
   const bool any = view != nullptr && !view->changes.empty();
   for (auto* button : {change_up_, change_down_}) button->setEnabled(any);
   only_changes_->setEnabled(any || only_changes_->isChecked());
-  if (view == nullptr) return summary_->setText({});
+  if (view == nullptr || (view->trial && !any)) return summary_->setText({});
   if (view->before == nullptr)
     return summary_->setText(since_->currentData().toInt() == static_cast<int>(EniPreview::Since::kLastEdit)
                                  ? tr("Nothing has been changed yet")
@@ -346,6 +398,27 @@ void EniPage::showSummary() {
                         .arg(tr("%n line(s) added", nullptr, static_cast<int>(view->added)),
                              tr("%n removed", nullptr, static_cast<int>(view->removed)),
                              tr("%n altered", nullptr, static_cast<int>(view->altered))));
+}
+
+void EniPage::showTrial() {
+  const auto& key = preview_.dependentsOf();
+  trial_bar_->setVisible(!key.empty());
+  if (key.empty()) return;
+  const auto ref = settings::find(project(), key, false);
+  if (!ref) return trial_->setText({});
+  const auto label = settingLabel(*ref->setting);
+  const auto node = nodeName(project(), ref->setting->of_slave() ? static_cast<int>(ref->place.slave) : -1);
+  const auto* view = model_->view();
+  const bool known = preview_.isCurrent() && view != nullptr && view->trial && view->trial->key == key;
+  if (!known) return trial_->setText(tr("Looking for what depends on \"%1\" of %2…").arg(label, node));
+  if (!view->trial->tried)
+    return trial_->setText(
+        tr("No other value of \"%1\" of %2 can be tried, so what depends on it is not known.").arg(label, node));
+  trial_->setText(
+      view->changes.empty()
+          ? tr("\"%1\" of %2 does not change the ENI: it is used by the master at run time.").arg(label, node)
+          : tr("Marked is what depends on \"%1\" of %2; struck out, how it would be with %3.")
+                .arg(label, node, QString::fromStdString(view->trial->value)));
 }
 
 void EniPage::showFindings() {

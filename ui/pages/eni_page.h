@@ -26,6 +26,8 @@ class EniPage final : public Page {
  public:
   explicit EniPage(Workspace& workspace);
   [[nodiscard]] EniModel& model() { return *model_; }
+  /// Marks the lines that depend on a setting ("slave.3.alias"), and goes to the first when they are known.
+  void showDependents(const QString& key);
 
   [[nodiscard]] bool appliesTo(int slave) const override;
   void refresh() override;
@@ -42,12 +44,15 @@ class EniPage final : public Page {
  private:
   QWidget* buildChoices();
   QWidget* buildSearch();
+  QWidget* buildTrial();
   QTableView* buildFindings();
   void buildShortcuts();
   QToolButton* stepButton(const char* name, const QString& what, Qt::ArrowType arrow, const QKeySequence& keys);
   void showView();
   void showProgress();
   void showSummary();
+  void showTrial();
+  void goToFirst();
   void showFindings();
   void fillSections();
   void goToNode();
@@ -59,15 +64,16 @@ class EniPage final : public Page {
   EniModel* model_;
   EniFindingModel* findings_;
   QComboBox *dialect_, *since_, *section_;
-  QCheckBox* only_changes_;
+  QCheckBox *only_changes_, *report_;
   QToolButton *change_up_, *change_down_, *found_up_, *found_down_;
   QLineEdit* words_;
   EniTextView* text_;
   QTableView* found_;
-  ValueLabel *summary_, *checked_;
+  ValueLabel *summary_, *checked_, *trial_;
   QLabel* trouble_;
+  QWidget* trial_bar_;
   int gone_to_ = -1;  // node
-  bool since_chosen_ = false;
+  bool since_chosen_ = false, first_wanted_ = false;
 };
 
 }  // namespace syncline::ui

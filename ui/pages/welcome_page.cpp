@@ -16,12 +16,30 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kRecentWidth = 500, kMostShown = 6;
+constexpr int kRecentWidth = 500, kMostShown = 6, kMostTemplates = 3;
+
+QWidget* welcomeList(const char* object_name) {
+  auto* area = new QWidget;
+  area->setObjectName(QLatin1String(object_name));
+  area->setLayout(new QVBoxLayout);
+  area->layout()->setContentsMargins(0, 0, 0, 0);
+  area->layout()->setSpacing(2);
+  area->setFixedWidth(kRecentWidth);
+  return area;
+}
+
+void emptyList(const QWidget& list) {
+  while (auto* item = list.layout()->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+}
 
 }  // namespace
 
-WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory, QWidget* parent)
-    : QWidget(parent), memory_(memory) {
+WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory, TemplateStore& templates,
+                         QWidget* parent)
+    : QWidget(parent), memory_(memory), templates_(templates) {
   setObjectName(QStringLiteral("welcomePage"));
   setAccessibleName(tr("Welcome"));
   auto* layout = new QVBoxLayout(this);
@@ -60,23 +78,65 @@ WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory
   row->addStretch(1);
   layout->addLayout(row);
   layout->addSpacing(18);
-  recent_ = new QWidget;
-  recent_->setObjectName(QStringLiteral("welcomeRecent"));
-  recent_->setLayout(new QVBoxLayout);
-  recent_->layout()->setContentsMargins(0, 0, 0, 0);
-  recent_->layout()->setSpacing(2);
-  recent_->setFixedWidth(kRecentWidth);
+  recent_ = welcomeList("welcomeRecent");
   layout->addWidget(recent_, 0, Qt::AlignHCenter);
+  own_ = welcomeList("welcomeTemplates");
+  layout->addWidget(own_, 0, Qt::AlignHCenter);
   layout->addStretch(3);
   connect(&memory_, &WindowMemory::recentChanged, this, &WelcomePage::showRecent, Qt::QueuedConnection);
+  connect(&templates_, &TemplateStore::changed, this, &WelcomePage::showTemplates, Qt::QueuedConnection);
   showRecent();
+  showTemplates();
+}
+
+void WelcomePage::showTemplates() {
+  emptyList(*own_);
+  const auto entries = templates_.entries();
+  own_->setVisible(!entries.isEmpty());
+  if (entries.isEmpty()) return;
+  auto* title = new QLabel(tr("New from a template of yours"));
+  title->setForegroundRole(QPalette::PlaceholderText);
+  own_->layout()->addWidget(title);
+  for (int row = 0; row < std::min<int>(static_cast<int>(entries.size()), kMostTemplates); ++row)
+    own_->layout()->addWidget(makeTemplate(row, entries[row]));
+  if (entries.size() > kMostTemplates) {
+    auto* more = new QLabel(tr("%n more in New Machine", nullptr, static_cast<int>(entries.size()) - kMostTemplates));
+    more->setForegroundRole(QPalette::PlaceholderText);
+    own_->layout()->addWidget(more);
+  }
+}
+
+QWidget* WelcomePage::makeTemplate(int row, const TemplateStore::Entry& entry) {
+  auto* area = new QWidget;
+  auto* layout = new QHBoxLayout(area);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  auto* begin = new QToolButton;
+  begin->setObjectName(QStringLiteral("templateBegin%1").arg(row));
+  begin->setAutoRaise(true);
+  begin->setFocusPolicy(Qt::StrongFocus);
+  begin->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  begin->setText(begin->fontMetrics()
+                     .elidedText(entry.name, Qt::ElideRight, kRecentWidth - 60)
+                     .replace(u'&', QStringLiteral("&&")));
+  begin->setAccessibleName(tr("New from the template %1").arg(entry.name));
+  begin->setToolTip(entry.path);
+  connect(begin, &QToolButton::clicked, this, [this, entry] { Q_EMIT templateWanted(entry); });
+  auto* remove = new QToolButton;
+  remove->setObjectName(QStringLiteral("templateRemove%1").arg(row));
+  remove->setAutoRaise(true);
+  remove->setFocusPolicy(Qt::StrongFocus);
+  remove->setText(QStringLiteral("\u2715"));
+  remove->setAccessibleName(tr("Remove the template %1").arg(entry.name));
+  remove->setToolTip(tr("Remove this template"));
+  connect(remove, &QToolButton::clicked, this, [this, entry] { Q_EMIT templateRemoveWanted(entry); });
+  layout->addWidget(begin, 1);
+  layout->addWidget(remove);
+  return area;
 }
 
 void WelcomePage::showRecent() {
-  while (auto* item = recent_->layout()->takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
+  emptyList(*recent_);
   const auto& recent = memory_.recent();
   recent_->setVisible(!recent.isEmpty());
   for (int row = 0; row < std::min<int>(static_cast<int>(recent.size()), kMostShown); ++row)

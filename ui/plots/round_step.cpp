@@ -2,6 +2,7 @@
 #include "ui/plots/round_step.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace syncline::ui {
 

@@ -64,6 +64,7 @@ struct Environment {
   QString version;
   EepromRepairs eeprom_repairs{};  // none: nothing is offered
   QString recovery_folder{};       // for unsaved work; "" = none is kept
+  QString templates_folder{};      // for projects that others begin with; "" = none are kept
   QString settings_file{};         // for what the window remembers; "" = nothing
   BusComparer compare_bus{};       // none: nothing is compared with a bus
   /// An event as recordings hold it; none: recordings hold no events.

@@ -21,6 +21,7 @@ EniPreview::EniPreview(ProjectDocument& document, QObject* parent) : QObject(par
   debounce_.setInterval(kEditsWithin);
   connect(&debounce_, &QTimer::timeout, this, &EniPreview::start);
   connect(&document_, &ProjectDocument::projectChanged, this, &EniPreview::onEdit);
+  connect(&document_, &ProjectDocument::slavesReplaced, this, [this] { key_.clear(); });
   connect(&document_, &ProjectDocument::modifiedChanged, this, [this](bool modified) {
     if (modified || now_ == nullptr) return;
     saved_ = now_;
@@ -57,7 +58,7 @@ void EniPreview::request() {
   // What was edited last is asked for when start() has seen it.
   if (!watched_ || now_ == nullptr || edited_) return;
   const auto since = before();
-  if (asked_ == now_ && asked_before_ == since && asked_dialect_ == dialect_) return;
+  if (asked_ == now_ && asked_before_ == since && asked_dialect_ == dialect_ && asked_key_ == key_) return;
   if (writer_ == nullptr) {
     const auto post = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
     writer_ = std::make_unique<EniWriterThread>(EniWriterThread::Answers{
@@ -70,7 +71,8 @@ void EniPreview::request() {
   asked_ = now_;
   asked_before_ = since;
   asked_dialect_ = dialect_;
-  writer_->ask({++number_, dialect_, now_, since});
+  asked_key_ = key_;
+  writer_->ask({++number_, dialect_, now_, since, key_});
   Q_EMIT progressed();
 }
 
@@ -101,8 +103,20 @@ void EniPreview::setDialect(EniDialect dialect) {
 }
 
 void EniPreview::setSince(Since since) {
-  if (since == std::exchange(since_, since)) return;
+  const bool others = !key_.empty();
+  key_.clear();
+  if (since == std::exchange(since_, since) && !others) return;
   request();
+}
+
+void EniPreview::showDependents(const std::string& key) {
+  if (key == key_) return;
+  key_ = key;
+  request();
+}
+
+void EniPreview::setReported(bool reported) {
+  if (reported != std::exchange(reported_, reported)) Q_EMIT reportedChanged();
 }
 
 void EniPreview::noteExport() {

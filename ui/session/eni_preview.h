@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "compile/compile.h"
 #include "eni/check/eni_check.h"
@@ -35,8 +36,17 @@ class EniPreview final : public QObject {
   [[nodiscard]] EniDialect dialect() const { return dialect_; }
   /// Also that of exports.
   void setDialect(EniDialect dialect);
+  /// Exports come with a report.
+  [[nodiscard]] bool reported() const { return reported_; }
+  void setReported(bool reported);
   [[nodiscard]] Since since() const { return since_; }
+  /// Changes are shown again where what depends on a setting was.
   void setSince(Since since);
+  /// Shows which lines depend on a setting ("slave.3.alias") in place of changes; "": changes again. Of several that
+  /// are asked for, the last one counts: what comes late of those before is nobody's answer.
+  void showDependents(const std::string& key);
+  /// The setting that was asked for last; "": changes are shown.
+  [[nodiscard]] const std::string& dependentsOf() const { return key_; }
   /// There is something to compare with: the project was saved, exported ...
   [[nodiscard]] bool hasBefore() const { return before() != nullptr; }
   /// The project as it is now was exported.
@@ -60,6 +70,7 @@ class EniPreview final : public QObject {
   /// isComputing() or check() is another.
   void progressed();
   void dialectChanged();
+  void reportedChanged();
 
  private:
   void onEdit();
@@ -73,8 +84,11 @@ class EniPreview final : public QObject {
   QTimer debounce_;
   EniDialect dialect_ = EniDialect::kEcEngineer;
   Since since_ = Since::kOpened;
+  std::string key_;  // of the setting whose lines are shown in place of changes
+  bool reported_ = false;
   bool watched_ = false, computing_ = false, edited_ = true;
   std::uint64_t number_ = 0;  // of the last request
+  std::string asked_key_;
   EniDialect asked_dialect_ = EniDialect::kEcEngineer;
   std::shared_ptr<const ProjectCopy> asked_, asked_before_;  // the last request
   std::shared_ptr<const ProjectCopy> now_, saved_, exported_, opened_, last_;

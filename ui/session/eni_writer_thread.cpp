@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "eni/format/eni_file.h"
+#include "settings/other_value.h"
+#include "settings/settings_table.h"
 #include "ui/session/project_copy.h"
 
 namespace syncline::ui {
@@ -13,6 +15,8 @@ namespace {
 
 /// The last text, the one before it, and what it is compared with.
 constexpr std::size_t kKnownTexts = 4;
+/// Other values of a setting; of a choice among a thousand slaves one is as good as another.
+constexpr int kMostTried = 8;
 /// A long check is not begun while somebody edits on.
 constexpr std::size_t kLongText = 1'000'000;
 constexpr std::chrono::milliseconds kPause{400};
@@ -65,13 +69,40 @@ Result<std::shared_ptr<const EniView>> EniWriterThread::write(const Request& req
   auto& compiler = compilers_[static_cast<std::size_t>(request.dialect)];
   const auto compiled = compiler.update(request.now->project());
   if (!compiled) return tl::unexpected(compiled.error());
-  const auto before = request.before == nullptr ? nullptr : linesOf(request.before, request.dialect);
+  const bool changes = request.key.empty() && request.before != nullptr;
+  const auto before = changes ? linesOf(request.before, request.dialect) : nullptr;
   const auto text = EniLines::of(eni::write_eni((*compiled)->config, eni::style_of(request.dialect)));
   remember(request.now, request.dialect, text);
-  auto view = EniView::of(text, before);
+  auto view = request.key.empty() ? EniView::of(text, before) : dependents(request, text);
   view->dialect = request.dialect;
   view->findings = (*compiled)->findings;
   return std::shared_ptr<const EniView>(std::move(view));
+}
+
+/// Tries other values of the setting until one makes another text of it.
+std::shared_ptr<EniView> EniWriterThread::dependents(const Request& request,
+                                                     const std::shared_ptr<const EniLines>& text) {
+  EniTrial trial;
+  trial.key = request.key;
+  auto other = text;
+  const auto project = request.now->project();
+  if (const auto ref = settings::find(project, request.key, false)) {
+    int left = kMostTried;
+    for (const auto& value : settings::other_values(*ref->setting, project, ref->place)) {
+      if (left-- == 0 || other != text || superseded(false)) break;
+      auto tried = project;
+      if (!settings::set_value(*ref->setting, tried, ref->place, value)) continue;
+      const auto compiled = compile(tried, {request.dialect});
+      if (!compiled) continue;
+      trial.tried = true;
+      trial.value = settings::text_with_unit(*ref->setting, tried, ref->place);
+      auto made = eni::write_eni(compiled->config, eni::style_of(request.dialect));
+      if (made != text->text) other = EniLines::of(std::move(made));
+    }
+  }
+  auto view = EniView::of(text, other);
+  view->trial = std::move(trial);
+  return view;
 }
 
 /// Of a project that cannot be compiled there is no text: all is new.

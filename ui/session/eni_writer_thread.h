@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -25,6 +26,7 @@ class EniWriterThread {
     std::uint64_t number = 0;
     EniDialect dialect = EniDialect::kEcEngineer;
     std::shared_ptr<const ProjectCopy> now, before;  // before: null = nothing to compare with
+    std::string key;  // of a setting: its dependents in place of what became other; "" = none
   };
   /// Called in the thread.
   struct Answers {
@@ -43,6 +45,8 @@ class EniWriterThread {
   [[nodiscard]] Result<std::shared_ptr<const EniView>> write(const Request& request);
   [[nodiscard]] std::shared_ptr<const EniLines> linesOf(const std::shared_ptr<const ProjectCopy>& project,
                                                         EniDialect dialect);
+  [[nodiscard]] std::shared_ptr<EniView> dependents(const Request& request,
+                                                    const std::shared_ptr<const EniLines>& text);
   void remember(const std::shared_ptr<const ProjectCopy>& project, EniDialect dialect,
                 const std::shared_ptr<const EniLines>& lines);
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/exporter.h"
 
+#include <QDir>
+#include <QFileInfo>
+
 #include "eni/format/eni_file.h"
+#include "eni/report/reported_eni.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
@@ -11,9 +15,26 @@ Status exportEni(Workspace& workspace, const QString& path) {
   const auto compiled = dialect == EniDialect::kEcEngineer ? workspace.configuration().current()
                                                            : compile(workspace.document().project(), {dialect});
   if (!compiled) return tl::unexpected(compiled.error());
-  if (auto status = eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect)); !status) return status;
-  workspace.eni().noteExport();
-  return {};
+  const eni::ReportedEni reported{
+      .config = compiled->config,
+      .dialect = dialect,
+      .source = &workspace.document().project(),
+      .name = workspace.document().displayName().toStdString(),
+      .program = QStringLiteral("Syncline %1").arg(workspace.environment().version).toStdString(),
+      .date = eni::report_date(),
+      .findings = compiled->findings};
+  auto status = workspace.eni().reported()
+                    ? eni::save_reported_eni(reported, path.toStdString(), reportFile(path).toStdString())
+                    : eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect));
+  if (status) workspace.eni().noteExport();
+  return status;
+}
+
+QString reportFile(const QString& path) {
+  const QFileInfo file(path);
+  auto name = file.completeBaseName();
+  if (name.endsWith(QStringLiteral(".eni"), Qt::CaseInsensitive)) name.chop(4);
+  return QDir(file.path()).filePath(name + QStringLiteral(".report.html"));
 }
 
 }  // namespace syncline::ui

@@ -9,8 +9,12 @@ namespace syncline::ui {
 
 class Workspace;
 
-/// Writes the ENI of the project as it is now, in the dialect of its preview. Fails when the project cannot be compiled
+/// Writes the ENI of the project as it is now, in the dialect of its preview, with its report where that is wanted:
+/// both or none. Fails when the project cannot be compiled
 /// or the file cannot be written; findings of severity error do not stop it (the messages show them).
 [[nodiscard]] Status exportEni(Workspace& workspace, const QString& path);
+
+/// Where the report of an ENI goes: "m.report.html" beside "m.eni.xml" or "m.xml".
+[[nodiscard]] QString reportFile(const QString& path);
 
 }  // namespace syncline::ui

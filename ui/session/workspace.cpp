@@ -22,6 +22,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
     : QObject(parent),
       environment_(std::move(environment)),
       memory_(environment_.settings_file),
+      templates_(environment_.templates_folder),
       autosave_(document_, environment_.recovery_folder),
       configuration_(document_),
       eni_(document_),

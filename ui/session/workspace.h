@@ -22,6 +22,7 @@
 #include "ui/session/running_slaves.h"
 #include "ui/session/scan_controller.h"
 #include "ui/session/slave_requests.h"
+#include "ui/session/template_store.h"
 #include "ui/session/trigger_monitor.h"
 #include "ui/session/watch_list.h"
 #include "ui/session/window_memory.h"
@@ -53,6 +54,8 @@ class Workspace final : public QObject {
   /// What the project would do otherwise than what runs.
   [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
   [[nodiscard]] TriggerMonitor& trigger() { return trigger_; }
+  /// What the user begins projects with.
+  [[nodiscard]] TemplateStore& templates() { return templates_; }
   [[nodiscard]] WindowMemory& memory() { return memory_; }
   [[nodiscard]] RunFindings& runFindings() { return run_findings_; }
   /// What is kept of the running machine on disk.
@@ -104,6 +107,7 @@ class Workspace final : public QObject {
 
   Environment environment_;
   WindowMemory memory_;
+  TemplateStore templates_;
   QString link_;
   bool expert_ = false;
   int run_ = 0, begun_run_ = 0;  // the run that goes on or was last, and the last of which there is a sample

@@ -19,6 +19,7 @@ class MachineDraft final : public QObject {
   explicit MachineDraft(Workspace& window, QObject* parent = nullptr);
 
   [[nodiscard]] Workspace& workspace() { return draft_; }
+  [[nodiscard]] TemplateStore& templates() { return window_.templates(); }
   [[nodiscard]] DeviceCatalogue& catalogue() { return window_.catalogue(); }
   [[nodiscard]] const Project& project() { return draft_.document().project(); }
   [[nodiscard]] Machine machine() { return draft_.document().machine(); }

@@ -15,6 +15,7 @@
 
 #include "ui/dialogs/link_chooser.h"
 #include "ui/dialogs/questions.h"
+#include "ui/dialogs/template_commands.h"
 #include "ui/panels/catalogue_panel.h"
 #include "ui/text/menu_key.h"
 #include "ui/theme/theme.h"
@@ -50,9 +51,7 @@ SourceStep::SourceStep(MachineDraft& draft)
                                  "an ENI does not hold."),
                               tr("Choose EN&I…"), &SourceStep::chooseEni));
   stack_->addWidget(buildCatalogue());
-  stack_->addWidget(buildFile("wizardChooseProject",
-                              tr("All that a saved project holds, under a new name. The file stays as it is."),
-                              tr("Choose &Project…"), &SourceStep::chooseProject));
+  stack_->addWidget(buildTemplates());
   layout->addWidget(stack_, 1);
   layout->addWidget(buildSlaves());
   setWidget(area);
@@ -153,6 +152,38 @@ QWidget* SourceStep::buildFile(const char* object_name, const QString& text, con
   return area;
 }
 
+/// The user's own, and any project file.
+QWidget* SourceStep::buildTemplates() {
+  auto* area =
+      buildFile("wizardChooseProject", tr("All that a saved project holds, under a new name. The file stays as it is."),
+                tr("Choose &Project…"), &SourceStep::chooseProject);
+  auto* layout = static_cast<QVBoxLayout*>(area->layout());
+  templates_ = named(new QListWidget, "wizardTemplates", tr("Your templates (File, Save as Template)"));
+  auto* caption = new QLabel(tr("&Your templates (File, Save as Template)"));
+  caption->setBuddy(templates_);
+  use_template_ =
+      named(new QPushButton(tr("&Use Template")), "wizardUseTemplate", tr("Take the slaves of the template"));
+  remove_template_ = named(new QPushButton(tr("Re&move Template…")), "wizardRemoveTemplate", tr("Remove the template"));
+  auto* buttons = new QHBoxLayout;
+  for (auto* button : {use_template_, remove_template_}) {
+    button->setAutoDefault(false);
+    buttons->addWidget(button);
+  }
+  buttons->addStretch(1);
+  layout->insertWidget(2, caption);
+  layout->insertWidget(3, templates_, 1);
+  layout->insertLayout(4, buttons);
+  connect(templates_, &QListWidget::itemActivated, this, &SourceStep::takeTemplate);
+  connect(templates_, &QListWidget::currentRowChanged, this, [this](int row) {
+    for (auto* button : {use_template_, remove_template_}) button->setEnabled(row >= 0);
+  });
+  connect(use_template_, &QPushButton::clicked, this, &SourceStep::takeTemplate);
+  connect(remove_template_, &QPushButton::clicked, this, &SourceStep::removeChosenTemplate);
+  connect(&draft().templates(), &TemplateStore::changed, this, &SourceStep::showTemplates);
+  showTemplates();
+  return area;
+}
+
 QWidget* SourceStep::buildSlaves() {
   auto* area = new QWidget;
   area->setFixedWidth(250);
@@ -227,6 +258,24 @@ void SourceStep::chooseEni() {
 void SourceStep::chooseProject() {
   const auto path = QFileDialog::getOpenFileName(this, tr("Open Project"), {}, tr("Syncline projects (*.syncline)"));
   if (!path.isEmpty()) draft().readProject(path);
+}
+
+void SourceStep::showTemplates() {
+  templates_->clear();
+  for (const auto& entry : draft().templates().entries()) {
+    auto* item = new QListWidgetItem(entry.name, templates_);
+    item->setToolTip(entry.path);
+  }
+  for (auto* button : {use_template_, remove_template_}) button->setEnabled(templates_->currentRow() >= 0);
+}
+
+void SourceStep::takeTemplate() {
+  if (const auto* item = templates_->currentItem()) draft().readProject(item->toolTip());
+}
+
+void SourceStep::removeChosenTemplate() {
+  if (const auto* item = templates_->currentItem())
+    removeTemplate(*this, draft().templates(), {item->text(), item->toolTip()});
 }
 
 void SourceStep::removeSelected() {

@@ -27,18 +27,23 @@ class SourceStep final : public WizardStep {
   QWidget* buildScan();
   QWidget* buildCatalogue();
   QWidget* buildFile(const char* object_name, const QString& text, const QString& button, void (SourceStep::*choose)());
+  QWidget* buildTemplates();
   QWidget* buildSlaves();
   void chooseBus();
   void chooseEni();
   void chooseProject();
   void removeSelected();
   void showScan();
+  void showTemplates();
+  void takeTemplate();
+  void removeChosenTemplate();
 
   QButtonGroup* sources_;
   QStackedWidget* stack_;
   QPushButton *scan_, *cancel_, *fully_, *remove_;
   QLabel *bus_, *looked_, *told_, *count_;
-  QListWidget* slaves_;
+  QListWidget *slaves_, *templates_;
+  QPushButton *use_template_, *remove_template_;
 };
 
 }  // namespace syncline::ui

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "exports/export_report.h"
+
+/// The sections of the report, HTML without their titles.
+namespace syncline::exports {
+
+/// "2 errors, 1 warning, 3 notes", "none"
+[[nodiscard]] std::string finding_counts(std::span<const Finding> findings);
+
+[[nodiscard]] std::string slaves_section(const NetworkConfig& config, const Project* source);
+[[nodiscard]] std::string sync_section(const NetworkConfig& config, const Project* source);
+/// `set`: the numbers are the project's; else those of an ENI, which holds few of them.
+[[nodiscard]] std::string clocks_section(const NetworkConfig& config, bool set);
+[[nodiscard]] std::string frames_section(const NetworkConfig& config);
+[[nodiscard]] std::string findings_section(std::span<const Finding> findings);
+[[nodiscard]] std::string unsaid_section(const ReportFacts& facts);
+
+}  // namespace syncline::exports
