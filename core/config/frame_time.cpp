@@ -1,14 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/frame_time.h"
 
+#include <algorithm>
+
 #include "protocol/frame.h"
 
 namespace syncline {
+namespace {
+
+/// Whether some of these outputs go with this command.
+bool carries(const CyclicCmd& command, const ImageRange& outputs, std::uint32_t data_offset) {
+  if (command.command != Command::kLrw && command.command != Command::kLwr) return false;
+  const auto begin = (std::uint64_t{command.output_offset} + data_offset) * 8;
+  return outputs.bit_start < begin + std::uint64_t{command.length()} * 8 &&
+         std::uint64_t{outputs.bit_start} + outputs.bit_length > begin;
+}
+
+}  // namespace
 
 Nanoseconds wire_time(const CyclicFrame& frame) {
   std::size_t bytes = kFrameOverhead;
   for (const auto& cmd : frame.commands) bytes += kDatagramHeaderSize + cmd.length() + kWkcSize;
   return wire_time_ns(bytes);
+}
+
+Nanoseconds outputs_wire_time(const NetworkConfig& config, std::size_t slave) {
+  const auto& outputs = config.slaves[slave].send;
+  if (config.cyclic.empty() || !outputs || outputs->bit_length == 0) return 0;
+  Nanoseconds passed = 0, complete = 0;
+  for (const auto& frame : config.cyclic.front().frames) {
+    passed += wire_time(frame);
+    if (std::ranges::any_of(frame.commands, [&](const CyclicCmd& command) {
+          return carries(command, *outputs, config.image.command_data_offset);
+        })) {
+      complete = passed;
+    }
+  }
+  return complete;
 }
 
 CycleNeed cycle_need(const NetworkConfig& config, bool all_tasks) {

@@ -30,6 +30,7 @@ RunReport::Slave RunRecorder::configured(const NetworkConfig& config, std::size_
   if (!from.dc || !AssignActivate{from.dc->assign_activate}.sync0()) return slave;
   slave.sync0_cycle = from.dc->cycle_time0 > 0 ? from.dc->cycle_time0 : config.cycle_time();
   slave.sync0_shift = from.dc->shift_time;
+  slave.outputs_wire_time = outputs_wire_time(config, position);
   return slave;
 }
 
@@ -65,10 +66,10 @@ void RunRecorder::note_settled(const CycleSample& sample) {
 
 namespace {
 
-/// From the nominal arrival of the frame at the slave to its next SYNC0.
+/// From the nominal moment at which the slave has its outputs to its next SYNC0.
 Nanoseconds sync0_margin(const RunReport::Slave& slave, Nanoseconds set_value) {
-  const auto distance =
-      set_value + slave.sync0_shift - static_cast<Nanoseconds>(slave.propagation_delay_ns.value_or(0));
+  const auto distance = set_value + slave.sync0_shift -
+                        static_cast<Nanoseconds>(slave.propagation_delay_ns.value_or(0)) - slave.outputs_wire_time;
   const auto rest = distance % slave.sync0_cycle;
   return rest < 0 ? rest + slave.sync0_cycle : rest;
 }

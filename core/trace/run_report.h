@@ -40,6 +40,7 @@ struct RunReport {
     int parent = -1, parent_port = 0;              // whom it is wired to, and by which of its ports; -1: the host
     std::optional<Nanoseconds> sync0_margin;       // from its outputs' nominal arrival to SYNC0; nothing without SYNC0
     Nanoseconds sync0_shift = 0, sync0_cycle = 0;  // ns; cycle 0: no SYNC0
+    Nanoseconds outputs_wire_time = 0;             // see config/frame_time.h
   };
   AlState state = AlState::kNone;  // of the master, see Snapshot::state
   Nanoseconds time = 0;            // host clock, at the end

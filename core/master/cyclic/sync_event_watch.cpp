@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/frame_time.h"
 #include "families/families.h"
 #include "protocol/dc_registers.h"
 
@@ -32,7 +33,7 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
     place_[i] = slaves_.size();
     // Until it is read, the limit is what its start-up commands write, or what its family is delivered with.
     const auto limit = families::error_limit(slaves[i]).value_or(0);
-    slaves_.push_back({i, period, dc->shift_time, {}, {}, limit, 0, {}, {}});
+    slaves_.push_back({i, period, dc->shift_time, outputs_wire_time(run.config(), i), {}, {}, limit, 0, {}, {}});
   }
 }
 
@@ -105,7 +106,7 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
   Together together;
   together.changes = run_.slave_changes();
   for (auto& slave : slaves_) {
-    const auto delay = static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
+    const auto delay = slave.wire + static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
     const auto came = outputs.passed + delay;
     if (outputs.regular() && slave.next && observe_regular(slave, came)) {
       if (together.period == 0) together.period = slave.period;

@@ -31,6 +31,7 @@ class SyncEventWatch {
   struct Slave {
     std::size_t position = 0;
     Nanoseconds period = 0, shift = 0;
+    Nanoseconds wire = 0;  // until the frame with its outputs has passed
     std::optional<dc::SyncEventAccount> account;
     std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
     std::uint32_t limit = 0, told = 0;

@@ -28,6 +28,22 @@ TEST(FrameTime, ACycleNeedsItsFramesAndTheWayThroughAllSlaves) {
   EXPECT_EQ(cycle_need(config, true).wire, base.wire + wire_time(frame_of(100)));
 }
 
+TEST(FrameTime, ASlaveHasItsOutputsWhenTheirFrameHasPassed) {
+  NetworkConfig config;
+  config.slaves.resize(4);
+  config.cyclic.resize(1);
+  auto second = frame_of(4);
+  second.commands[0].output_offset = 1486;
+  config.cyclic[0].frames = {frame_of(1486), second};
+  config.slaves[0].send = ImageRange{0, 16};
+  config.slaves[1].send = ImageRange{1486 * 8, 32};
+  config.slaves[2].send = ImageRange{1485 * 8, 16};
+  EXPECT_EQ(outputs_wire_time(config, 0), 123'040);
+  EXPECT_EQ(outputs_wire_time(config, 1), 123'040 + 6'720);
+  EXPECT_EQ(outputs_wire_time(config, 2), 123'040 + 6'720) << "in both";
+  EXPECT_EQ(outputs_wire_time(config, 3), 0) << "has none";
+}
+
 TEST(FrameTime, WithoutFramesNothingIsUnderWay) {
   NetworkConfig config;
   config.slaves.resize(3);
