@@ -5435,8 +5435,24 @@ Einstellung %2</translation>
             </translation>
         </message>
         <message>
-            <source>Not armed yet: the machine has to be in OP, and in sync where that is watched.</source>
-            <translation>Noch nicht scharf: Die Maschine muss in OP sein und synchron, wo das überwacht wird.</translation>
+            <source>&lt;b&gt;Not armed yet:&lt;/b&gt; figures and faults count once the machine is in OP, and in sync where that is watched.</source>
+            <translation>&lt;b&gt;Noch nicht scharf:&lt;/b&gt; Zahlen und Fehler zählen, sobald die Maschine in OP ist und synchron, wo das überwacht wird.</translation>
+        </message>
+        <message>
+            <source>slaves: %1</source>
+            <translation>Slaves: %1</translation>
+        </message>
+        <message>
+            <source>master: %1</source>
+            <translation>Master: %1</translation>
+        </message>
+        <message>
+            <source>Now: %1.</source>
+            <translation>Jetzt: %1.</translation>
+        </message>
+        <message>
+            <source>Found so far: &lt;b&gt;%1&lt;/b&gt;</source>
+            <translation>Bisher gefunden: &lt;b&gt;%1&lt;/b&gt;</translation>
         </message>
         <message>
             <source>&lt;b&gt;No fault&lt;/b&gt; since %1 (for %2).</source>

@@ -5406,8 +5406,24 @@ Setting %2</source>
             </translation>
         </message>
         <message>
-            <source>Not armed yet: the machine has to be in OP, and in sync where that is watched.</source>
-            <translation>尚未启用：机器须处于 OP，有同步监视时还须已同步。</translation>
+            <source>&lt;b&gt;Not armed yet:&lt;/b&gt; figures and faults count once the machine is in OP, and in sync where that is watched.</source>
+            <translation>&lt;b&gt;尚未启用：&lt;/b&gt;机器进入 OP，且所监视的项目均已同步后，才开始统计数值和故障。</translation>
+        </message>
+        <message>
+            <source>slaves: %1</source>
+            <translation>从站：%1</translation>
+        </message>
+        <message>
+            <source>master: %1</source>
+            <translation>主站：%1</translation>
+        </message>
+        <message>
+            <source>Now: %1.</source>
+            <translation>目前：%1。</translation>
+        </message>
+        <message>
+            <source>Found so far: &lt;b&gt;%1&lt;/b&gt;</source>
+            <translation>目前发现：&lt;b&gt;%1&lt;/b&gt;</translation>
         </message>
         <message>
             <source>&lt;b&gt;No fault&lt;/b&gt; since %1 (for %2).</source>

@@ -21,8 +21,6 @@ void follow(SyncLamp& lamp, SyncState state, Nanoseconds time, bool counts) {
   lamp.since = time;
 }
 
-bool is_ready(SyncState state) { return !is_watched(state) || state == SyncState::kInSync; }
-
 bool is_run_in_op(const CycleSample& sample) { return static_cast<AlState>(sample.master_state) == AlState::kOp; }
 
 void note(OverviewFigure& figure, const CycleSample& sample, Signal signal, bool counts) {
@@ -55,6 +53,8 @@ std::optional<double> OverviewFigure::margin(std::int64_t limit) const {
   return 1 - static_cast<double>(std::abs(largest->value)) / static_cast<double>(limit);
 }
 
+bool is_ready(SyncState state) { return !is_watched(state) || state == SyncState::kInSync; }
+
 OverviewRecorder::OverviewRecorder(std::size_t slaves) : counters_(slaves) { overview_.missed.by_slave.resize(slaves); }
 
 void OverviewRecorder::add(std::span<const CycleSample> samples) {
@@ -65,6 +65,7 @@ void OverviewRecorder::add(const CycleSample& sample) {
   if (!any_) overview_.begin = sample.send_time;
   any_ = true;
   overview_.end = sample.send_time;
+  overview_.state = static_cast<AlState>(sample.master_state);
   if (!overview_.armed && is_to_be_armed(sample)) {
     arm_at(armed_from_ ? std::max(*armed_from_, overview_.begin) : sample.send_time);
   }

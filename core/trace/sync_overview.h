@@ -41,6 +41,7 @@ struct OverviewFigure {
 struct SyncOverview {
   std::optional<Nanoseconds> armed;  // host clock; nothing: the machine has not been ready yet
   Nanoseconds begin = 0, end = 0;    // of the samples
+  AlState state = AlState::kNone;    // of the master, in the newest of them
   SyncLamp slaves, master;
   OverviewFigure deviation;  // ns, largest of the slaves that follow the reference clock, a magnitude
   OverviewFigure dcm_error;  // ns, signed
@@ -55,6 +56,9 @@ struct SyncOverview {
   } missed;
   FaultLog faults;
 };
+
+/// Nothing that is watched is out of sync, or has yet to come: what arming waits for, beside OP.
+[[nodiscard]] bool is_ready(SyncState state);
 
 /// Fills one; feed it everything that is drained, samples first. Bring-up is no part of the figures: they begin in OP,
 /// once whatever is watched is in sync.

@@ -508,6 +508,26 @@ TEST(Overview, SaysWhatWasFoundWhereNothingHappened) {
   EXPECT_EQ(firstFaultText(record, {&found, 1}), nothing) << "news is no fault";
 }
 
+/// A machine that never comes in sync is never armed: then the banner is all the more asked why.
+TEST(Overview, SaysWhatArmingWaitsForAndWhatIsFound) {
+  NetworkConfig config;
+  config.slaves.resize(2);
+  config.slaves[1].name = "Servo";
+  RunRecord record(config);
+  auto sample = cycle(0, false);
+  sample.master_state = static_cast<std::uint8_t>(AlState::kSafeop);
+  sample.slaves_sync = SyncState::kOutOfSync;
+  sample.master_sync = SyncState::kInSync;
+  record.add({&sample, 1});
+  const auto waits = firstFaultText(record, {});
+  EXPECT_TRUE(waits.contains(QStringLiteral("Now: SAFEOP; slaves: Out of sync."))) << qPrintable(waits);
+  EXPECT_FALSE(waits.contains(QStringLiteral("master:"))) << qPrintable(waits);
+  Finding found{code::kGatewayCycleExceeded, Severity::kError};
+  found.place.slave = 1;
+  const auto because = firstFaultText(record, {&found, 1});
+  EXPECT_TRUE(because.contains(QStringLiteral("Found so far: <b>Servo"))) << qPrintable(because);
+}
+
 /// What came first is said first, and its link leads to the plots.
 TEST(Overview, SaysWhatCameFirstAndLeadsThere) {
   NetworkConfig config;

@@ -201,10 +201,10 @@ void OverviewPanel::setFindings(std::vector<Finding> findings) {
 
 void OverviewPanel::showFaults() {
   const auto& overview = record_->overview();
-  auto tone = theme::Tone::kNeutral;
+  const bool found = worstOf(findings_, overview.armed.value_or(0)) != nullptr;
+  auto tone = found ? theme::Tone::kWarning : theme::Tone::kNeutral;
   if (overview.armed) {
-    const bool found = worstOf(findings_, *overview.armed) != nullptr;
-    tone = found ? theme::Tone::kWarning : theme::Tone::kGood;
+    if (!found) tone = theme::Tone::kGood;
     if (!overview.faults.episodes().empty()) tone = theme::Tone::kBad;
   }
   static_cast<Banner*>(banner_)->setTone(tone);

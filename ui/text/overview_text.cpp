@@ -53,15 +53,35 @@ class Overview {
     const auto span = spanText(record.overview().end - *record.overview().armed);
     const auto* worst = worstOf(findings, *record.overview().armed);
     if (worst == nullptr) return tr("<b>No fault</b> since %1 (for %2).").arg(since, span);
-    auto text = findingText(*worst);
-    if (worst->place.slave >= 0) text = nodeName(record.config(), worst->place.slave) + QStringLiteral(": ") + text;
     return tr("<b>Nothing fell or was lost</b> since %1 (for %2), but <b>%3</b>")
-        .arg(since, span, worst->from > 0 ? link(worst->from, text) : text.toHtmlEscaped());
+        .arg(since, span, finding(*worst, record));
+  }
+
+  static QString finding(const Finding& found, const RunRecord& record) {
+    auto text = findingText(found);
+    if (found.place.slave >= 0) text = nodeName(record.config(), found.place.slave) + QStringLiteral(": ") + text;
+    return found.from > 0 ? link(found.from, text) : text.toHtmlEscaped();
+  }
+
+  /// What arming waits for, and what is known of why it does not come.
+  static QString notArmed(const RunRecord& record, std::span<const Finding> findings) {
+    const auto& overview = record.overview();
+    QStringList now;
+    if (overview.state != AlState::kOp) now << masterStateName(overview.state);
+    if (!is_ready(overview.slaves.state)) now << tr("slaves: %1").arg(syncStateText(overview.slaves.state));
+    if (!is_ready(overview.master.state)) now << tr("master: %1").arg(syncStateText(overview.master.state));
+    auto text = tr(
+        "<b>Not armed yet:</b> figures and faults count once the machine is in OP, and in sync where that is watched.");
+    QStringList sentences{text};
+    if (!now.isEmpty()) sentences << tr("Now: %1.").arg(joinedClauses(now));
+    if (const auto* worst = worstOf(findings, 0))
+      sentences << tr("Found so far: <b>%1</b>").arg(finding(*worst, record));
+    return joinedSentences(sentences);
   }
 
   static QString firstFault(const RunRecord& record, std::span<const Finding> findings) {
     const auto& overview = record.overview();
-    if (!overview.armed) return tr("Not armed yet: the machine has to be in OP, and in sync where that is watched.");
+    if (!overview.armed) return notArmed(record, findings);
     const auto& log = overview.faults;
     const auto since = momentText(*overview.armed, record);
     if (log.episodes().empty()) return nothingHappened(since, record, findings);
