@@ -57,6 +57,8 @@ void PassingFrame::find_shape() {
   keys_.clear();
   if (execution_ == Execution::kEach || for_single_slaves_ || views_.size() > FramePlan::kMostDatagrams) return;
   for (const auto& view : views_) keys_.push_back(key_of(view.header));
+  // What goes to single slaves behind all else changes nothing for the others, and is another thing in each cycle.
+  while (is_for_station(views_[keys_.size() - 1].header.command)) keys_.pop_back();
   const auto known = std::ranges::find(shapes_, keys_, &Shape::datagrams);
   if (known != shapes_.end()) {
     shape_ = &*known;

@@ -35,7 +35,8 @@ class PassingFrame {
   /// Writes headers and working counters back.
   void leave();
 
-  /// Frames with the same commands, addresses and lengths have the same shape; station addresses do not count.
+  /// Frames with the same commands, addresses and lengths have the same shape; station addresses do not count, nor
+  /// commands to them that are behind all others.
   struct Shape {
     std::uint64_t id = 0;    // unlike those of all others; 0: none
     std::uint8_t place = 0;  // of its plan in each ESC
