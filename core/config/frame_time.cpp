@@ -11,9 +11,7 @@ namespace {
 /// Whether some of these outputs go with this command.
 bool carries(const CyclicCmd& command, const ImageRange& outputs, std::uint32_t data_offset) {
   if (command.command != Command::kLrw && command.command != Command::kLwr) return false;
-  const auto begin = (std::uint64_t{command.output_offset} + data_offset) * 8;
-  return outputs.bit_start < begin + std::uint64_t{command.length()} * 8 &&
-         std::uint64_t{outputs.bit_start} + outputs.bit_length > begin;
+  return outputs.touches(std::uint64_t{command.output_offset} + data_offset, command.length());
 }
 
 }  // namespace
@@ -26,7 +24,7 @@ Nanoseconds wire_time(const CyclicFrame& frame) {
 
 Nanoseconds outputs_wire_time(const NetworkConfig& config, std::size_t slave) {
   const auto& outputs = config.slaves[slave].send;
-  if (config.cyclic.empty() || !outputs || outputs->bit_length == 0) return 0;
+  if (config.cyclic.empty() || !outputs) return 0;
   Nanoseconds passed = 0, complete = 0;
   for (const auto& frame : config.cyclic.front().frames) {
     passed += wire_time(frame);

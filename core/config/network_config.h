@@ -129,6 +129,11 @@ struct ImageRange {
   std::uint32_t bit_length = 0;
   std::uint16_t sync_managers = 0;  // ENI Send@Sm0..Sm15 as bits; 0 = not said
   bool operator==(const ImageRange&) const = default;
+  /// Some of it lies in these bytes of the image.
+  [[nodiscard]] bool touches(std::uint64_t first_byte, std::uint64_t bytes) const {
+    return bit_length > 0 && bit_start < (first_byte + bytes) * 8 &&
+           std::uint64_t{bit_start} + bit_length > first_byte * 8;
+  }
 };
 
 struct ConfiguredSyncManager {

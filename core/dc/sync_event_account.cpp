@@ -19,6 +19,7 @@ std::uint32_t& at(MissesByCause& misses, MissCause cause) { return misses[static
 }  // namespace
 
 void SyncEventAccount::observe(const Cycle& cycle) {
+  any_since_reading_ = true;
   const auto period = floor_div(cycle.time - first_, period_);
   left_out_ += cycle.left_out;
   if (!evaluated_) {
@@ -92,6 +93,11 @@ void SyncEventAccount::read(std::uint32_t counter) {
   const auto confirmed = std::min(told, computed_);
   computed_ -= confirmed;
   told -= confirmed;
+  // Behind the last reading nothing was seen that could explain anything.
+  if (!std::exchange(any_since_reading_, false)) {
+    unexplained_ += told;
+    return;
+  }
   // The slave may count a miss before this side has seen its period end: the last reading's are explained now or never.
   const auto never = explain(unexplained_);
   correct(never);

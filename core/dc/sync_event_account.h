@@ -39,6 +39,7 @@ class SyncEventAccount {
   void pass_regular(std::int64_t cycles) {
     evaluated_ = *evaluated_ + cycles;
     delivered_ = evaluated_;
+    any_since_reading_ = any_since_reading_ || cycles > 0;
   }
   /// A reading of the slave's counter of missed events; 16 bits (ETG.1020).
   void read(std::uint32_t counter);
@@ -79,7 +80,7 @@ class SyncEventAccount {
   MissesByCause presumed_{}, carried_{};          // since the last reading, and left over from before it
   std::uint32_t unexplained_ = 0;                 // told by the last reading, and not presumed yet
   CounterTotal counter_{16, CounterTotal::End::kWraps};
-  bool readable_ = false;
+  bool readable_ = false, any_since_reading_ = false;
   std::uint32_t computed_ = 0;
   MissesByCause by_cause_{};
   std::uint32_t integrator_ = 0, highest_ = 0, candidate_ = 0;

@@ -31,19 +31,22 @@ Status ClockAmendment::run(FrameExchange& exchange, const Request& request, Send
   return exchange.collect(frames, deadline);
 }
 
-Status ClockAmendment::settle(FrameExchange& exchange, const Request& request, SendStamp& stamp, Nanoseconds deadline) {
-  if (auto sent = run(exchange, {request.station, request.depth, false}, stamp, deadline); !sent) return sent;
+Status ClockAmendment::settle(FrameExchange& exchange, const Request& request, Nanoseconds deadline) {
+  if (auto sent = run(exchange, {request.station, request.depth, false}, *this, deadline); !sent) return sent;
   const auto time = reading();
   if (!request.told || !time) return {};
-  ahead_ = static_cast<Nanoseconds>(*time) - send_time();
-  auto sent = run(exchange, {request.station, std::nullopt, true}, stamp, deadline);
+  ahead_ = static_cast<Nanoseconds>(*time) - stamped_at_;
+  auto sent = run(exchange, {request.station, std::nullopt, true}, *this, deadline);
   ahead_.reset();
   return sent;
 }
 
-void ClockAmendment::write(Nanoseconds time, Nanoseconds host_time) {
-  store_le(std::span(written_), static_cast<std::uint32_t>(ahead_ ? host_time + *ahead_ : time));
+void ClockAmendment::stamp(Nanoseconds send_time) {
+  stamped_at_ = send_time;
+  if (ahead_) write(send_time + *ahead_);
 }
+
+void ClockAmendment::write(Nanoseconds time) { store_le(std::span(written_), static_cast<std::uint32_t>(time)); }
 
 std::optional<std::uint32_t> ClockAmendment::reading() const {
   if (!frame_.answered() || (told_ && !write_.done()) || !reading_.done()) return std::nullopt;

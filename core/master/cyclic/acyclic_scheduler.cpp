@@ -10,8 +10,8 @@ namespace syncline {
 namespace {
 
 constexpr std::size_t kMostFrames = 8;
-/// As long as the shortest frame of its own keeps the wire busy: 64 bytes, preamble and gap. The process data come back
-/// later by no more than that, 6.7 us.
+/// As long as the shortest frame of its own keeps the wire busy: 64 bytes, preamble and gap. Outputs are valid, and
+/// inputs come back, later by no more than that, 6.7 us.
 constexpr std::size_t kLongestRide = 84;
 
 std::size_t size_of(const Datagram& datagram) { return kDatagramHeaderSize + datagram.data.size() + kWkcSize; }

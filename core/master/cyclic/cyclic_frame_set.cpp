@@ -37,9 +37,7 @@ CyclicFrameSet::CyclicFrameSet(const NetworkConfig& config) : data_offset_(confi
 /// By the ranges of the slaves in the process image: a slave that reads counts 1, one that writes 1, or 2 in an LRW.
 void CyclicFrameSet::share_counters(const NetworkConfig& config) {
   const auto touches = [&](const std::optional<ImageRange>& range, std::uint32_t offset, std::uint16_t length) {
-    if (!range || range->bit_length == 0) return false;
-    const auto begin = std::uint64_t{offset + data_offset_} * 8, end = begin + std::uint64_t{length} * 8;
-    return range->bit_start < end && std::uint64_t{range->bit_start} + range->bit_length > begin;
+    return range && range->touches(offset + data_offset_, length);
   };
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const auto& command = *entries_[e].command;

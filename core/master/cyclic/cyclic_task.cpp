@@ -104,7 +104,7 @@ void CyclicTaskRunner::stamp(Nanoseconds send_time) {
   if (amendment_.sending()) {
     amendment_stamp_ = send_time;
     const auto steered = steering_ ? sync_.reference_write(send_time, send_time) : std::nullopt;
-    amendment_.write(steered.value_or(sync_.reference_time_at(send_time)), send_time);
+    amendment_.write(steered.value_or(sync_.reference_time_at(send_time)));
     return;
   }
   if (!first_stamp_) first_stamp_ = send_time;
@@ -193,7 +193,7 @@ Status CyclicTaskRunner::amend_clock() {
   const auto latest = scheduled_ + cycle_time_ * 8 / 10;
   const auto is_time = [&] { return clock_.now() + cycle_time_ / 8 < latest; };
   if (const auto tuning = is_time() ? reference_.take_tuning() : std::nullopt) {
-    if (auto sent = amendment_.settle(exchange_, *tuning, *this, latest); !sent) return sent;
+    if (auto sent = amendment_.settle(exchange_, *tuning, latest); !sent) return sent;
   }
   bool again = station && steering_ && sync_.wants_second_write();
   for (int i = 0; again && i < kMostAmendments && is_time(); ++i) {
@@ -261,7 +261,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   // A slave that fell behind others that had fallen before says so itself.
   if (acyclic_.take_mailboxes(send_time_, sample)) slaves_.refresh_al_status();
   const auto observed = observation(reading);
-  told_.observe(observed.reference_time);
+  if (frames_.time_frame() != nullptr) told_.observe(observed.reference_time);
   adjust_ = sync_.observe_cycle(observed, sample);
   reference_.watch(send_time_);
   const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);

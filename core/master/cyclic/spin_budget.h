@@ -19,7 +19,7 @@ class SpinBudget {
   explicit SpinBudget(Nanoseconds most, Nanoseconds tolerated = 0)
       : most_(most), tolerated_(tolerated), amount_(most) {}
   /// Of a cycle: late by so little changes nothing. Sync managers want their frame a good part of the cycle before
-  /// SYNC0 (half of it by default), so that this is a tenth of what there is.
+  /// SYNC0 (two thirds of it by default), so that this is a small part of what there is.
   [[nodiscard]] static Nanoseconds tolerated(Nanoseconds cycle_time) { return cycle_time / 20; }
 
   [[nodiscard]] Nanoseconds amount() const { return amount_; }

@@ -175,6 +175,19 @@ TEST(SyncEventAccount, ComputesForASlaveWithoutACounter) {
   EXPECT_EQ(account.by_cause()[0], 1U);
 }
 
+TEST(SyncEventAccount, ReadingsWithoutACycleBetweenThemWaitForTheirExplanation) {
+  Bench bench(9);
+  for (int i = 0; i < 2; ++i) {
+    bench.cycle(Fate::kLeftOut);
+    bench.read();
+  }
+  bench.good(2);
+  EXPECT_FALSE(bench.account.at_limit()) << "each of the two is counted once";
+  bench.read();
+  EXPECT_EQ(bench.account.missed(), 2U);
+  EXPECT_EQ(of(bench.account, MissCause::kCyclesLeftOut), 2U);
+}
+
 TEST(SyncEventAccount, FollowsADriveThroughAnyDisturbance) {
   EXPECT_TRUE(rc::check("misses, causes and error counter", [](const std::vector<std::uint8_t>& fates) {
     Bench bench(9);

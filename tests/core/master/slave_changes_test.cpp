@@ -227,6 +227,15 @@ class OneIsAway : public ::testing::Test {
     }
   }
 
+  void slave_2_comes_back_in(AlState state) {
+    cycles(200);
+    line.run.set_present(2, false, now);
+    cycles(3);
+    line.run.set_present(2, true, now);
+    line.run.set_al_status(2, static_cast<std::uint16_t>(state), 0, now);
+    cycles(3);
+  }
+
   NetworkConfig config = clocked_line(4);
   WatchedLine line{config, false};
   Nanoseconds now = 0;
@@ -245,12 +254,7 @@ TEST_F(OneIsAway, TheOthersAreNotLookedAtInEachCycleForIt) {
 }
 
 TEST_F(OneIsAway, WhoComesBackIsAwaitedUntilItHasCaughtUp) {
-  cycles(200);
-  line.run.set_present(2, false, now);
-  cycles(3);
-  line.run.set_present(2, true, now);
-  line.run.set_al_status(2, static_cast<std::uint16_t>(AlState::kPreop), 0, now);
-  cycles(3);
+  slave_2_comes_back_in(AlState::kPreop);
   EXPECT_FALSE(line.slaves_sync.settled());
   EXPECT_TRUE(line.events->together());
   cycles(1, 2);
@@ -261,24 +265,16 @@ TEST_F(OneIsAway, WhoComesBackIsAwaitedUntilItHasCaughtUp) {
 }
 
 TEST_F(OneIsAway, WhoWorksAgainCountsAtItsFirstSmallReading) {
-  cycles(200);
-  line.run.set_present(2, false, now);
-  cycles(3);
-  line.run.set_present(2, true, now);
-  line.run.set_al_status(2, static_cast<std::uint16_t>(AlState::kSafeop), 0, now);
-  cycles(3);
+  slave_2_comes_back_in(AlState::kSafeop);
   EXPECT_FALSE(line.run.snapshot.slaves[2].follows);
   cycles(1, 2);
   EXPECT_TRUE(line.run.snapshot.slaves[2].follows);
 }
 
 TEST_F(OneIsAway, WhoWorksAgainAndNeverCatchesUpCountsAllTheSame) {
-  cycles(200);
-  line.run.set_present(2, false, now);
-  cycles(3);
-  line.run.set_present(2, true, now);
-  line.run.set_al_status(2, static_cast<std::uint16_t>(AlState::kOp), 0, now);
-  cycles(static_cast<int>(500 * kMillisecond / kCycle) + 2);
+  slave_2_comes_back_in(AlState::kOp);
+  EXPECT_FALSE(line.run.snapshot.slaves[2].follows);
+  cycles(static_cast<int>(500 * kMillisecond / kCycle));
   EXPECT_TRUE(line.run.snapshot.slaves[2].follows);
 }
 
@@ -291,6 +287,38 @@ TEST_F(OneIsAway, WhoHasNoClockIsNotAwaited) {
   line.run.set_present(2, true, now);
   cycles(3);
   EXPECT_TRUE(line.slaves_sync.settled());
+}
+
+/// SM2's event comes at the end of the frame: one that begins in front of SYNC0 and ends behind it is too late.
+TEST(LongFrame, IsMissedWhereItEndsBehindSync0) {
+  auto config = clocked_line(2);
+  CyclicCmd command;
+  command.command = Command::kLrw;
+  command.data_length = 1'000;
+  config.cyclic.resize(1);
+  config.cyclic[0].frames.resize(1);
+  config.cyclic[0].frames[0].commands = {command};
+  config.slaves[1].send = ImageRange{0, 64};
+  WatchedLine line{config, false};
+  Nanoseconds now = 0;
+  const auto send = [&](Nanoseconds before_sync0) {
+    now += kCycle;
+    CycleSample sample;
+    sample.send_time = now;
+    sample.reference_time = now + line.sync.base() + 300 * kMicrosecond - before_sync0;
+    sample.flags = CycleSample::kReferenceValid;
+    line.send(true, sample);
+  };
+  const auto missed = [&] {
+    for (int i = 0; i < 4; ++i) send(120 * kMicrosecond);
+    return line.run.snapshot.slaves[1].sm2_missed.missed;
+  };
+  for (int i = 0; i < 3'000; ++i) send(120 * kMicrosecond);
+  const auto before = missed();
+  send(100 * kMicrosecond);
+  EXPECT_EQ(missed(), before) << "it takes 84 us";
+  send(60 * kMicrosecond);
+  EXPECT_EQ(missed(), before + 1);
 }
 
 TEST_F(OneIsAway, NobodyInOpIsNobodyToLookAt) {
