@@ -3158,6 +3158,21 @@ Einstellung %2</translation>
             <translation>
 %1 Zyklen fehlen darin: Der Datenträger war zu langsam</translation>
         </message>
+        <message numerus="yes">
+            <source>%n bit(s) forced</source>
+            <translation>
+                <numerusform>%n Bit erzwungen</numerusform>
+                <numerusform>%n Bits erzwungen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Forced outputs</source>
+            <translation>Erzwungene Ausgänge</translation>
+        </message>
+        <message>
+            <source>Outputs that somebody holds at a value by hand: the page Variables releases them</source>
+            <translation>Ausgänge, die jemand von Hand auf einem Wert hält: Die Seite Variablen gibt sie frei</translation>
+        </message>
 </context>
 <context>
     <name>Sync</name>
@@ -8815,6 +8830,403 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>The template %1 could not be removed.</source>
             <translation>Die Vorlage %1 konnte nicht entfernt werden.</translation>
+        </message>
+</context>
+<context>
+    <name>VariableModel</name>
+        <message>
+            <source>%1, byte %2 bit %3 of the process image's %4</source>
+            <translation>%1, Byte %2 Bit %3 der %4 des Prozessabbilds</translation>
+        </message>
+        <message>
+            <source>Direction</source>
+            <translation>Richtung</translation>
+        </message>
+        <message>
+            <source>Forced</source>
+            <translation>Erzwungen</translation>
+        </message>
+        <message>
+            <source>Hex</source>
+            <translation>Hex</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>Eingang</translation>
+        </message>
+        <message>
+            <source>Output</source>
+            <translation>Ausgang</translation>
+        </message>
+        <message>
+            <source>inputs</source>
+            <translation>Eingänge</translation>
+        </message>
+        <message>
+            <source>outputs</source>
+            <translation>Ausgänge</translation>
+        </message>
+        <message>
+            <source>Not known: its slave does not exchange process data.</source>
+            <translation>Nicht bekannt: Ihr Slave tauscht keine Prozessdaten aus.</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>Lage</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>Typ</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>Variable</translation>
+        </message>
+        <message>
+            <source>forced</source>
+            <translation>erzwungen</translation>
+        </message>
+</context>
+<context>
+    <name>VariablesPage</name>
+        <message>
+            <source>Variables</source>
+            <translation>Variablen</translation>
+        </message>
+        <message>
+            <source>%1 inputs, %2 outputs. Values are shown while the machine runs.</source>
+            <translation>Eingänge %1, Ausgänge %2. Werte werden gezeigt, während die Maschine läuft.</translation>
+        </message>
+        <message>
+            <source>%1 is an input.</source>
+            <translation>%1 ist ein Eingang.</translation>
+        </message>
+        <message>
+            <source>&amp;Force</source>
+            <translation>&amp;Erzwingen</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>Erzwingen</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>Alle</translation>
+        </message>
+        <message>
+            <source>All variables</source>
+            <translation>Alle Variablen</translation>
+        </message>
+        <message>
+            <source>Choose an output to force it.</source>
+            <translation>Wählen Sie einen Ausgang, um ihn zu erzwingen.</translation>
+        </message>
+        <message>
+            <source>Cycle %1</source>
+            <translation>Zyklus %1</translation>
+        </message>
+        <message>
+            <source>Force no output any more</source>
+            <translation>Keinen Ausgang mehr erzwingen</translation>
+        </message>
+        <message>
+            <source>Force outputs of the running machine?</source>
+            <translation>Ausgänge der laufenden Maschine erzwingen?</translation>
+        </message>
+        <message>
+            <source>Forced</source>
+            <translation>Erzwungen</translation>
+        </message>
+        <message>
+            <source>Hold the output at this value, whatever the application calculates</source>
+            <translation>Den Ausgang auf diesem Wert halten, was immer die Anwendung berechnet</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Eingänge</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>Ausgänge</translation>
+        </message>
+        <message>
+            <source>Let the application set this output again</source>
+            <translation>Diesen Ausgang wieder der Anwendung überlassen</translation>
+        </message>
+        <message>
+            <source>Name, type, or place</source>
+            <translation>Name, Typ oder Lage</translation>
+        </message>
+        <message>
+            <source>No inputs have come back yet.</source>
+            <translation>Es sind noch keine Eingänge zurückgekommen.</translation>
+        </message>
+        <message>
+            <source>No slave that runs has this station address and identity.</source>
+            <translation>Kein Slave, der läuft, hat diese Stationsadresse und Identität.</translation>
+        </message>
+        <message>
+            <source>Outputs that are forced</source>
+            <translation>Ausgänge, die erzwungen sind</translation>
+        </message>
+        <message>
+            <source>Re&amp;lease</source>
+            <translation>&amp;Freigeben</translation>
+        </message>
+        <message>
+            <source>Release All</source>
+            <translation>Alle freigeben</translation>
+        </message>
+        <message>
+            <source>Search variables</source>
+            <translation>Variablen suchen</translation>
+        </message>
+        <message>
+            <source>Selected variable</source>
+            <translation>Ausgewählte Variable</translation>
+        </message>
+        <message>
+            <source>Since %1 not all inputs came back.</source>
+            <translation>Seit %1 kamen nicht alle Eingänge zurück.</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: the messages say why.</source>
+            <translation>Das Projekt kann nicht übersetzt werden: Die Meldungen sagen, warum.</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Value to force, decimal or with 0x</source>
+            <translation>Zu erzwingender Wert, dezimal oder mit 0x</translation>
+        </message>
+        <message>
+            <source>Variables of the process image</source>
+            <translation>Variablen des Prozessabbilds</translation>
+        </message>
+        <message>
+            <source>What the slaves are sent</source>
+            <translation>Was den Slaves gesendet wird</translation>
+        </message>
+        <message>
+            <source>What the slaves send</source>
+            <translation>Was die Slaves senden</translation>
+        </message>
+        <message>
+            <source>What the values are</source>
+            <translation>Was die Werte sind</translation>
+        </message>
+        <message>
+            <source>What they drive moves or switches at once, whatever the application and its interlocks say. They stay forced until they are released or the machine goes offline. This is asked once a run.</source>
+            <translation>Was sie ansteuern, bewegt sich oder schaltet sofort, was immer die Anwendung und ihre Verriegelungen sagen. Sie bleiben erzwungen, bis sie freigegeben werden oder die Maschine offline geht. Gefragt wird einmal je Lauf.</translation>
+        </message>
+        <message>
+            <source>Which variables are shown</source>
+            <translation>Welche Variablen gezeigt werden</translation>
+        </message>
+</context>
+<context>
+    <name>InitCommandsPage</name>
+        <message numerus="yes">
+            <source>%n zero byte(s)</source>
+            <translation>
+                <numerusform>%n Nullbyte</numerusform>
+                <numerusform>%n Nullbytes</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n repeat(s)</source>
+            <translation>
+                <numerusform>%n Wiederholung</numerusform>
+                <numerusform>%n Wiederholungen</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up.</source>
+            <translation>
+                <numerusform>%n Kommando, in der Reihenfolge der ENI. Eigene werden auf der Seite Start hinzugefügt.</numerusform>
+                <numerusform>%n Kommandos, in der Reihenfolge der ENI. Eigene werden auf der Seite Start hinzugefügt.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>counter %1</source>
+            <translation>Zähler %1</translation>
+        </message>
+        <message>
+            <source>within %1 ms</source>
+            <translation>innerhalb von %1 ms</translation>
+        </message>
+        <message>
+            <source>(off)</source>
+            <translation>(aus)</translation>
+        </message>
+        <message>
+            <source>Init Commands (Expert)</source>
+            <translation>Init-Kommandos (Experte)</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>Transition</source>
+            <translation>Übergang</translation>
+        </message>
+        <message>
+            <source>Command</source>
+            <translation>Kommando</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>An</translation>
+        </message>
+        <message>
+            <source>Data</source>
+            <translation>Daten</translation>
+        </message>
+        <message>
+            <source>Answer</source>
+            <translation>Antwort</translation>
+        </message>
+        <message>
+            <source>Comment</source>
+            <translation>Kommentar</translation>
+        </message>
+        <message>
+            <source>Search init commands</source>
+            <translation>Init-Kommandos suchen</translation>
+        </message>
+        <message>
+            <source>Transition, register, object, or comment</source>
+            <translation>Übergang, Register, Objekt oder Kommentar</translation>
+        </message>
+        <message>
+            <source>Init commands</source>
+            <translation>Init-Kommandos</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: the messages say why.</source>
+            <translation>Das Projekt kann nicht übersetzt werden: Die Meldungen sagen, warum.</translation>
+        </message>
+</context>
+<context>
+    <name>FramesPage</name>
+        <message>
+            <source>Frames and Cost</source>
+            <translation>Frames und Aufwand</translation>
+        </message>
+        <message>
+            <source>What a cycle costs</source>
+            <translation>Was ein Zyklus kostet</translation>
+        </message>
+        <message>
+            <source>Cyclic frames</source>
+            <translation>Zyklische Frames</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>Frame</translation>
+        </message>
+        <message>
+            <source>Every</source>
+            <translation>Alle</translation>
+        </message>
+        <message>
+            <source>Datagrams</source>
+            <translation>Datagramme</translation>
+        </message>
+        <message>
+            <source>Bytes</source>
+            <translation>Bytes</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>Prozessdaten</translation>
+        </message>
+        <message>
+            <source>Wire time</source>
+            <translation>Leitungszeit</translation>
+        </message>
+        <message>
+            <source>Datagrams of the selected frame</source>
+            <translation>Datagramme des ausgewählten Frames</translation>
+        </message>
+        <message>
+            <source>Command</source>
+            <translation>Kommando</translation>
+        </message>
+        <message>
+            <source>Counter</source>
+            <translation>Zähler</translation>
+        </message>
+        <message>
+            <source>Sent in</source>
+            <translation>Gesendet in</translation>
+        </message>
+        <message>
+            <source>Comment</source>
+            <translation>Kommentar</translation>
+        </message>
+        <message>
+            <source>Slaves, the costliest first</source>
+            <translation>Slaves, die aufwendigsten zuerst</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>Ausgänge</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Eingänge</translation>
+        </message>
+        <message>
+            <source>Bytes in datagrams</source>
+            <translation>Bytes in Datagrammen</translation>
+        </message>
+        <message>
+            <source>Objects that could be exchanged by SDO instead</source>
+            <translation>Objekte, die stattdessen per SDO ausgetauscht werden könnten</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objekt</translation>
+        </message>
+        <message>
+            <source>PDO</source>
+            <translation>PDO</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>Saves</source>
+            <translation>Spart</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: the messages say why.</source>
+            <translation>Das Projekt kann nicht übersetzt werden: Die Meldungen sagen, warum.</translation>
+        </message>
+        <message>
+            <source>%1 outputs and %2 inputs in %3 frames a cycle of %4: %5 on the wire, %6 % of the bandwidth.</source>
+            <translation>%1 Ausgänge und %2 Eingänge in %3 Frames je Zyklus von %4: %5 auf der Leitung, %6 % der Bandbreite.</translation>
+        </message>
+        <message>
+            <source>The last frame is back after about %1.</source>
+            <translation>Das letzte Frame ist nach etwa %1 zurück.</translation>
+        </message>
+        <message>
+            <source>That is longer than the cycle.</source>
+            <translation>Das ist länger als der Zyklus.</translation>
         </message>
 </context>
 </TS>

@@ -41,6 +41,13 @@
                 <numerusform>%n slaves</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n bit(s) forced</source>
+            <translation>
+                <numerusform>%n bit forced</numerusform>
+                <numerusform>%n bits forced</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
     <name>Units</name>
@@ -416,6 +423,30 @@
             <translation>
                 <numerusform>%n more in New Machine</numerusform>
                 <numerusform>%n more in New Machine</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>InitCommandsPage</name>
+        <message numerus="yes">
+            <source>%n zero byte(s)</source>
+            <translation>
+                <numerusform>%n zero byte</numerusform>
+                <numerusform>%n zero bytes</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n repeat(s)</source>
+            <translation>
+                <numerusform>%n repeat</numerusform>
+                <numerusform>%n repeats</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up.</source>
+            <translation>
+                <numerusform>%n command, in the order of the ENI. Own ones are added on the page Start-up.</numerusform>
+                <numerusform>%n commands, in the order of the ENI. Own ones are added on the page Start-up.</numerusform>
             </translation>
         </message>
 </context>

@@ -3147,6 +3147,20 @@ Setting %2</source>
             <translation>
 其中缺少 %1 个周期：磁盘太慢</translation>
         </message>
+        <message numerus="yes">
+            <source>%n bit(s) forced</source>
+            <translation>
+                <numerusform>%n 位被强制</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Forced outputs</source>
+            <translation>强制的输出</translation>
+        </message>
+        <message>
+            <source>Outputs that somebody holds at a value by hand: the page Variables releases them</source>
+            <translation>被人手动保持在某个值的输出：在“变量”页面释放</translation>
+        </message>
 </context>
 <context>
     <name>Sync</name>
@@ -8768,6 +8782,400 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>The template %1 could not be removed.</source>
             <translation>无法删除模板 %1。</translation>
+        </message>
+</context>
+<context>
+    <name>VariableModel</name>
+        <message>
+            <source>%1, byte %2 bit %3 of the process image's %4</source>
+            <translation>%1，过程映像%4的字节 %2 位 %3</translation>
+        </message>
+        <message>
+            <source>Direction</source>
+            <translation>方向</translation>
+        </message>
+        <message>
+            <source>Forced</source>
+            <translation>强制</translation>
+        </message>
+        <message>
+            <source>Hex</source>
+            <translation>十六进制</translation>
+        </message>
+        <message>
+            <source>Input</source>
+            <translation>输入</translation>
+        </message>
+        <message>
+            <source>Output</source>
+            <translation>输出</translation>
+        </message>
+        <message>
+            <source>inputs</source>
+            <translation>输入</translation>
+        </message>
+        <message>
+            <source>outputs</source>
+            <translation>输出</translation>
+        </message>
+        <message>
+            <source>Not known: its slave does not exchange process data.</source>
+            <translation>未知：其从站未交换过程数据。</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>Type</source>
+            <translation>类型</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>变量</translation>
+        </message>
+        <message>
+            <source>forced</source>
+            <translation>已强制</translation>
+        </message>
+</context>
+<context>
+    <name>VariablesPage</name>
+        <message>
+            <source>Variables</source>
+            <translation>变量</translation>
+        </message>
+        <message>
+            <source>%1 inputs, %2 outputs. Values are shown while the machine runs.</source>
+            <translation>输入 %1，输出 %2。机器运行时显示值。</translation>
+        </message>
+        <message>
+            <source>%1 is an input.</source>
+            <translation>%1 是输入。</translation>
+        </message>
+        <message>
+            <source>&amp;Force</source>
+            <translation>强制(&amp;F)</translation>
+        </message>
+        <message>
+            <source>Force</source>
+            <translation>强制</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>All variables</source>
+            <translation>所有变量</translation>
+        </message>
+        <message>
+            <source>Choose an output to force it.</source>
+            <translation>选择一个输出以强制其值。</translation>
+        </message>
+        <message>
+            <source>Cycle %1</source>
+            <translation>周期 %1</translation>
+        </message>
+        <message>
+            <source>Force no output any more</source>
+            <translation>不再强制任何输出</translation>
+        </message>
+        <message>
+            <source>Force outputs of the running machine?</source>
+            <translation>强制正在运行的机器的输出？</translation>
+        </message>
+        <message>
+            <source>Forced</source>
+            <translation>强制</translation>
+        </message>
+        <message>
+            <source>Hold the output at this value, whatever the application calculates</source>
+            <translation>将输出保持为该值，无论应用程序计算出什么</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>输入</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>输出</translation>
+        </message>
+        <message>
+            <source>Let the application set this output again</source>
+            <translation>让应用程序重新设置该输出</translation>
+        </message>
+        <message>
+            <source>Name, type, or place</source>
+            <translation>名称、类型或位置</translation>
+        </message>
+        <message>
+            <source>No inputs have come back yet.</source>
+            <translation>尚未收到任何输入。</translation>
+        </message>
+        <message>
+            <source>No slave that runs has this station address and identity.</source>
+            <translation>运行中的从站都没有此站地址和标识。</translation>
+        </message>
+        <message>
+            <source>Outputs that are forced</source>
+            <translation>被强制的输出</translation>
+        </message>
+        <message>
+            <source>Re&amp;lease</source>
+            <translation>释放(&amp;L)</translation>
+        </message>
+        <message>
+            <source>Release All</source>
+            <translation>全部释放</translation>
+        </message>
+        <message>
+            <source>Search variables</source>
+            <translation>搜索变量</translation>
+        </message>
+        <message>
+            <source>Selected variable</source>
+            <translation>选中的变量</translation>
+        </message>
+        <message>
+            <source>Since %1 not all inputs came back.</source>
+            <translation>已有 %1 未收到全部输入。</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: the messages say why.</source>
+            <translation>项目无法编译：原因见消息。</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>Value to force, decimal or with 0x</source>
+            <translation>要强制的值，十进制或以 0x 开头</translation>
+        </message>
+        <message>
+            <source>Variables of the process image</source>
+            <translation>过程映像的变量</translation>
+        </message>
+        <message>
+            <source>What the slaves are sent</source>
+            <translation>发送给从站的数据</translation>
+        </message>
+        <message>
+            <source>What the slaves send</source>
+            <translation>从站发送的数据</translation>
+        </message>
+        <message>
+            <source>What the values are</source>
+            <translation>值的含义</translation>
+        </message>
+        <message>
+            <source>What they drive moves or switches at once, whatever the application and its interlocks say. They stay forced until they are released or the machine goes offline. This is asked once a run.</source>
+            <translation>它们驱动的设备会立即动作或切换，无论应用程序及其联锁如何。输出保持强制，直到被释放或机器离线。每次运行只询问一次。</translation>
+        </message>
+        <message>
+            <source>Which variables are shown</source>
+            <translation>显示哪些变量</translation>
+        </message>
+</context>
+<context>
+    <name>InitCommandsPage</name>
+        <message numerus="yes">
+            <source>%n zero byte(s)</source>
+            <translation>
+                <numerusform>%n 个零字节</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n repeat(s)</source>
+            <translation>
+                <numerusform>重试 %n 次</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up.</source>
+            <translation>
+                <numerusform>%n 条命令，按 ENI 中的顺序。自定义命令在“启动”页面添加。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>counter %1</source>
+            <translation>计数器 %1</translation>
+        </message>
+        <message>
+            <source>within %1 ms</source>
+            <translation>%1 ms 内</translation>
+        </message>
+        <message>
+            <source>(off)</source>
+            <translation>(关)</translation>
+        </message>
+        <message>
+            <source>Init Commands (Expert)</source>
+            <translation>初始化命令（专家）</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Transition</source>
+            <translation>转换</translation>
+        </message>
+        <message>
+            <source>Command</source>
+            <translation>命令</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>目标</translation>
+        </message>
+        <message>
+            <source>Data</source>
+            <translation>数据</translation>
+        </message>
+        <message>
+            <source>Answer</source>
+            <translation>应答</translation>
+        </message>
+        <message>
+            <source>Comment</source>
+            <translation>注释</translation>
+        </message>
+        <message>
+            <source>Search init commands</source>
+            <translation>搜索初始化命令</translation>
+        </message>
+        <message>
+            <source>Transition, register, object, or comment</source>
+            <translation>转换、寄存器、对象或注释</translation>
+        </message>
+        <message>
+            <source>Init commands</source>
+            <translation>初始化命令</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: the messages say why.</source>
+            <translation>项目无法编译：原因见消息。</translation>
+        </message>
+</context>
+<context>
+    <name>FramesPage</name>
+        <message>
+            <source>Frames and Cost</source>
+            <translation>帧与开销</translation>
+        </message>
+        <message>
+            <source>What a cycle costs</source>
+            <translation>一个周期的开销</translation>
+        </message>
+        <message>
+            <source>Cyclic frames</source>
+            <translation>循环帧</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>帧</translation>
+        </message>
+        <message>
+            <source>Every</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Datagrams</source>
+            <translation>数据报</translation>
+        </message>
+        <message>
+            <source>Bytes</source>
+            <translation>字节</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>过程数据</translation>
+        </message>
+        <message>
+            <source>Wire time</source>
+            <translation>线路时间</translation>
+        </message>
+        <message>
+            <source>Datagrams of the selected frame</source>
+            <translation>选中帧的数据报</translation>
+        </message>
+        <message>
+            <source>Command</source>
+            <translation>命令</translation>
+        </message>
+        <message>
+            <source>Counter</source>
+            <translation>计数器</translation>
+        </message>
+        <message>
+            <source>Sent in</source>
+            <translation>发送状态</translation>
+        </message>
+        <message>
+            <source>Comment</source>
+            <translation>注释</translation>
+        </message>
+        <message>
+            <source>Slaves, the costliest first</source>
+            <translation>从站，开销最大的在前</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>输出</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>输入</translation>
+        </message>
+        <message>
+            <source>Bytes in datagrams</source>
+            <translation>数据报中的字节</translation>
+        </message>
+        <message>
+            <source>Objects that could be exchanged by SDO instead</source>
+            <translation>可改用 SDO 交换的对象</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>对象</translation>
+        </message>
+        <message>
+            <source>PDO</source>
+            <translation>PDO</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+        <message>
+            <source>Saves</source>
+            <translation>节省</translation>
+        </message>
+        <message>
+            <source>The project cannot be compiled: the messages say why.</source>
+            <translation>项目无法编译：原因见消息。</translation>
+        </message>
+        <message>
+            <source>%1 outputs and %2 inputs in %3 frames a cycle of %4: %5 on the wire, %6 % of the bandwidth.</source>
+            <translation>每 %4 周期 %3 帧，输出 %1，输入 %2：线路占用 %5，带宽的 %6 %。</translation>
+        </message>
+        <message>
+            <source>The last frame is back after about %1.</source>
+            <translation>最后一帧约在 %1 后返回。</translation>
+        </message>
+        <message>
+            <source>That is longer than the cycle.</source>
+            <translation>这比周期还长。</translation>
         </message>
 </context>
 </TS>

@@ -48,6 +48,7 @@ struct Names {
   Name operator()(const events::CableChanged&) const { return "cable"; }
   Name operator()(const events::UnknownSlave&) const { return "unknown_slave"; }
   Name operator()(const events::RealTimeRefused&) const { return "real_time"; }
+  Name operator()(const events::OutputsForced&) const { return "outputs_forced"; }
   Name operator()(const events::Failure&) const { return "error"; }
   Name operator()(const events::MasterStopped&) const { return "error"; }
   Name operator()(const events::EventsLost&) const { return "events_lost"; }

@@ -35,6 +35,7 @@ std::string content(const ExportOptions& options, const NetworkConfig& config) {
     return exports::c_header(config, std::filesystem::path(options.output).stem().string());
   }
   if (options.format == "csv") return exports::image_csv(config);
+  if (options.format == "init-csv") return exports::init_commands_csv(config);
   if (options.format == "pdo-csv") return exports::pdo_csv(config);
   if (options.format == "slaves-csv") return exports::slaves_csv(config);
   if (options.format == "svg") return exports::topology_svg(config);
@@ -100,8 +101,8 @@ void add_export_command(CLI::App& app, Context& context) {
       ->add_option(
           "--format", options->format,
           "eni, c-header (process image for C and C++), csv (process image), pdo-csv (PDOs and their entries), "
-          "slaves-csv (slave list) or svg (topology)")
-      ->check(CLI::IsMember({"eni", "c-header", "csv", "pdo-csv", "slaves-csv", "svg"}));
+          "init-csv (init commands), slaves-csv (slave list) or svg (topology)")
+      ->check(CLI::IsMember({"eni", "c-header", "csv", "pdo-csv", "init-csv", "slaves-csv", "svg"}));
   command->add_option("--dialect", options->dialect, "ec-master or twincat")
       ->check(CLI::IsMember({"ec-master", "twincat"}));
   command->add_option("--report", options->report,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <variant>
 
 #include "config/dcm_settings.h"
@@ -29,7 +30,19 @@ struct ResetDcmStatusCommand {};
 struct CompensateDelaysCommand {
   bool on = false;
 };
+/// Holds 1 to 64 bits of the outputs at a value, whatever the application calculates, until they are released or the
+/// bus goes offline. `bit_offset`: in the process image, as Variable::bit_offset; bit 0 of `value` stands there.
+struct ForceOutputCommand {
+  std::uint32_t bit_offset = 0, bit_size = 0;
+  std::uint64_t value = 0;
+};
+/// What the application calculates goes out again; without one, what it was before: 0.
+struct ReleaseOutputCommand {
+  std::uint32_t bit_offset = 0, bit_size = 0;
+};
+struct ReleaseAllOutputsCommand {};
 using MasterCommand = std::variant<GoOnlineCommand, GoOfflineCommand, RequestStateCommand, ClearStatisticsCommand,
-                                   ConfigureDcmCommand, ResetDcmStatusCommand, CompensateDelaysCommand>;
+                                   ConfigureDcmCommand, ResetDcmStatusCommand, CompensateDelaysCommand,
+                                   ForceOutputCommand, ReleaseOutputCommand, ReleaseAllOutputsCommand>;
 
 }  // namespace syncline

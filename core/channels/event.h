@@ -28,7 +28,8 @@ using EventDetails =
                  events::LinkDown, events::LinkUp, events::BringUpAgain,  //
                  events::Emergency, events::DiagnosisTold, events::PortErrors, events::WatchdogExpired,
                  events::LongCycles, events::StaleInputs, events::CableChanged, events::UnknownSlave,  //
-                 events::RealTimeRefused, events::Failure, events::MasterStopped, events::EventsLost>;
+                 events::RealTimeRefused, events::OutputsForced, events::Failure, events::MasterStopped,
+                 events::EventsLost>;
 
 /// Which of the structs, for tables and comparisons: kind_of<events::SlaveLost>.
 class EventKind {

@@ -6,19 +6,21 @@
 #include "channels/command_queue.h"
 #include "channels/cyclic_application.h"
 #include "channels/event_queue.h"
+#include "channels/image_contents.h"
 #include "channels/request_desk.h"
 #include "channels/sample_ring.h"
 #include "channels/snapshot_box.h"
 
 namespace syncline {
 
-/// The four channels between the background core and whoever looks at it: commands, events, snapshot, samples.
+/// The channels between the background core and whoever looks at it: commands, events, snapshot, image, samples.
 /// Everything crosses by value.
 struct MasterChannels {
   CommandQueue commands;
   RequestDesk requests;  // on single slaves, beside the commands
   EventQueue events;
   SnapshotBox snapshot;
+  ImageBox image;
   SampleRing samples;
   std::atomic<bool> cancel{false};  // ends a scan or a bring-up within a cycle
   /// By how much the application makes the host's timer slower, in thousandths of its rate; holds until it is written

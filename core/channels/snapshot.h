@@ -26,6 +26,7 @@ struct Snapshot {
   std::uint64_t wkc_errors = 0;
   std::uint64_t overruns = 0;        // times that cycles were left out because the host came too late
   std::uint64_t skipped_cycles = 0;  // cycles left out
+  std::uint32_t forced_bits = 0;     // of the outputs, see ForceOutputCommand
   Nanoseconds cycle_time = 0;
   std::vector<SlaveStatus> slaves;  // sized once when a configuration is taken
   DcStatus dc;

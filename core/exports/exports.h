@@ -23,6 +23,10 @@ namespace syncline::exports {
 /// One row a slave: identity, addresses, wiring, process data, mailbox protocols, DC.
 [[nodiscard]] std::string slaves_csv(const NetworkConfig& config);
 
+/// One row an init command, in the order of init_commands.h: transition, protocol, command, target, data, what is
+/// expected, comment.
+[[nodiscard]] std::string init_commands_csv(const NetworkConfig& config);
+
 /// Drawing of the segment: slaves in frame order from top to bottom, branches to the right.
 [[nodiscard]] std::string topology_svg(const NetworkConfig& config);
 

@@ -120,6 +120,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     "it has no cyclic frames",
     "more slaves than addresses",
     "the bus is offline",
+    "the process image has no such bits",
     "no slave on the bus has a system time",
     "no slave is configured as reference clock",
     "it has no system time and cannot be the reference clock, and no slave behind it can",

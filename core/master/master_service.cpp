@@ -26,6 +26,9 @@ struct MasterService::Impl {
   void execute(const ConfigureDcmCommand& command);
   void execute(const ResetDcmStatusCommand&);
   void execute(const CompensateDelaysCommand& command);
+  void execute(const ForceOutputCommand& command);
+  void execute(const ReleaseOutputCommand& command);
+  void execute(const ReleaseAllOutputsCommand&);
   bool step();
   void publish_latest();
   void bind_thread(const RealTimeSettings& settings);
@@ -93,6 +96,20 @@ void MasterService::Impl::execute(const ResetDcmStatusCommand&) {
 void MasterService::Impl::execute(const CompensateDelaysCommand& command) {
   if (!operation) return tell(Error{ErrorCode::kConfiguration, "continuous delay compensation", "the bus is offline"});
   operation->compensate_delays(command.on);
+}
+
+void MasterService::Impl::execute(const ForceOutputCommand& command) {
+  if (!operation) return tell(Error{ErrorCode::kConfiguration, "outputs", "the bus is offline"});
+  if (auto status = operation->force(command); !status) tell(status.error());
+}
+
+void MasterService::Impl::execute(const ReleaseOutputCommand& command) {
+  if (!operation) return;  // nothing is forced any more
+  if (auto status = operation->release(command); !status) tell(status.error());
+}
+
+void MasterService::Impl::execute(const ReleaseAllOutputsCommand&) {
+  if (operation) operation->release_all_outputs();
 }
 
 void MasterService::Impl::run_cycle() {

@@ -193,6 +193,7 @@ void Operation::stop() {
     if (!down) tell_left_behind(down.error());
   }
   run_.snapshot.online = false;
+  run_.snapshot.forced_bits = 0;
   run_.snapshot.time = clock_.now();
   run_.channels().snapshot.publish(run_.snapshot);
 }
@@ -235,6 +236,32 @@ Status Operation::note_learned_rate() {
 }
 
 void Operation::compensate_delays(bool on) { delays_.set_enabled(on, clock_.now()); }
+
+Status Operation::force(const ForceOutputCommand& wanted) {
+  if (!task_.forces().force(wanted))
+    return fail(ErrorCode::kConfiguration, "outputs", "the process image has no such bits");
+  tell_forced();
+  return {};
+}
+
+Status Operation::release(const ReleaseOutputCommand& wanted) {
+  if (!task_.forces().release(wanted))
+    return fail(ErrorCode::kConfiguration, "outputs", "the process image has no such bits");
+  tell_forced();
+  return {};
+}
+
+void Operation::release_all_outputs() {
+  task_.forces().release_all();
+  tell_forced();
+}
+
+void Operation::tell_forced() {
+  const auto bits = task_.forces().count();
+  if (bits == run_.snapshot.forced_bits) return;
+  run_.snapshot.forced_bits = bits;
+  run_.event(clock_.now(), -1, events::OutputsForced{bits});
+}
 
 void Operation::clear_statistics() {
   auto& snapshot = run_.snapshot;

@@ -43,6 +43,9 @@ class Operation {
   void clear_statistics();
   Status configure_dcm(const DcmSettings& change);
   void reset_dcm_status() { sync_.clear_statistics(); }
+  Status force(const ForceOutputCommand& wanted);
+  Status release(const ReleaseOutputCommand& wanted);
+  void release_all_outputs();
   /// Continuous compensation of the propagation delays.
   void compensate_delays(bool on);
   void set_start_time(DcStartTimeCallback callback) { sync_.set_start_time(std::move(callback)); }
@@ -58,6 +61,7 @@ class Operation {
   Status note_learned_rate();
   bool serve_state_request();
   void end_requests();
+  void tell_forced();
   void tell_left_behind(const Error& why);
 
   NetworkConfig config_;

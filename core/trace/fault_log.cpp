@@ -64,6 +64,7 @@ struct MeaningOf {
   EventMeaning operator()(const events::LinkUp&) const { return kReturnToOrder; }
   EventMeaning operator()(const events::BringUpAgain&) const { return kNews; }
   EventMeaning operator()(const events::RealTimeRefused&) const { return kNews; }
+  EventMeaning operator()(const events::OutputsForced&) const { return kNews; }
   EventMeaning operator()(const events::Failure&) const { return kNews; }
   EventMeaning operator()(const events::EventsLost&) const { return kNews; }
 };

@@ -60,6 +60,7 @@ TEST_F(CliExport, WritesTablesAHeaderAndADrawing) {
   for (const auto& file : {project_, eni_}) {
     EXPECT_THAT(exported(file, "csv", "image.csv"), StartsWith("direction,name,data_type,bits,byte,bit,comment\r\n"));
     EXPECT_THAT(exported(file, "pdo-csv", "pdo.csv"), StartsWith("slave,slave_name,direction,pdo,"));
+    EXPECT_THAT(exported(file, "init-csv", "init.csv"), StartsWith("slave,slave_name,transitions,"));
     EXPECT_THAT(exported(file, "slaves-csv", "slaves.csv"), StartsWith("position,name,station_address,"));
     EXPECT_THAT(exported(file, "svg", "topology.svg"), HasSubstr("<svg xmlns="));
     EXPECT_THAT(exported(file, "c-header", "my machine.h"), HasSubstr("#ifndef MY_MACHINE_PROCESS_IMAGE_H"));

@@ -8068,5 +8068,29 @@
         <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped; they came back, {count} in all.</source>
         <translation>Alle Slaves verließen bei {since} auf einmal und zur selben Seite das Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang; sie kamen zurück, insgesamt {count}.</translation>
     </message>
+    <message>
+        <source>Outputs are forced</source>
+        <translation>Ausgänge sind erzwungen</translation>
+    </message>
+    <message>
+        <source>They stay at the value that somebody set by hand, whatever the application calculates.</source>
+        <translation>Sie bleiben auf dem Wert, den jemand von Hand gesetzt hat, was immer die Anwendung berechnet.</translation>
+    </message>
+    <message>
+        <source>Release them before the machine is left to itself.</source>
+        <translation>Geben Sie sie frei, bevor die Maschine sich selbst überlassen wird.</translation>
+    </message>
+    <message>
+        <source>outputs are forced: {bits:# bit|# bits}</source>
+        <translation>Ausgänge sind erzwungen: {bits:# Bit|# Bits}</translation>
+    </message>
+    <message>
+        <source>no output is forced any more</source>
+        <translation>kein Ausgang ist mehr erzwungen</translation>
+    </message>
+    <message>
+        <source>the process image has no such bits</source>
+        <translation>das Prozessabbild hat keine solchen Bits</translation>
+    </message>
 </context>
 </TS>

@@ -8068,5 +8068,29 @@
         <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped; they came back, {count} in all.</source>
         <translation>所有从站在 {since} 同时向同一方向离开同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变；之后恢复，共 {count}。</translation>
     </message>
+    <message>
+        <source>Outputs are forced</source>
+        <translation>输出被强制</translation>
+    </message>
+    <message>
+        <source>They stay at the value that somebody set by hand, whatever the application calculates.</source>
+        <translation>它们保持人手设定的值，无论应用程序计算出什么。</translation>
+    </message>
+    <message>
+        <source>Release them before the machine is left to itself.</source>
+        <translation>在让机器自行运行之前请释放它们。</translation>
+    </message>
+    <message>
+        <source>outputs are forced: {bits:# bit|# bits}</source>
+        <translation>输出被强制：{bits} 位</translation>
+    </message>
+    <message>
+        <source>no output is forced any more</source>
+        <translation>不再有输出被强制</translation>
+    </message>
+    <message>
+        <source>the process image has no such bits</source>
+        <translation>过程映像没有这些位</translation>
+    </message>
 </context>
 </TS>

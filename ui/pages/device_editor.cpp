@@ -14,6 +14,8 @@
 #include "ui/editors/field_binder.h"
 #include "ui/editors/field_menu.h"
 #include "ui/pages/eni_page.h"
+#include "ui/pages/frames_page.h"
+#include "ui/pages/init_commands_page.h"
 #include "ui/pages/master_dc_expert_page.h"
 #include "ui/pages/master_dc_page.h"
 #include "ui/pages/master_general_page.h"
@@ -31,6 +33,7 @@
 #include "ui/pages/slave_startup_page.h"
 #include "ui/pages/slave_sync_page.h"
 #include "ui/pages/slave_timing_page.h"
+#include "ui/pages/variables_page.h"
 #include "ui/panels/slave_state_bar.h"
 #include "ui/session/running_slave.h"
 #include "ui/session/window_memory.h"
@@ -95,7 +98,8 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
             new SlaveSyncPage(workspace),     new ProcessDataPage(workspace),    new SlaveDataPage(workspace),
             new SlaveStartupPage(workspace),  new SlaveMailboxPage(workspace),   new SlaveTimingPage(workspace),
             new SlaveObjectsPage(workspace),  new SlaveRegistersPage(workspace), new SlaveEepromPage(workspace),
-            new SlaveCountersPage(workspace), new SlaveHistoryPage(workspace),   eni};
+            new SlaveCountersPage(workspace), new SlaveHistoryPage(workspace),   new VariablesPage(workspace),
+            new FramesPage(workspace),        new InitCommandsPage(workspace),   eni};
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();

@@ -47,6 +47,8 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   link_ = addField(bar, "statusLink", tr("Link"), tr("What the bus is connected through"));
   slaves_ = addField(bar, "statusSlaves", tr("Slaves"), tr("Slaves in the master's state, of all configured"));
   recording_ = addState(bar, "statusRecording", tr("Recording"), {});
+  forced_ = addState(bar, "statusForced", tr("Forced outputs"),
+                     tr("Outputs that somebody holds at a value by hand: the page Variables releases them"));
   auto* gap = new QLabel;
   bar.addWidget(gap, 1);
   dc_ = addState(bar, "statusDc", tr("Slaves in sync"),
@@ -117,6 +119,8 @@ void StatusPanel::refresh() {
           .arg(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles));
   if (dropped > 0) losses += tr("  Dropped %1").arg(countText(dropped));
   losses_->setText(losses);
+  forced_->setVisible(snapshot.forced_bits > 0);
+  forced_->setState(theme::Tone::kWarning, tr("%n bit(s) forced", nullptr, static_cast<int>(snapshot.forced_bits)));
   showRecording();
 }
 

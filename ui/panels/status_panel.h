@@ -27,7 +27,7 @@ class StatusPanel final : public QObject {
   Workspace& workspace_;
   qint64 shown_second_ = -1;
   QLabel *link_, *slaves_, *drift_, *cycle_, *losses_;
-  Pill *phase_, *dc_, *dcm_, *recording_;
+  Pill *phase_, *dc_, *dcm_, *recording_, *forced_;
 };
 
 }  // namespace syncline::ui

@@ -34,6 +34,7 @@ Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
   const auto before = std::exchange(record_, std::make_unique<RunRecord>(std::move(config)));
   Q_EMIT recordChanged();
   snapshot_ = Snapshot{};
+  image_ = ImageContents{};
   send(GoOnlineCommand{record_->config(), AlState::kOp});
   setPhase(Phase::kStarting);
   if (!master_->is_virtual() || auto_advance_) master_->start();
@@ -80,6 +81,24 @@ void LiveSession::arm() {
 
 void LiveSession::configureDcm(const DcmSettings& settings) {
   if (master_) send(ConfigureDcmCommand{settings});
+}
+
+const ImageContents* LiveSession::image() {
+  if (!master_) return nullptr;
+  (void)master_->channels().image.read(image_);
+  return image_.time == 0 ? nullptr : &image_;
+}
+
+void LiveSession::forceOutput(std::uint32_t bit_offset, std::uint32_t bit_size, std::uint64_t value) {
+  if (master_) send(ForceOutputCommand{bit_offset, bit_size, value});
+}
+
+void LiveSession::releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size) {
+  if (master_) send(ReleaseOutputCommand{bit_offset, bit_size});
+}
+
+void LiveSession::releaseAllOutputs() {
+  if (master_) send(ReleaseAllOutputsCommand{});
 }
 
 /// A master that has stopped listening is told like whatever else goes wrong with it.

@@ -11,6 +11,7 @@
 #include "channels/command.h"
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
+#include "channels/image_contents.h"
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "record/run_record.h"
@@ -42,6 +43,13 @@ class LiveSession final : public QObject {
   void arm();
   /// Other parameters for the running master synchronisation; what it refuses comes as an event.
   void configureDcm(const DcmSettings& settings);
+
+  /// What stands in the process image now, at most 0.1 s old; null when nothing runs. Valid until the next call.
+  [[nodiscard]] const ImageContents* image();
+  /// Holds 1 to 64 bits of the outputs at a value; what became of it comes as an event.
+  void forceOutput(std::uint32_t bit_offset, std::uint32_t bit_size, std::uint64_t value);
+  void releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size);
+  void releaseAllOutputs();
 
   /// Runs `duration` of machine time at once and drains the channels; virtual clock only.
   void advance(Nanoseconds duration);
@@ -84,6 +92,7 @@ class LiveSession final : public QObject {
   QString link_;
   std::unique_ptr<RunRecord> record_;
   Snapshot snapshot_;
+  ImageContents image_;
   std::vector<CycleSample> samples_;
   std::unique_ptr<BackgroundMaster> master_;  // none: offline
 };

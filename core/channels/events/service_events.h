@@ -14,6 +14,11 @@ struct RealTimeRefused {
   std::string what;
 };
 
+/// Somebody forced outputs or released them. ForceOutputCommand.
+struct OutputsForced {
+  std::uint32_t bits = 0;  // that are forced now
+};
+
 /// A command, or what runs, failed.
 struct Failure {
   Error error;

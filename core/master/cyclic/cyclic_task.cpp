@@ -14,6 +14,8 @@ constexpr Nanoseconds kPublishPeriod = 1 * kMillisecond;
 /// Copying what many slaves are takes longer than their cycle: when nobody has looked, the next one can wait. On the
 /// virtual clock whoever looks does so between stretches of time, at whose end all is published in any case.
 constexpr Nanoseconds kUnreadPeriod = 10 * kMillisecond, kUnreadVirtualPeriod = 100 * kMillisecond;
+/// Nobody reads values faster, and who begins to look sees none that is much older.
+constexpr Nanoseconds kImagePeriod = 20 * kMillisecond, kUnreadImagePeriod = 100 * kMillisecond;
 constexpr int kMostAmendments = 4;
 
 }  // namespace
@@ -24,6 +26,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       run_(run),
       sync_(sync),
       frames_(run.config()),
+      forces_(frames_.outputs().size()),
       slaves_(run),
       mailbox_bits_(run, frames_),
       sync_events_(run, sync),
@@ -37,6 +40,9 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       spin_(std::min(run.config().real_time.spin, cycle_time_ / 4), SpinBudget::tolerated(cycle_time_)),
       standstill_(clock) {
   in_flight_.reserve(64);
+  image_.input_bytes = frames_.inputs().size();
+  image_.bytes.resize(image_.input_bytes + 2 * frames_.outputs().size());
+  run.channels().image.publish_first(image_);
   if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
   if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
 }
@@ -53,11 +59,11 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   CycleSample sample;
   sample.cycle = run_.snapshot.cycles;
   steering_ = sync_.reference_write(send_time_, scheduled_).has_value();
-  if (auto* application = run_.channels().application.load(std::memory_order_acquire)) {
-    application->run({sample.cycle, scheduled_, run_.snapshot.state}, frames_.inputs(), frames_.outputs());
-  }
+  calculate_outputs(sample);
   reference_.address(slaves_.settled());
   frames_.prepare(sample.cycle, steering_);
+  publish_image(sample.cycle);
+  forces_.restore(frames_.outputs());
   fill_acyclic(acyclic, send_time_);
   first_stamp_.reset();
   auto status = note_link(exchange_frames(deadline()));
@@ -73,6 +79,26 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   finish_sample(sample);
   scheduled_ += cycle_time_ + adjust_;
   return status;
+}
+
+void CyclicTaskRunner::calculate_outputs(const CycleSample& sample) {
+  if (auto* application = run_.channels().application.load(std::memory_order_acquire)) {
+    application->run({sample.cycle, scheduled_, run_.snapshot.state}, frames_.inputs(), frames_.outputs());
+  }
+  forces_.apply(frames_.outputs());
+}
+
+/// As it stands between two frames: what has come back, and what goes out next.
+void CyclicTaskRunner::publish_image(std::uint64_t cycle) {
+  auto& box = run_.channels().image;
+  if (send_time_ - image_.time < (box.taken() ? kImagePeriod : kUnreadImagePeriod)) return;
+  image_.cycle = cycle;
+  image_.time = send_time_;
+  image_.inputs_time = inputs_time_;
+  const auto outputs = std::ranges::copy(frames_.inputs(), image_.bytes.begin()).out;
+  const auto mask = std::ranges::copy(frames_.outputs(), outputs).out;
+  std::ranges::copy(forces_.mask(), mask);
+  box.publish(image_);
 }
 
 /// An adapter that is away is waited for, as slaves are that do not answer.
@@ -253,6 +279,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   } else {
     working_counter_.pause();
   }
+  if (reading.wkc_expected != 0 && reading.wkc_received == reading.wkc_expected) inputs_time_ = send_time_;
   if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
   const auto all = slaves_.take(send_time_, sample);
   slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);

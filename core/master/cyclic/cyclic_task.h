@@ -14,6 +14,7 @@
 #include "master/cyclic/bus_health.h"
 #include "master/cyclic/cyclic_frame_set.h"
 #include "master/cyclic/mailbox_bits.h"
+#include "master/cyclic/output_forces.h"
 #include "master/cyclic/reference_clock.h"
 #include "master/cyclic/slave_watch.h"
 #include "master/cyclic/spin_budget.h"
@@ -44,6 +45,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   [[nodiscard]] CyclicFrameSet& frames() { return frames_; }
   [[nodiscard]] ReferenceClock& reference() { return reference_; }
   [[nodiscard]] ClockFeed& feed() { return feed_; }
+  [[nodiscard]] OutputForces& forces() { return forces_; }
   /// Expects the working counter of those slaves that are there and exchange process data, and are not about to stop
   /// it. Tells a change.
   void expect_present(std::optional<std::size_t> leaving = std::nullopt);
@@ -58,6 +60,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void publish();
   void stamp(Nanoseconds send_time) override;
   void note_sending(CycleSample& sample);
+  void calculate_outputs(const CycleSample& sample);
+  void publish_image(std::uint64_t cycle);
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
   Status exchange_frames(Nanoseconds deadline);
   Status note_link(Status status);
@@ -78,6 +82,9 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   RunState& run_;
   SyncWatch& sync_;
   CyclicFrameSet frames_;
+  OutputForces forces_;
+  ImageContents image_;  // published last
+  Nanoseconds inputs_time_ = 0;
   SlaveWatch slaves_;
   MailboxBits mailbox_bits_;
   SyncEventWatch sync_events_;

@@ -55,6 +55,9 @@ TEST(EventFinding, AFailureIsTheFindingOfItsError) {
 
 TEST(EventFinding, OneIsNotSeveral) {
   EXPECT_EQ(facts_text(told(-1, events::FramesLost{1})), "1 frame lost");
+  EXPECT_EQ(facts_text(told(-1, events::OutputsForced{1})), "outputs are forced: 1 bit");
+  EXPECT_EQ(facts_text(told(-1, events::OutputsForced{16})), "outputs are forced: 16 bits");
+  EXPECT_EQ(told(-1, events::OutputsForced{0}).severity, Severity::kNote);
   EXPECT_EQ(facts_text(told(-1, events::FramesLost{7})), "7 frames lost");
   EXPECT_EQ(facts_text(told(2, events::PortErrors{1, 1, 0})), "slave 2 port B: 1 damaged frame");
   EXPECT_EQ(facts_text(told(-1, events::DcInitialised{1, 0})),

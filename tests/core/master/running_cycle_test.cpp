@@ -51,6 +51,7 @@ class RunningCycle : public ::testing::Test {
   std::unique_ptr<MasterService> service;
   std::vector<Event> events;
   Snapshot snapshot;
+  ImageContents image;
   std::vector<CycleSample> samples;
   test::CycleCounts counts;
 };
@@ -80,6 +81,22 @@ TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenItHasBadNews) {
   EXPECT_TRUE(told<events::FramesLost>());
   EXPECT_TRUE(told<events::PortErrors>());
   EXPECT_TRUE(told<events::SlavesOutOfSync>());
+}
+
+/// What is forced and released by hand, too, and the image that somebody reads.
+TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenOutputsAreForced) {
+  go_online(test::two_axes());
+  for (const MasterCommand& command :
+       {MasterCommand(ForceOutputCommand{3, 9, 0x155}), MasterCommand(ReleaseOutputCommand{3, 2}),
+        MasterCommand(ReleaseAllOutputsCommand{})}) {
+    service->channels().commands.push(command);
+    count_for(100 * kMillisecond);
+    EXPECT_TRUE(service->channels().image.read(image));
+    EXPECT_TRUE(told<events::OutputsForced>());
+    events.clear();
+  }
+  EXPECT_EQ(counts.allocations, 0U);
+  EXPECT_EQ(counts.locks, 0U);
 }
 
 /// A slave that is gone, told by its cable, its presence, its state and the working counter.

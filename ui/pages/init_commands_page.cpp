@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/pages/init_commands_page.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "exports/init_commands.h"
+#include "protocol/object_value.h"
+#include "ui/models/record_model.h"
+#include "ui/models/word_filter.h"
+#include "ui/session/workspace.h"
+#include "ui/text/glossary.h"
+#include "ui/text/units.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/tables.h"
+
+namespace syncline::ui {
+namespace {
+
+enum InitColumn : int { kInitSlave, kInitTransition, kInitCommand, kInitTarget, kInitData, kInitAnswer, kInitComment };
+
+QString dataText(const exports::InitCommandRow& row) {
+  if (row.length) return InitCommandsPage::tr("%n zero byte(s)", nullptr, *row.length);
+  return QString::fromStdString(value_text(kBytesType, row.data));
+}
+
+/// What has to come back, how long it may take, and what is done when it does not.
+QString answerText(const exports::InitCommandRow& row) {
+  QStringList parts;
+  if (row.expected_wkc) parts << InitCommandsPage::tr("counter %1").arg(*row.expected_wkc);
+  if (!row.validate.empty()) parts << QString::fromStdString(row.validate);
+  if (row.timeout_ms > 0) parts << InitCommandsPage::tr("within %1 ms").arg(row.timeout_ms);
+  if (row.retries > 0) parts << InitCommandsPage::tr("%n repeat(s)", nullptr, static_cast<int>(row.retries));
+  return parts.join(QStringLiteral(", "));
+}
+
+QStringList lineOf(const exports::InitCommandRow& row, const Project& project) {
+  auto command = QString::fromStdString(row.protocol + " " + row.command);
+  if (!row.enabled) command += u' ' + InitCommandsPage::tr("(off)");
+  return {nodeName(project, row.slave),
+          QString::fromStdString(row.transitions),
+          command,
+          QString::fromStdString(row.target),
+          dataText(row),
+          answerText(row),
+          QString::fromStdString(row.comment)};
+}
+
+}  // namespace
+
+InitCommandsPage::InitCommandsPage(Workspace& workspace)
+    : Page(workspace, "initCommandsPage", tr("Init Commands (Expert)")) {
+  model_ = new RecordModel(
+      {tr("Slave"), tr("Transition"), tr("Command"), tr("To"), tr("Data"), tr("Answer"), tr("Comment")}, this);
+  filter_ = new WordFilter(RecordModel::kWordsRole, this);
+  filter_->setSourceModel(model_);
+  words_ = named(new QLineEdit, "initCommandSearch", tr("Search init commands"));
+  words_->setPlaceholderText(tr("Transition, register, object, or comment"));
+  words_->setClearButtonEnabled(true);
+  table_ = named(new QTableView, "initCommandTable", tr("Init commands"));
+  table_->setModel(filter_);
+  setUpTable(*table_);
+  const std::pair<InitColumn, int> widths[] = {{kInitSlave, 130},  {kInitTransition, 90}, {kInitCommand, 110},
+                                               {kInitTarget, 190}, {kInitData, 130},      {kInitAnswer, 150}};
+  for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  count_ = new QLabel;
+  count_->setObjectName(QStringLiteral("initCommandCount"));
+  count_->setWordWrap(true);
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 12, 12, 12);
+  layout->setSpacing(6);
+  layout->addWidget(words_);
+  layout->addWidget(table_, 1);
+  layout->addWidget(count_);
+  setWidget(content);
+  fields().setExpertPage();
+  connect(words_, &QLineEdit::textChanged, filter_, &WordFilter::setWords);
+}
+
+bool InitCommandsPage::appliesTo(int) const { return expert(); }
+
+void InitCommandsPage::showEvent(QShowEvent* event) {
+  refresh();
+  Page::showEvent(event);
+}
+
+/// Thousands of lines are made for those who look at them.
+void InitCommandsPage::refresh() {
+  if (!isVisible()) return;
+  const auto* config = workspace().configuration().config();
+  table_->setColumnHidden(kInitSlave, node() >= 0);
+  if (config == nullptr) {
+    model_->setLines({});
+    return count_->setText(tr("The project cannot be compiled: the messages say why."));
+  }
+  RecordModel::Lines lines;
+  for (const auto& row : exports::init_commands(*config)) {
+    if (node() < 0 || row.slave == node()) lines.push_back(lineOf(row, project()));
+  }
+  count_->setText(tr("%n command(s), in the order of the ENI. Own ones are added on the page Start-up.", nullptr,
+                     static_cast<int>(lines.size())));
+  model_->setLines(lines);
+}
+
+}  // namespace syncline::ui
