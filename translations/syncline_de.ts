@@ -515,6 +515,14 @@
             <source>Error Counters at Its Cable (%1)</source>
             <translation>Fehlerzähler an seinem Kabel (%1)</translation>
         </message>
+        <message>
+            <source>Network of the machine</source>
+            <translation>Netzwerk der Maschine</translation>
+        </message>
+        <message>
+            <source>Which network of the machine is in work (Ctrl+F6: the next one)</source>
+            <translation>Welches Netzwerk der Maschine bearbeitet wird (Strg+F6: das nächste)</translation>
+        </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -649,6 +657,18 @@
         <message>
             <source>ENI written to %1, report to %2</source>
             <translation>ENI nach %1 geschrieben, Bericht nach %2</translation>
+        </message>
+        <message>
+            <source>There is a report %1 already.</source>
+            <translation>Es gibt schon einen Bericht %1.</translation>
+        </message>
+        <message>
+            <source>It is replaced by the one of this export.</source>
+            <translation>Er wird durch den dieses Exports ersetzt.</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>Ersetzen</translation>
         </message>
 </context>
 <context>
@@ -2632,6 +2652,10 @@ Einstellung %2</translation>
         <message>
             <source>Untitled</source>
             <translation>Unbenannt</translation>
+        </message>
+        <message>
+            <source>Network %1</source>
+            <translation>Netzwerk %1</translation>
         </message>
 </context>
 <context>
@@ -9217,8 +9241,8 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Das Projekt kann nicht übersetzt werden: Die Meldungen sagen, warum.</translation>
         </message>
         <message>
-            <source>%1 outputs and %2 inputs in %3 frames a cycle of %4: %5 on the wire, %6 % of the bandwidth.</source>
-            <translation>%1 Ausgänge und %2 Eingänge in %3 Frames je Zyklus von %4: %5 auf der Leitung, %6 % der Bandbreite.</translation>
+            <source>Outputs %1, inputs %2, frames in a cycle of %4: %3. They take %5 on the wire, %6 % of the bandwidth.</source>
+            <translation>Ausgänge %1, Eingänge %2, Frames in einem Zyklus von %4: %3. Sie brauchen %5 auf der Leitung, %6 % der Bandbreite.</translation>
         </message>
         <message>
             <source>The last frame is back after about %1.</source>
@@ -9227,6 +9251,52 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>That is longer than the cycle.</source>
             <translation>Das ist länger als der Zyklus.</translation>
+        </message>
+</context>
+<context>
+    <name>NetworkCommands</name>
+        <message>
+            <source>Ne&amp;xt Network</source>
+            <translation>Nä&amp;chstes Netzwerk</translation>
+        </message>
+        <message>
+            <source>Work on the next network of the machine</source>
+            <translation>Am nächsten Netzwerk der Maschine arbeiten</translation>
+        </message>
+        <message>
+            <source>&amp;Add Network</source>
+            <translation>Netzwerk Net&amp;zwerk hinzufügenamp;hinzufügen</translation>
+        </message>
+        <message>
+            <source>Add a network without slaves to the machine</source>
+            <translation>Der Maschine ein Netzwerk ohne Slaves hinzufügen</translation>
+        </message>
+        <message>
+            <source>Re&amp;move Network…</source>
+            <translation>Netzwerk entfernen …</translation>
+        </message>
+        <message>
+            <source>Take the network in work out of the machine</source>
+            <translation>Das bearbeitete Netzwerk aus der Maschine nehmen</translation>
+        </message>
+        <message>
+            <source>Network %1</source>
+            <translation>Netzwerk %1</translation>
+        </message>
+        <message>
+            <source>Take %1 out of the machine?</source>
+            <translation>%1 aus der Maschine nehmen?</translation>
+        </message>
+        <message numerus="yes">
+            <source>Its %n slave(s) go with it. That cannot be undone, but until the project is saved the file keeps it.</source>
+            <translation>
+                <numerusform>Sein %n Slave geht mit. Das lässt sich nicht rückgängig machen; bis das Projekt gespeichert wird, steht es noch in der Datei.</numerusform>
+                <numerusform>Seine %n Slaves gehen mit. Das lässt sich nicht rückgängig machen; bis das Projekt gespeichert wird, steht es noch in der Datei.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
         </message>
 </context>
 </TS>

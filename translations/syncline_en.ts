@@ -450,4 +450,14 @@
             </translation>
         </message>
 </context>
+<context>
+    <name>NetworkCommands</name>
+        <message numerus="yes">
+            <source>Its %n slave(s) go with it. That cannot be undone, but until the project is saved the file keeps it.</source>
+            <translation>
+                <numerusform>Its %n slave goes with it. That cannot be undone, but until the project is saved the file keeps it.</numerusform>
+                <numerusform>Its %n slaves go with it. That cannot be undone, but until the project is saved the file keeps it.</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -513,6 +513,14 @@
             <source>Error Counters at Its Cable (%1)</source>
             <translation>其电缆处的错误计数器（%1）</translation>
         </message>
+        <message>
+            <source>Network of the machine</source>
+            <translation>机器的网络</translation>
+        </message>
+        <message>
+            <source>Which network of the machine is in work (Ctrl+F6: the next one)</source>
+            <translation>当前处理机器的哪个网络（Ctrl+F6：下一个）</translation>
+        </message>
 </context>
 <context>
     <name>FileCommands</name>
@@ -647,6 +655,18 @@
         <message>
             <source>ENI written to %1, report to %2</source>
             <translation>ENI 已写入 %1，报告已写入 %2</translation>
+        </message>
+        <message>
+            <source>There is a report %1 already.</source>
+            <translation>已存在报告 %1。</translation>
+        </message>
+        <message>
+            <source>It is replaced by the one of this export.</source>
+            <translation>它将被本次导出的报告替换。</translation>
+        </message>
+        <message>
+            <source>Replace</source>
+            <translation>替换</translation>
         </message>
 </context>
 <context>
@@ -2622,6 +2642,10 @@ Setting %2</source>
         <message>
             <source>Untitled</source>
             <translation>未命名</translation>
+        </message>
+        <message>
+            <source>Network %1</source>
+            <translation>网络 %1</translation>
         </message>
 </context>
 <context>
@@ -9166,8 +9190,8 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>项目无法编译：原因见消息。</translation>
         </message>
         <message>
-            <source>%1 outputs and %2 inputs in %3 frames a cycle of %4: %5 on the wire, %6 % of the bandwidth.</source>
-            <translation>每 %4 周期 %3 帧，输出 %1，输入 %2：线路占用 %5，带宽的 %6 %。</translation>
+            <source>Outputs %1, inputs %2, frames in a cycle of %4: %3. They take %5 on the wire, %6 % of the bandwidth.</source>
+            <translation>输出 %1，输入 %2，每 %4 周期的帧数：%3。线路占用 %5，带宽的 %6 %。</translation>
         </message>
         <message>
             <source>The last frame is back after about %1.</source>
@@ -9176,6 +9200,51 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>That is longer than the cycle.</source>
             <translation>这比周期还长。</translation>
+        </message>
+</context>
+<context>
+    <name>NetworkCommands</name>
+        <message>
+            <source>Ne&amp;xt Network</source>
+            <translation>下一个网络(&amp;X)</translation>
+        </message>
+        <message>
+            <source>Work on the next network of the machine</source>
+            <translation>处理机器的下一个网络</translation>
+        </message>
+        <message>
+            <source>&amp;Add Network</source>
+            <translation>添加网络(&amp;A)</translation>
+        </message>
+        <message>
+            <source>Add a network without slaves to the machine</source>
+            <translation>向机器添加一个没有从站的网络</translation>
+        </message>
+        <message>
+            <source>Re&amp;move Network…</source>
+            <translation>移除网络(&amp;M)…</translation>
+        </message>
+        <message>
+            <source>Take the network in work out of the machine</source>
+            <translation>将当前网络从机器中移除</translation>
+        </message>
+        <message>
+            <source>Network %1</source>
+            <translation>网络 %1</translation>
+        </message>
+        <message>
+            <source>Take %1 out of the machine?</source>
+            <translation>将 %1 从机器中移除？</translation>
+        </message>
+        <message numerus="yes">
+            <source>Its %n slave(s) go with it. That cannot be undone, but until the project is saved the file keeps it.</source>
+            <translation>
+                <numerusform>其 %n 个从站也会一同移除。此操作无法撤销，但在保存项目之前文件中仍保留它。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
         </message>
 </context>
 </TS>

@@ -3,7 +3,7 @@
 
 #include <QActionGroup>
 #include <QKeySequence>
-#include <QUndoStack>
+#include <QUndoGroup>
 
 #include "protocol/al_state.h"
 #include "ui/text/glossary.h"
@@ -33,7 +33,7 @@ QAction* Actions::add(const char* name, const QString& text, const char* icon, c
   return action;
 }
 
-Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
+Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
   create = add("actionNew", tr("&New"), "new", tr("New project"), QKeySequence::New);
   new_machine = add("actionNewMachine", tr("Ne&w Machine…"), "device",
                     tr("Make a machine step by step: slaves, cycle, clocks, operation modes"),
@@ -61,13 +61,13 @@ Actions::Actions(QUndoStack& stack, QObject* parent) : QObject(parent) {
   compare = add("actionCompare", tr("Co&mpare…"), "",
                 tr("Compare the project with a file, the running machine or a bus, or two files"),
                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D));
-  undo->setEnabled(stack.canUndo());
-  redo->setEnabled(stack.canRedo());
-  connect(&stack, &QUndoStack::canUndoChanged, undo, &QAction::setEnabled);
-  connect(&stack, &QUndoStack::canRedoChanged, redo, &QAction::setEnabled);
-  connect(&stack, &QUndoStack::undoTextChanged, undo,
+  undo->setEnabled(stacks.canUndo());
+  redo->setEnabled(stacks.canRedo());
+  connect(&stacks, &QUndoGroup::canUndoChanged, undo, &QAction::setEnabled);
+  connect(&stacks, &QUndoGroup::canRedoChanged, redo, &QAction::setEnabled);
+  connect(&stacks, &QUndoGroup::undoTextChanged, undo,
           [this](const QString& step) { undo->setText(stepText(tr("&Undo"), step)); });
-  connect(&stack, &QUndoStack::redoTextChanged, redo,
+  connect(&stacks, &QUndoGroup::redoTextChanged, redo,
           [this](const QString& step) { redo->setText(stepText(tr("&Redo"), step)); });
   demo = add("actionDemo", tr("&Demonstration Machine"), "demo",
              tr("Scan the simulated demonstration machine and go online"));

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QPalette>
 
-class QUndoStack;
+class QUndoGroup;
 
 namespace syncline::ui {
 
@@ -15,7 +15,7 @@ class Actions final : public QObject {
   Q_OBJECT
 
  public:
-  Actions(QUndoStack& undo, QObject* parent);
+  Actions(QUndoGroup& undo, QObject* parent);
   /// Draws the icons in the colours of the palette, and marks the theme that is chosen.
   void drawIcons(const QPalette& palette);
 

@@ -20,6 +20,7 @@
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/go_to_dialog.h"
 #include "ui/dialogs/language_menu.h"
+#include "ui/dialogs/network_commands.h"
 #include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/scan_progress.h"
@@ -52,8 +53,9 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   setWindowIcon(QIcon(QStringLiteral(":/icons/syncline.svg")));
   setAcceptDrops(true);
   setDockNestingEnabled(false);
-  actions_ = new Actions(workspace.document().undoStack(), this);
+  actions_ = new Actions(workspace.document().undoGroup(), this);
   files_ = new FileCommands(workspace, *this);
+  networks_ = new NetworkCommands(workspace, *this, [this] { return commitFields(); });
   templates_ = new TemplateCommands(workspace, *files_, *this);
   bus_ = new BusCommands(workspace, *this);
   recordings_ = new RecordingCommands(workspace, *this);
@@ -134,6 +136,7 @@ void MainWindow::connectDocks() {
   });
   connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
+  connect(explorer_, &ExplorerPanel::networkWanted, networks_, &NetworkCommands::choose);
   connect(explorer_, &ExplorerPanel::menuOpens, this, [this](QMenu& menu, int slave) {
     menu.addSeparator();
     editor_->states().addTo(menu, slave);
@@ -149,7 +152,7 @@ void MainWindow::buildMenus() {
   connect(language, &LanguageMenu::chosen, this,
           [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
   auto* network = ui::buildMenus(*menuBar(), *actions_,
-                                 {recent, language, building_->commands().all(), docks_->toggles(),
+                                 {recent, language, building_->commands().all(), networks_->all(), docks_->toggles(),
                                   explorer_->viewActions(), editor_->modeActions()});
   connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
   state_button_ = buildToolBar(*addToolBar(tr("Main")), *actions_);
@@ -180,7 +183,7 @@ void MainWindow::connectActions() {
     if (files_->mayDiscard()) bus_->startDemo();
   });
   on(actions_->online, [this] { bus_->goOnline(); });
-  auto& stack = workspace_.document().undoStack();
+  auto& stack = workspace_.document().undoGroup();
   connect(actions_->undo, &QAction::triggered, this, [this, &stack] {
     // What was typed last is what is taken back first, also where it is no value.
     if (editor_->commitFields()) return stack.undo();

@@ -20,6 +20,7 @@ class MessagesPanel;
 class OverviewPanel;
 class RecordingCommands;
 class MachineBuilding;
+class NetworkCommands;
 class TemplateCommands;
 class WindowCentre;
 class WindowDocks;
@@ -75,6 +76,7 @@ class MainWindow final : public QMainWindow {
   Actions* actions_;
   FileCommands* files_;
   TemplateCommands* templates_;
+  NetworkCommands* networks_;
   BusCommands* bus_;
   RecordingCommands* recordings_;
   MachineBuilding* building_;

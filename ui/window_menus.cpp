@@ -33,7 +33,7 @@ void buildEditMenu(QMenu& menu, const Actions& actions, const QList<QAction*>& s
   menu.addAction(actions.go_to);
 }
 
-void buildNetworkMenu(QMenu& menu, const Actions& actions) {
+void buildNetworkMenu(QMenu& menu, const Actions& actions, const QList<QAction*>& networks) {
   menu.addActions({actions.scan, actions.demo});
   menu.addSeparator();
   menu.addActions({actions.online, actions.offline});
@@ -42,6 +42,8 @@ void buildNetworkMenu(QMenu& menu, const Actions& actions) {
   menu.addActions({actions.record, actions.save_recent});
   menu.addSeparator();
   menu.addAction(actions.clear_statistics);
+  menu.addSeparator();
+  menu.addActions(networks);
 }
 
 void buildViewMenu(QMenu& menu, const Actions& actions, const MenuEntries& entries) {
@@ -65,7 +67,7 @@ QMenu* buildMenus(QMenuBar& bar, const Actions& actions, const MenuEntries& entr
   buildFileMenu(*bar.addMenu(MainWindow::tr("&File")), actions, *entries.recent);
   buildEditMenu(*bar.addMenu(MainWindow::tr("&Edit")), actions, entries.slaves);
   auto* network = bar.addMenu(MainWindow::tr("&Network"));
-  buildNetworkMenu(*network, actions);
+  buildNetworkMenu(*network, actions, entries.networks);
   buildViewMenu(*bar.addMenu(MainWindow::tr("&View")), actions, entries);
   auto* help = bar.addMenu(MainWindow::tr("&Help"));
   auto* what = QWhatsThis::createAction(&bar);

@@ -17,10 +17,11 @@ class Actions;
 struct MenuEntries {
   QMenu* recent = nullptr;
   QMenu* language = nullptr;
-  QList<QAction*> slaves;  // what is done to slaves
-  QList<QAction*> panels;  // shown or hidden
-  QList<QAction*> views;   // of the explorer
-  QList<QAction*> pages;   // which of a node are shown
+  QList<QAction*> slaves;    // what is done to slaves
+  QList<QAction*> networks;  // to networks of the machine
+  QList<QAction*> panels;    // shown or hidden
+  QList<QAction*> views;     // of the explorer
+  QList<QAction*> pages;     // which of a node are shown
 };
 
 /// Puts the menus into the bar; gives the one of the network back, whose entries depend on what runs.

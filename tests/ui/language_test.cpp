@@ -12,7 +12,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QUndoStack>
+#include <QUndoGroup>
 #include <map>
 
 #include "support/result.h"
@@ -51,7 +51,7 @@ TEST(Languages, ChineseIsFoundUnderItsShortName) {
 TEST(Languages, ButtonsAndListsShowNoMenuKeys) {
   EXPECT_EQ(withoutMenuKey(QStringLiteral("&Scan…")), QStringLiteral("Scan…"));
   EXPECT_EQ(withoutMenuKey(QStringLiteral("扫描(&S)…")), QStringLiteral("扫描…"));
-  QUndoStack stack;
+  QUndoGroup stack;
   for (const auto& code : test::translatedLanguages()) {
     const test::Speak speak(code);
     const Actions actions(stack, nullptr);

@@ -168,6 +168,13 @@ void FileCommands::exportEni() {
                                            tr("EtherCAT network information (*.xml)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".xml");
+  // Of the ENI the dialog has asked, of what stands beside it nobody.
+  const auto report = reportFile(path);
+  if (workspace_.eni().reported() && QFileInfo::exists(report) && !QFileInfo::exists(path) &&
+      !ask(window_, "reportQuestion", tr("There is a report %1 already.").arg(QFileInfo(report).fileName()),
+           tr("It is replaced by the one of this export."), tr("Replace"))) {
+    return;
+  }
   exportTo(path);
 }
 

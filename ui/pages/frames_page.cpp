@@ -55,7 +55,11 @@ FramesPage::FramesPage(Workspace& workspace) : Page(workspace, "framesPage", tr(
                      frame_table_);
   datagrams_ = addTable(*layout, "datagramTable", tr("Datagrams of the selected frame"),
                         {tr("Command"), tr("Bytes"), tr("Counter"), tr("Sent in"), tr("Comment")}, datagram_table_);
-  datagram_table_->horizontalHeader()->setStretchLastSection(true);
+  auto& header = *datagram_table_->horizontalHeader();
+  header.setSectionResizeMode(QHeaderView::Interactive);
+  for (const auto& [column, width] : {std::pair{0, 150}, {1, 60}, {2, 70}, {3, 170}})
+    datagram_table_->setColumnWidth(column, width);
+  header.setStretchLastSection(true);
   slaves_ =
       addTable(*layout, "slaveCostTable", tr("Slaves, the costliest first"),
                {tr("Slave"), tr("Outputs"), tr("Inputs"), tr("Bytes in datagrams"), tr("Wire time")}, slave_table_);
@@ -99,10 +103,11 @@ void FramesPage::refresh() {
   } else {
     const auto report = image_report(project(), *config);
     const QLocale locale;
-    auto text = tr("%1 outputs and %2 inputs in %3 frames a cycle of %4: %5 on the wire, %6 % of the bandwidth.")
-                    .arg(bitsText(8 * report.output_bytes), bitsText(8 * report.input_bytes),
-                         locale.toString(report.frames_per_cycle, 'g', 4), cycleText(report.cycle),
-                         timeText(report.wire_time), locale.toString(100 * report.bandwidth, 'f', 1));
+    auto text =
+        tr("Outputs %1, inputs %2, frames in a cycle of %4: %3. They take %5 on the wire, %6 % of the bandwidth.")
+            .arg(bitsText(8 * report.output_bytes), bitsText(8 * report.input_bytes),
+                 locale.toString(report.frames_per_cycle, 'g', 4), cycleText(report.cycle), timeText(report.wire_time),
+                 locale.toString(100 * report.bandwidth, 'f', 1));
     text += u' ' + tr("The last frame is back after about %1.").arg(timeText(report.busiest_cycle));
     if (report.busiest_cycle > report.cycle) text += u' ' + tr("That is longer than the cycle.");
     summary_->setText(text);

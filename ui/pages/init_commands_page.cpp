@@ -9,6 +9,7 @@
 
 #include "exports/init_commands.h"
 #include "protocol/object_value.h"
+#include "ui/editors/field_binder.h"
 #include "ui/models/record_model.h"
 #include "ui/models/word_filter.h"
 #include "ui/session/workspace.h"

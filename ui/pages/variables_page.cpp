@@ -75,6 +75,7 @@ VariablesPage::VariablesPage(Workspace& workspace) : Page(workspace, "variablesP
       {VariableModel::kValue, 140},    {VariableModel::kRaw, 130}, {VariableModel::kForced, 80}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   stretchColumn(*table_, VariableModel::kName);
+  table_->setTextElideMode(Qt::ElideMiddle);  // slave in front, entry behind
   layout->addWidget(table_, 1);
   hint_ = named(new ValueLabel, "variablesHint", tr("What the values are"));
   hint_->setMinimumWidth(60);
@@ -100,6 +101,7 @@ QWidget* VariablesPage::buildChoice() {
                               {"variablesOutputs", tr("Outputs"), tr("What the slaves are sent"), {}},
                               {"variablesForced", tr("Forced"), tr("Outputs that are forced"), {}}}),
                 "variableKind", tr("Which variables are shown"));
+  kind_->setCurrent(kAllVariables);
   words_ = named(new QLineEdit, "variableSearch", tr("Search variables"));
   words_->setPlaceholderText(tr("Name, type, or place"));
   words_->setClearButtonEnabled(true);

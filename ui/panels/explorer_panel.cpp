@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/editors/choice_edit.h"
 #include "ui/panels/explorer_tree.h"
 #include "ui/panels/node_delegate.h"
 #include "ui/panels/topology_view.h"
@@ -28,6 +29,8 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  networks_ = buildNetworks();
+  layout->addWidget(networks_);
   views_ = buildViews();
   layout->addWidget(views_);
   auto& model = workspace.network();
@@ -67,6 +70,7 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   connect(topology_, &TopologyView::countersWanted, this, &ExplorerPanel::countersWanted);
   connect(topology_, &TopologyView::zoomChanged, this,
           [this](double zoom) { workspace_.memory().setValue(kZoom, zoom); });
+  showNetworks();
   setView(static_cast<View>(std::clamp(remembered, 0, static_cast<int>(View::kTopology))));
   select(-1);
 }
@@ -120,6 +124,29 @@ Segments* ExplorerPanel::buildViews() {
   views->layout()->setContentsMargins(4, 3, 4, 3);
   connect(views, &Segments::chosen, this, [this](int view) { setView(static_cast<View>(view)); });
   return views;
+}
+
+/// Which of the machine's networks is in work; nothing to choose where there is one.
+ChoiceEdit* ExplorerPanel::buildNetworks() {
+  auto* networks = named(new ChoiceEdit, "networkChoice", tr("Network of the machine"));
+  networks->setToolTip(tr("Which network of the machine is in work (Ctrl+F6: the next one)"));
+  networks->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  connect(networks, &QComboBox::activated, this, [this](int network) {
+    Q_EMIT networkWanted(network);
+    showNetworks();  // also where it was refused
+  });
+  connect(&workspace_.document(), &ProjectDocument::networksChanged, this, &ExplorerPanel::showNetworks);
+  connect(&workspace_, &Workspace::mayEditSlavesChanged, this, &ExplorerPanel::showNetworks);
+  return networks;
+}
+
+void ExplorerPanel::showNetworks() {
+  const auto names = workspace_.document().networks();
+  networks_->clear();
+  networks_->addItems(names);
+  networks_->setCurrentIndex(workspace_.document().network());
+  networks_->setEnabled(workspace_.mayEditSlaves());
+  networks_->setVisible(names.size() > 1);
 }
 
 void ExplorerPanel::setView(View view) {

@@ -11,6 +11,7 @@ class QMenu;
 
 namespace syncline::ui {
 
+class ChoiceEdit;
 class Segments;
 class TopologyView;
 class Workspace;
@@ -38,6 +39,8 @@ class ExplorerPanel final : public QWidget {
   void nodeSelected(int slave);
   /// What a port of the slave counted is to be seen.
   void countersWanted(int slave);
+  /// Another network of the machine is to come in work.
+  void networkWanted(int network);
   /// The context menu of a slave is about to be shown: what else can be done with it is added here.
   void menuOpens(QMenu& menu, int slave);
 
@@ -46,6 +49,8 @@ class ExplorerPanel final : public QWidget {
   void addCounters(QMenu& menu);
   void buildTree();
   [[nodiscard]] Segments* buildViews();
+  [[nodiscard]] ChoiceEdit* buildNetworks();
+  void showNetworks();
   void keepSelection();
 
   Workspace& workspace_;
@@ -53,6 +58,7 @@ class ExplorerPanel final : public QWidget {
   TopologyView* topology_;
   QStackedWidget* stack_;
   Segments* views_;
+  ChoiceEdit* networks_;
   View view_ = View::kClassic;
   int kept_slave_ = -1, kept_address_ = 0;  // over a reset of the model
 };

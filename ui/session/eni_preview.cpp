@@ -21,6 +21,7 @@ EniPreview::EniPreview(ProjectDocument& document, QObject* parent) : QObject(par
   debounce_.setInterval(kEditsWithin);
   connect(&debounce_, &QTimer::timeout, this, &EniPreview::start);
   connect(&document_, &ProjectDocument::projectChanged, this, &EniPreview::onEdit);
+  connect(&document_, &ProjectDocument::taken, this, [this] { other_ = true; });
   connect(&document_, &ProjectDocument::slavesReplaced, this, [this] { key_.clear(); });
   connect(&document_, &ProjectDocument::modifiedChanged, this, [this](bool modified) {
     if (modified || now_ == nullptr) return;
@@ -44,11 +45,13 @@ void EniPreview::onEdit() {
 void EniPreview::start() {
   if (now_ == nullptr) now_ = ProjectCopy::of(document_.project(), nullptr);
   if (std::exchange(edited_, false)) {
-    if (document_.undoStack().count() == 0) {
+    const bool other = std::exchange(other_, false);
+    if (other || document_.undoStack().count() == 0) {
       opened_ = watched_ ? now_ : nullptr;
       exported_ = last_ = nullptr;
+      saved_ = nullptr;  // of a network that comes in work with edits nobody knows it
     }
-    if (!document_.isModified()) saved_ = now_;
+    if (document_.undoStack().isClean()) saved_ = now_;
   }
   if (watched_ && opened_ == nullptr) opened_ = now_;
   request();

@@ -87,6 +87,7 @@ class EniPreview final : public QObject {
   std::string key_;  // of the setting whose lines are shown in place of changes
   bool reported_ = false;
   bool watched_ = false, computing_ = false, edited_ = true;
+  bool other_ = false;        // machine or network than before
   std::uint64_t number_ = 0;  // of the last request
   std::string asked_key_;
   EniDialect asked_dialect_ = EniDialect::kEcEngineer;

@@ -26,7 +26,19 @@ Status applyAll(Project& project, const std::vector<SettingEdit>& edits) {
 }  // namespace
 
 ProjectDocument::ProjectDocument(QObject* parent) : QObject(parent) {
-  connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) { Q_EMIT modifiedChanged(!clean); });
+  machine_.networks.emplace_back();
+  addStack();
+  undo_.setActiveStack(stacks_.front().get());
+}
+
+void ProjectDocument::addStack() {
+  auto* stack = stacks_.emplace_back(std::make_unique<QUndoStack>()).get();
+  undo_.addStack(stack);
+  connect(stack, &QUndoStack::cleanChanged, this, [this] { Q_EMIT modifiedChanged(isModified()); });
+}
+
+bool ProjectDocument::isModified() const {
+  return regrouped_ || !std::ranges::all_of(stacks_, [](const auto& stack) { return stack->isClean(); });
 }
 
 QString ProjectDocument::displayName() const { return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName(); }
@@ -50,7 +62,7 @@ Status ProjectDocument::edit(const QString& text, ProjectEdit edit) {
   Project changed = project_;
   if (auto status = edit(changed); !status) return status;
   auto patch = ProjectPatch::between(project_, changed);
-  if (!patch.empty()) undo_.push(new EditProjectCommand(*this, text, std::move(edit), std::move(patch)));
+  if (!patch.empty()) undoStack().push(new EditProjectCommand(*this, text, std::move(edit), std::move(patch)));
   return {};
 }
 
@@ -73,7 +85,7 @@ Status ProjectDocument::set(const QString& text, std::vector<SettingEdit> edits)
   before.restore(project_);
   if (!status || !changed) return status;
   const auto again = [edits = std::move(edits)](Project& project) { return applyAll(project, edits); };
-  undo_.push(new EditProjectCommand(*this, text, again, std::move(before)));
+  undoStack().push(new EditProjectCommand(*this, text, again, std::move(before)));
   return {};
 }
 
@@ -94,13 +106,19 @@ void ProjectDocument::take(Machine machine, const QString& path, bool saved) {
   machine_ = std::move(machine);
   if (machine_.networks.empty()) machine_.networks.emplace_back();
   project_ = machine_.networks.front();
+  current_ = 0;
   path_ = path;
   lock_.take(path);
-  undo_.clear();
-  if (!saved) undo_.resetClean();
+  stacks_.resize(1);
+  stacks_.front()->clear();
+  while (stacks_.size() < machine_.networks.size()) addStack();
+  undo_.setActiveStack(stacks_.front().get());
+  regrouped_ = false;
+  if (!saved) stacks_.front()->resetClean();
   Q_EMIT taken();
   Q_EMIT pathChanged();
   projectEdited(true);
+  Q_EMIT networksChanged();
 }
 
 Status ProjectDocument::load(const QString& path) {
@@ -119,21 +137,71 @@ Status ProjectDocument::save(const QString& path) {
   if (auto status = eni::save_machine(machine(), path.toStdString()); !status) return status;
   path_ = path;
   lock_.take(path);
-  undo_.setClean();
+  const bool regrouped = std::exchange(regrouped_, false);
+  for (const auto& stack : stacks_) stack->setClean();
+  if (regrouped) Q_EMIT modifiedChanged(isModified());
   Q_EMIT pathChanged();
   return {};
 }
 
 Machine ProjectDocument::machine() const {
   auto machine = machine_;
-  if (machine.networks.empty()) machine.networks.emplace_back();
-  machine.networks.front() = project_;
+  machine.networks[current_] = project_;
   return machine;
+}
+
+QStringList ProjectDocument::networks() const {
+  QStringList names;
+  for (std::size_t i = 0; i < machine_.networks.size(); ++i) {
+    const auto& name = (i == current_ ? project_ : machine_.networks[i]).name;
+    names << (name.empty() ? tr("Network %1").arg(i + 1) : QString::fromStdString(name));
+  }
+  return names;
+}
+
+void ProjectDocument::show(std::size_t network) {
+  ++generation_;
+  current_ = network;
+  project_ = machine_.networks[network];
+  undo_.setActiveStack(stacks_[network].get());
+  Q_EMIT taken();
+  projectEdited(true);
+  Q_EMIT networksChanged();
+}
+
+void ProjectDocument::chooseNetwork(int network) {
+  const auto wanted = static_cast<std::size_t>(network);
+  if (network < 0 || wanted >= machine_.networks.size() || wanted == current_) return;
+  machine_.networks[current_] = project_;
+  show(wanted);
+}
+
+void ProjectDocument::addNetwork(const QString& name) {
+  machine_.networks[current_] = project_;
+  machine_.networks.emplace_back().name = name.toStdString();
+  addStack();
+  regrouped_ = true;
+  show(machine_.networks.size() - 1);
+  Q_EMIT modifiedChanged(true);
+}
+
+void ProjectDocument::removeNetwork() {
+  if (machine_.networks.size() < 2) return;
+  const auto gone = static_cast<std::ptrdiff_t>(current_);
+  machine_.networks.erase(machine_.networks.begin() + gone);
+  stacks_.erase(stacks_.begin() + gone);
+  regrouped_ = true;
+  show(std::min(current_, machine_.networks.size() - 1));
+  Q_EMIT modifiedChanged(true);
 }
 
 void ProjectDocument::projectEdited(bool structural) {
   if (structural) Q_EMIT slavesReplaced();
   Q_EMIT projectChanged(structural);
+  if (machine_.networks[current_].name != project_.name) {
+    machine_.networks[current_].name = project_.name;
+    Q_EMIT networksChanged();
+  }
 }
 
 }  // namespace syncline::ui

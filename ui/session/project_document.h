@@ -3,7 +3,10 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
+#include <QUndoGroup>
 #include <QUndoStack>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,7 +31,8 @@ struct SlaveMark {
   int address = 0;  // station address, 0 = the master
 };
 
-/// The project being edited: a value, its undo steps and its file.
+/// The machine being edited: its networks, of which one is in work as a value, with the undo steps of each, and its
+/// file.
 class ProjectDocument final : public QObject, private ProjectHolder {
   Q_OBJECT
 
@@ -36,7 +40,10 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   explicit ProjectDocument(QObject* parent = nullptr);
 
   [[nodiscard]] const Project& project() const { return project_; }
-  [[nodiscard]] QUndoStack& undoStack() { return undo_; }
+  /// Steps of the network in work.
+  [[nodiscard]] QUndoStack& undoStack() { return *stacks_[current_]; }
+  /// Whichever network is in work.
+  [[nodiscard]] QUndoGroup& undoGroup() { return undo_; }
   [[nodiscard]] const QString& path() const { return path_; }
   /// Another one for each project that comes in place of the one before (reset, take, load, replace): answers to what
   /// was asked before are not about its slaves.
@@ -47,7 +54,18 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   [[nodiscard]] std::optional<int> find(const SlaveMark& mark) const;
   /// File name without folder, or a name for a project that was not saved yet.
   [[nodiscard]] QString displayName() const;
-  [[nodiscard]] bool isModified() const { return !undo_.isClean(); }
+  /// Of all networks.
+  [[nodiscard]] bool isModified() const;
+
+  /// All networks of the machine in their order; those without a name by their number.
+  [[nodiscard]] QStringList networks() const;
+  [[nodiscard]] int network() const { return static_cast<int>(current_); }
+  /// Takes another network in work; edits and undo steps of the one before stay its own.
+  void chooseNetwork(int network);
+  /// A new network without slaves behind the others, in work from now on.
+  void addNetwork(const QString& name);
+  /// Takes the network in work out of the machine, with its undo steps, unless it is the only one.
+  void removeNetwork();
 
   /// One undo step called `text`. An edit that fails changes nothing, one without effect makes no step.
   Status edit(const QString& text, ProjectEdit edit);
@@ -75,8 +93,8 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   [[nodiscard]] bool readOnly() const { return !path_.isEmpty() && !lock_.held(); }
 
  Q_SIGNALS:
-  /// Another machine is edited from now on (reset, take, load): comes first of all. What is known of the slaves that
-  /// there were holds for none of these, alike as they may be.
+  /// Another machine or network is edited from now on (reset, take, load, chooseNetwork): comes first of all. What is
+  /// known of the slaves that there were holds for none of these, alike as they may be.
   void taken();
   /// Comes before projectChanged(true), for whoever holds what belongs to the slaves there were.
   void slavesReplaced();
@@ -85,16 +103,24 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   /// Of another machine, or because this one was saved under another name.
   void pathChanged();
   void modifiedChanged(bool modified);
+  /// Networks came, went or changed their names, or another one is in work.
+  void networksChanged();
 
  private:
   Project& mutableProject() override { return project_; }
   void projectEdited(bool structural) override;
 
+  void addStack();
+  /// `network` comes in work in place of what was.
+  void show(std::size_t network);
+
   Project project_;
   std::uint64_t generation_ = 0;
-  /// The file that `project_` came from: its other networks go back into it when it is saved.
-  Machine machine_;
-  QUndoStack undo_;
+  Machine machine_;                                  // its networks as they were when each was in work last
+  std::size_t current_ = 0;                          // the one of which `project_` is the present state
+  std::vector<std::unique_ptr<QUndoStack>> stacks_;  // of each
+  QUndoGroup undo_;
+  bool regrouped_ = false;  // networks came or went since the file was read or written
   QString path_;
   ProjectLock lock_;
 };

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machines with several networks: one is in work, the others wait as they are.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "eni/project/project_file.h"
+#include "support/running_window.h"
+#include "ui/dialogs/network_commands.h"
+#include "ui/editors/choice_edit.h"
+#include "ui/session/project_document.h"
+
+namespace syncline::ui {
+namespace {
+
+Machine twoNetworks() {
+  Machine machine;
+  machine.networks = {test::smallProject(), test::smallProject()};
+  machine.networks[0].name = "Feeder";
+  machine.networks[1].name = "Press";
+  machine.networks[1].slaves.pop_back();
+  return machine;
+}
+
+ProjectEdit cycle(Nanoseconds time) {
+  return [time](Project& project) -> Status {
+    project.master.cycle_time = time;
+    return {};
+  };
+}
+
+TEST(Networks, KeepTheirEditsAndStepsWhileAnotherIsInWork) {
+  ProjectDocument document;
+  document.take(twoNetworks(), {});
+  EXPECT_EQ(document.networks(), (QStringList{QStringLiteral("Feeder"), QStringLiteral("Press")}));
+  ASSERT_TRUE(document.edit(QStringLiteral("one"), cycle(2 * kMillisecond)));
+  const auto generation = document.generation();
+  QSignalSpy taken(&document, &ProjectDocument::taken);
+  document.chooseNetwork(1);
+  EXPECT_EQ(taken.count(), 1);
+  EXPECT_NE(document.generation(), generation) << "what was asked about slaves is not about these";
+  EXPECT_EQ(document.project().slaves.size(), 2U);
+  EXPECT_FALSE(document.undoGroup().canUndo()) << "nothing was done here";
+  EXPECT_TRUE(document.isModified()) << "there was";
+  ASSERT_TRUE(document.edit(QStringLiteral("two"), cycle(4 * kMillisecond)));
+  document.undoGroup().undo();
+  EXPECT_EQ(document.project().master.cycle_time, kMillisecond);
+  document.chooseNetwork(0);
+  EXPECT_EQ(document.project().master.cycle_time, 2 * kMillisecond);
+  document.undoGroup().undo();
+  EXPECT_EQ(document.project().master.cycle_time, kMillisecond);
+  EXPECT_FALSE(document.isModified());
+  document.chooseNetwork(7);
+  EXPECT_EQ(document.network(), 0);
+}
+
+TEST(Networks, LookingAtAnotherChangesNothing) {
+  ProjectDocument document;
+  document.take(twoNetworks(), {});
+  document.chooseNetwork(1);
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(document.machine(), twoNetworks());
+}
+
+TEST(Networks, AreAllSavedWhicheverIsInWork) {
+  const QTemporaryDir folder;
+  const auto path = folder.filePath(QStringLiteral("two.syncline"));
+  ProjectDocument document;
+  document.take(twoNetworks(), {});
+  ASSERT_TRUE(document.edit(QStringLiteral("one"), cycle(2 * kMillisecond)));
+  document.chooseNetwork(1);
+  ASSERT_TRUE(document.edit(QStringLiteral("two"), cycle(4 * kMillisecond)));
+  ASSERT_TRUE(document.save(path));
+  EXPECT_FALSE(document.isModified()) << "both are in the file";
+  EXPECT_EQ(document.network(), 1) << "still in work";
+  const auto file = eni::load_machine(path.toStdString());
+  ASSERT_TRUE(file);
+  ASSERT_EQ(file->networks.size(), 2U);
+  EXPECT_EQ(file->networks[0].master.cycle_time, 2 * kMillisecond);
+  EXPECT_EQ(file->networks[1].master.cycle_time, 4 * kMillisecond);
+}
+
+TEST(Networks, ComeAndGo) {
+  ProjectDocument document;
+  document.take(twoNetworks(), {});
+  document.addNetwork(QStringLiteral("Exit"));
+  EXPECT_EQ(document.network(), 2);
+  EXPECT_TRUE(document.project().slaves.empty());
+  EXPECT_TRUE(document.isModified());
+  document.chooseNetwork(0);
+  document.removeNetwork();
+  EXPECT_EQ(document.networks(), (QStringList{QStringLiteral("Press"), QStringLiteral("Exit")}));
+  EXPECT_EQ(document.project().slaves.size(), 2U);
+  ASSERT_TRUE(document.edit(QStringLiteral("cycle"), cycle(2 * kMillisecond)));
+  EXPECT_EQ(document.machine().networks[0].master.cycle_time, 2 * kMillisecond);
+  document.removeNetwork();
+  document.removeNetwork();
+  EXPECT_EQ(document.networks().size(), 1) << "the only one stays";
+  document.take(twoNetworks(), {});
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(document.network(), 0);
+}
+
+class NetworksInTheWindow : public test::RunningWindow {
+ protected:
+  NetworksInTheWindow() { workspace_.document().take(twoNetworks(), {}); }
+  ChoiceEdit& choice() { return field<ChoiceEdit>("networkChoice"); }
+  QAction& action(const char* name) { return *window_.findChild<QAction*>(QLatin1String(name)); }
+};
+
+TEST_F(NetworksInTheWindow, AreChosenAboveTheExplorer) {
+  ASSERT_TRUE(choice().isVisible());
+  EXPECT_EQ(choice().currentText(), QStringLiteral("Feeder"));
+  choice().setCurrentIndex(1);
+  Q_EMIT choice().activated(1);
+  EXPECT_EQ(workspace_.document().network(), 1);
+  EXPECT_EQ(workspace_.network().slaveCount(), 2);
+  action("actionNextNetwork").trigger();
+  EXPECT_EQ(choice().currentText(), QStringLiteral("Feeder"));
+  window_.selectNode(-1);
+  ASSERT_TRUE(window_.editor().showKey(QStringLiteral("network.name")));
+  auto* name = QApplication::focusWidget();
+  ASSERT_NE(name, nullptr);
+  test::type(*name, QStringLiteral("Infeed"));
+  EXPECT_EQ(choice().currentText(), QStringLiteral("Infeed")) << "a name is followed";
+}
+
+TEST_F(NetworksInTheWindow, OnesThatHoldSlavesAreRemovedAfterAQuestion) {
+  answerQuestion("removeNetworkQuestion", false);
+  action("actionRemoveNetwork").trigger();
+  EXPECT_EQ(workspace_.document().networks().size(), 2);
+  answerQuestion("removeNetworkQuestion", true);
+  action("actionRemoveNetwork").trigger();
+  EXPECT_EQ(workspace_.document().networks(), QStringList{QStringLiteral("Press")});
+  EXPECT_FALSE(choice().isVisible()) << "nothing to choose";
+  EXPECT_FALSE(action("actionRemoveNetwork").isEnabled());
+  action("actionAddNetwork").trigger();
+  EXPECT_TRUE(choice().isVisible());
+  action("actionRemoveNetwork").trigger();
+  EXPECT_EQ(workspace_.document().networks().size(), 1) << "an empty one goes without a question";
+}
+
+TEST_F(NetworksInTheWindow, StayWhileOneRuns) {
+  goOnline();
+  action("actionAddNetwork").trigger();
+  EXPECT_EQ(workspace_.document().networks().size(), 2);
+  EXPECT_FALSE(choice().isEnabled());
+  window_.findChild<NetworkCommands*>()->choose(1);
+  EXPECT_EQ(workspace_.document().network(), 0);
+  EXPECT_FALSE(action("actionAddNetwork").isEnabled());
+}
+
+}  // namespace
+}  // namespace syncline::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/network_commands.h"
+
+#include <QAction>
+#include <utility>
+
+#include "ui/dialogs/questions.h"
+#include "ui/session/workspace.h"
+
+namespace syncline::ui {
+
+NetworkCommands::NetworkCommands(Workspace& workspace, QWidget& window, std::function<bool()> commit)
+    : QObject(&window), workspace_(workspace), window_(window), commit_(std::move(commit)) {
+  const auto make = [this](const char* name, const QString& text, const QString& tip, auto command) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(QLatin1String(name));
+    action->setToolTip(tip);
+    action->setStatusTip(tip);
+    connect(action, &QAction::triggered, this, command);
+    return action;
+  };
+  next_ = make("actionNextNetwork", tr("Ne&xt Network"), tr("Work on the next network of the machine"), [this] {
+    auto& document = workspace_.document();
+    choose((document.network() + 1) % static_cast<int>(document.networks().size()));
+  });
+  next_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_F6));
+  add_ = make("actionAddNetwork", tr("&Add Network"), tr("Add a network without slaves to the machine"),
+              [this] { add(); });
+  remove_ = make("actionRemoveNetwork", tr("Re&move Network…"), tr("Take the network in work out of the machine"),
+                 [this] { remove(); });
+  connect(&workspace.document(), &ProjectDocument::networksChanged, this, &NetworkCommands::update);
+  connect(&workspace, &Workspace::mayEditSlavesChanged, this, &NetworkCommands::update);
+  update();
+}
+
+void NetworkCommands::update() {
+  const bool several = workspace_.document().networks().size() > 1;
+  const bool free = workspace_.mayEditSlaves();
+  next_->setEnabled(several && free);
+  remove_->setEnabled(several && free);
+  add_->setEnabled(free);
+}
+
+bool NetworkCommands::may() { return workspace_.mayEditSlaves() && commit_(); }
+
+void NetworkCommands::choose(int network) {
+  if (may()) workspace_.document().chooseNetwork(network);
+}
+
+/// Named by the field of its first page.
+void NetworkCommands::add() {
+  if (!may()) return;
+  auto& document = workspace_.document();
+  document.addNetwork(tr("Network %1").arg(document.networks().size() + 1));
+}
+
+void NetworkCommands::remove() {
+  if (!may()) return;
+  auto& document = workspace_.document();
+  const auto name = document.networks().value(document.network());
+  if (!document.project().slaves.empty() &&
+      !ask(window_, "removeNetworkQuestion", tr("Take %1 out of the machine?").arg(name),
+           tr("Its %n slave(s) go with it. That cannot be undone, but until the project is saved the file keeps it.",
+              nullptr, static_cast<int>(document.project().slaves.size())),
+           tr("Remove"))) {
+    return;
+  }
+  document.removeNetwork();
+}
+
+}  // namespace syncline::ui
