@@ -9265,7 +9265,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>&amp;Add Network</source>
-            <translation>Netzwerk Net&amp;zwerk hinzufügenamp;hinzufügen</translation>
+            <translation>Netzwerk &amp;hinzufügen</translation>
         </message>
         <message>
             <source>Add a network without slaves to the machine</source>
