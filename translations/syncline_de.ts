@@ -9299,4 +9299,34 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Entfernen</translation>
         </message>
 </context>
+<context>
+    <name>FindingFixes</name>
+        <message>
+            <source>Show Its Slave</source>
+            <translation>Ihren Slave zeigen</translation>
+        </message>
+        <message>
+            <source>Go to the Setting</source>
+            <translation>Zur Einstellung gehen</translation>
+        </message>
+        <message numerus="yes">
+            <source>Set %1 of %n slave(s) to %2</source>
+            <translation>
+                <numerusform>%1 von %n Slave auf %2 setzen</numerusform>
+                <numerusform>%1 von %n Slaves auf %2 setzen</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Set %1 to %2</source>
+            <translation>%1 auf %2 setzen</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>Konfiguration</translation>
+        </message>
+        <message>
+            <source>No single value of this setting mends it</source>
+            <translation>Kein einzelner Wert dieser Einstellung behebt es</translation>
+        </message>
+</context>
 </TS>

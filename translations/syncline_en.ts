@@ -460,4 +460,14 @@
             </translation>
         </message>
 </context>
+<context>
+    <name>FindingFixes</name>
+        <message numerus="yes">
+            <source>Set %1 of %n slave(s) to %2</source>
+            <translation>
+                <numerusform>Set %1 of %n slave to %2</numerusform>
+                <numerusform>Set %1 of %n slaves to %2</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -9247,4 +9247,33 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>移除</translation>
         </message>
 </context>
+<context>
+    <name>FindingFixes</name>
+        <message>
+            <source>Show Its Slave</source>
+            <translation>显示其从站</translation>
+        </message>
+        <message>
+            <source>Go to the Setting</source>
+            <translation>转到该设置</translation>
+        </message>
+        <message numerus="yes">
+            <source>Set %1 of %n slave(s) to %2</source>
+            <translation>
+                <numerusform>将 %n 个从站的%1设为 %2</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Set %1 to %2</source>
+            <translation>将%1设为 %2</translation>
+        </message>
+        <message>
+            <source>Configuration</source>
+            <translation>配置</translation>
+        </message>
+        <message>
+            <source>No single value of this setting mends it</source>
+            <translation>该设置的任何单个值都无法修复</translation>
+        </message>
+</context>
 </TS>

@@ -18,6 +18,7 @@
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/finding_fixes.h"
 #include "ui/dialogs/go_to_dialog.h"
 #include "ui/dialogs/language_menu.h"
 #include "ui/dialogs/network_commands.h"
@@ -135,6 +136,10 @@ void MainWindow::connectDocks() {
     editor_->showPage("slaveCountersPage");
   });
   connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
+  auto* fixes = new FindingFixes(
+      workspace_, [this] { return commitFields(); }, this);
+  connect(messages, &MessagesPanel::menuOpens, fixes, &FindingFixes::fill);
+  connect(fixes, &FindingFixes::placeWanted, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
   connect(explorer_, &ExplorerPanel::networkWanted, networks_, &NetworkCommands::choose);
   connect(explorer_, &ExplorerPanel::menuOpens, this, [this](QMenu& menu, int slave) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/cli/event_name.h"
+#include "app/cli/milliseconds.h"
 #include "channels/event_finding.h"
 #include "findings/error_text.h"
 
@@ -31,7 +32,7 @@ Json event_json(const Event& event, Nanoseconds start) {
   const auto finding = event_finding(event);
   auto text = finding ? words_of(event, *finding) : std::string();
   if (text.empty()) return nullptr;
-  return {{"time_ms", static_cast<double>((event.time - start) / 1000) / 1000},
+  return {{"time_ms", milliseconds(event.time - start)},
           {"kind", event_name(event)},
           {"code", finding->code},
           {"severity", severity_name(finding->severity)},

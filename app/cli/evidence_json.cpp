@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "app/cli/findings_text.h"
+#include "app/cli/milliseconds.h"
 #include "diagnosis/run_diagnosis.h"
 #include "findings/fold.h"
 
@@ -14,12 +15,10 @@ namespace {
 
 Json moment_json(const RunReport& report, Nanoseconds time) {
   if (time == 0) return nullptr;
-  return static_cast<double>((time - report.history.begin) / 1000) / 1000;
+  return milliseconds(time - report.history.begin);
 }
 
-Json age_json(Nanoseconds time, Nanoseconds now) {
-  return time == 0 ? Json(nullptr) : Json(static_cast<double>((now - time) / 1000) / 1000);
-}
+Json age_json(Nanoseconds time, Nanoseconds now) { return time == 0 ? Json(nullptr) : Json(milliseconds(now - time)); }
 
 Json count_json(const EvidenceCount& count, Nanoseconds now) {
   if (!count.valid()) return nullptr;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/milliseconds.h"
 #include "findings/fold.h"
 
 namespace syncline::cli {
@@ -18,7 +19,7 @@ Json figure_json(const Figure& figure) {
     case Unit::kSlave:
       return figure.value;
     case Unit::kMoment:
-      return static_cast<double>(figure.value / 1000) / 1000;
+      return milliseconds(figure.value);
     case Unit::kPpm:
       return static_cast<double>(figure.value) / 1000;
     case Unit::kPort:

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
@@ -125,7 +126,7 @@ std::string padded(std::string text, const Conversion& conversion, bool number) 
 }
 
 std::string with_sign(std::string text, const Conversion& conversion) {
-  return conversion.plus && !text.starts_with('-') ? "+" + text : text;
+  return conversion.plus && !text.starts_with('-') ? "+" + text : std::move(text);
 }
 
 std::string whole_number(const DiagParameter& parameter, const coe::DataType& type, const Conversion& conversion) {

@@ -46,7 +46,7 @@ void EvenSamples::finish(Nanoseconds longest) {
   std::size_t first = 0;
   const auto close = [&](std::size_t end) {
     if (end - first >= kShortest) {
-      stretches_.push_back(std::span(values_).subspan(first, end - first));
+      stretches_.emplace_back(std::span(values_).subspan(first, end - first));
       used_ += end - first;
       lengths += static_cast<double>(times_[end - 1] - times_[first]);
       distances += end - 1 - first;

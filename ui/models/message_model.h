@@ -34,6 +34,8 @@ class MessageModel final : public QAbstractTableModel {
   /// Where the axis of a run begins (host clock, ns): from here on its messages say when they were in the run.
   void setRunBegin(int run, qint64 begin);
   [[nodiscard]] int count(Severity severity) const;
+  /// The line of a row.
+  [[nodiscard]] const Message& message(int row) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -41,7 +43,6 @@ class MessageModel final : public QAbstractTableModel {
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  [[nodiscard]] const Message& message(int row) const;
   [[nodiscard]] QString timeOf(const Message& message) const;
   [[nodiscard]] QString runTimeOf(const Message& message) const;
   [[nodiscard]] QString toolTipOf(const Message& message, int column) const;

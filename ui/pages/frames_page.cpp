@@ -7,6 +7,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "advice/image_report.h"
 #include "config/command_text.h"
@@ -111,14 +112,14 @@ void FramesPage::refresh() {
     text += u' ' + tr("The last frame is back after about %1.").arg(timeText(report.busiest_cycle));
     if (report.busiest_cycle > report.cycle) text += u' ' + tr("That is longer than the cycle.");
     summary_->setText(text);
-    showFrames(*config, report);
+    showFrames(report);
     showDatagrams(*config);
     showCost(report);
   }
   for (auto* view : {frame_table_, datagram_table_, slave_table_, movable_table_}) fitSome(*view);
 }
 
-void FramesPage::showFrames(const NetworkConfig&, const ImageReport& report) {
+void FramesPage::showFrames(const ImageReport& report) {
   RecordModel::Lines lines;
   for (std::size_t i = 0; i < report.frames.size(); ++i) {
     const auto& one = report.frames[i];

@@ -9,7 +9,8 @@ class QVBoxLayout;
 
 namespace syncline {
 struct ImageReport;
-}
+struct NetworkConfig;
+}  // namespace syncline
 
 namespace syncline::ui {
 
@@ -33,7 +34,7 @@ class FramesPage final : public Page {
  private:
   RecordModel* addTable(QVBoxLayout& layout, const char* object_name, const QString& heading, const QStringList& titles,
                         QTableView*& view);
-  void showFrames(const NetworkConfig& config, const ImageReport& report);
+  void showFrames(const ImageReport& report);
   void showDatagrams(const NetworkConfig& config);
   void showCost(const ImageReport& report);
   [[nodiscard]] int frame() const;

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
@@ -85,11 +86,23 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
       Q_EMIT momentActivated(moment);
     Q_EMIT placeActivated(index.data(MessageModel::kSlaveRole).toInt(), index.data(MessageModel::kKeyRole).toString());
   });
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_, &QWidget::customContextMenuRequested, this, &MessagesPanel::openMenu);
   layout->addWidget(table_, 1);
   connect(&model_, &QAbstractItemModel::rowsInserted, this, &MessagesPanel::updateCounts);
   connect(&model_, &QAbstractItemModel::rowsRemoved, this, &MessagesPanel::updateCounts);
   drawIcons();
   updateCounts();
+}
+
+void MessagesPanel::openMenu(const QPoint& at) {
+  const auto index = filter_->mapToSource(table_->indexAt(at));
+  if (!index.isValid()) return;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("messageMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  Q_EMIT menuOpens(*menu, model_.message(index.row()));
+  menu->popup(table_->viewport()->mapToGlobal(at));
 }
 
 void MessagesPanel::selectMoment(qint64 moment) {

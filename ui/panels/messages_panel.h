@@ -6,6 +6,7 @@
 #include "ui/text/message.h"
 
 class QLineEdit;
+class QMenu;
 class QTableView;
 class QToolButton;
 
@@ -30,6 +31,8 @@ class MessagesPanel final : public QWidget {
   void placeActivated(int slave, const QString& key);
   /// The line is about this moment of the run (host clock, ns).
   void momentActivated(qint64 moment);
+  /// The menu of a line is about to be shown: what can be done about it is added here.
+  void menuOpens(QMenu& menu, const syncline::ui::Message& message);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -38,6 +41,7 @@ class MessagesPanel final : public QWidget {
   QToolButton* addSwitch(Severity severity, const char* object_name);
   void updateCounts();
   void drawIcons();
+  void openMenu(const QPoint& at);
 
   MessageModel& model_;
   MessageFilter* filter_;

@@ -157,6 +157,8 @@ void Workspace::showFindings() {
   if (result) {
     for (const auto& [finding, slaves] : folded(result->findings)) {
       lines.push_back(messageOf(finding, document_.project()));
+      lines.back().finding = std::make_shared<const Finding>(finding);
+      lines.back().found_at.assign(slaves.begin(), slaves.end());
       if (slaves.size() > 1) lines.back().source = slavesText(slaves);
     }
   } else if (!document_.project().slaves.empty()) {

@@ -4,6 +4,8 @@
 #include <QDateTime>
 #include <QMetaType>
 #include <QString>
+#include <memory>
+#include <vector>
 
 #include "findings/finding.h"
 
@@ -23,6 +25,8 @@ struct Message {
   QString key;        // settings key of a finding
   qint64 moment = 0;  // host clock, ns: of an event of a run; 0: none
   int run = 0;        // which run of this window the moment is of; 0: none, kRecordedRun: of the recording shown
+  std::shared_ptr<const Finding> finding{};  // about the project; null of anything else
+  std::vector<int> found_at{};               // slaves of which it was found alike
 };
 
 }  // namespace syncline::ui

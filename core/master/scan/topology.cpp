@@ -54,7 +54,7 @@ class Builder {
  public:
   Builder(std::span<const PortReport> slaves, std::span<const std::uint8_t> entries)
       : slaves_(slaves), wiring_(slaves.size()) {
-    for (std::uint16_t i = 0; i < slaves.size(); ++i) {
+    for (std::uint16_t i = 0; i < static_cast<std::uint16_t>(slaves.size()); ++i) {
       wiring_[i].entry_port = entries[i];
       auto ways = ways_of(slaves[i].dl_status, wiring_[i].entry_port);
       for (std::size_t n = ways.before.size(); n-- > 0;) adopt(i, ways.before[n]);

@@ -2,6 +2,7 @@
 #include "master/startup/attendance.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "master/startup/bus_survey.h"
 #include "master/startup/hot_connect.h"
@@ -29,7 +30,7 @@ Status Attendance::check(std::uint16_t count) {
 
 Status Attendance::explain_refusal(Status status) {
   const auto found = look(static_cast<std::uint16_t>(run_.config().slaves.size()));
-  return found ? status : tl::unexpected(found.error());
+  return found ? std::move(status) : Status(tl::unexpected(found.error()));
 }
 
 Result<Attendance::Differences> Attendance::look(std::uint16_t count) {

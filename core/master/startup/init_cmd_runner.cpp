@@ -51,8 +51,8 @@ std::uint32_t InitCmdWork::address() const {
 
 void InitCmdWork::begin(Nanoseconds now) {
   const auto& cmd = command();
-  auto other = context_.data ? context_.data(cmd) : std::nullopt;
-  original_ = other ? std::move(*other) : cmd.data;
+  const auto other = context_.data ? context_.data(cmd) : std::nullopt;
+  original_ = other ? *other : cmd.data;
   original_.resize(other ? original_.size() : cmd.length());
   attempt_ = 0;
   end_ = now + (cmd.validate ? cmd.validate->timeout_ms : cmd.timeout_ms.value_or(0)) * kMillisecond;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "master/sii/sii_access.h"
 #include "protocol/mailbox.h"
@@ -204,7 +205,7 @@ Status SlaveVisit::leave() {
   mailbox_.reset();
   Status result;
   const auto keep_first = [&result](Status status) {
-    if (result && !status) result = status;
+    if (result && !status) result = std::move(status);
   };
   bus_.set_cancellable(false);
   if (state() != found()) keep_first(lead_to(found()));

@@ -91,7 +91,7 @@ void SiiInterface::execute(std::uint16_t command) {
   } else if (there && command == kSiiReload) {
     load();
   } else if (there && command == kSiiWrite && 2ULL * word + 1 < content_.size()) {
-    std::copy_n(memory_.at(reg::kSiiData, 2).begin(), 2, content_.begin() + static_cast<std::ptrdiff_t>(2 * word));
+    std::copy_n(memory_.at(reg::kSiiData, 2).begin(), 2, content_.begin() + std::ptrdiff_t{2} * word);
   } else {
     errors_ |= kCommandError;
   }

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "advice/quick_fixes.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "compile/compile.h"
+
+namespace syncline {
+namespace {
+
+using settings::Place;
+using settings::Setting;
+using settings::Value;
+
+constexpr std::size_t kMostTried = 24;
+
+bool same_thing(const Finding& a, const Finding& b) {
+  return a.code == b.code && a.place.slave == b.place.slave && a.place.key == b.place.key;
+}
+
+bool contains(const std::vector<Finding>& findings, const Finding& wanted) {
+  return std::ranges::any_of(findings, [&](const Finding& one) { return same_thing(one, wanted); });
+}
+
+/// The smallest number that no other slave has here.
+std::optional<std::int64_t> free_number(const Setting& setting, const Project& project, const Place& place,
+                                        const settings::Range& range) {
+  std::vector<std::int64_t> used;
+  for (std::size_t i = 0; i < project.slaves.size(); ++i) {
+    if (i == place.slave) continue;
+    const auto value = setting.read(project, {i, place.item, place.sub});
+    if (const auto* number = std::get_if<std::int64_t>(&value)) used.push_back(*number);
+  }
+  const auto largest = used.empty() ? range.low : std::max(range.low, *std::ranges::max_element(used) + 1);
+  return range.contains(largest) ? std::optional(largest) : std::nullopt;
+}
+
+class Candidates {
+ public:
+  Candidates(const Setting& setting, const Project& project, const Place& place)
+      : setting_(setting), project_(project), place_(place), now_(setting.read(project, place)) {
+    std::visit([this](const auto& type) { add_of(type); }, setting.type);
+    if (!setting.unset.empty()) add(settings::Unset{});
+  }
+  [[nodiscard]] const std::vector<Value>& values() const { return values_; }
+
+ private:
+  void add(Value value) {
+    if (value != now_ && std::ranges::find(values_, value) == values_.end() && values_.size() < kMostTried)
+      values_.push_back(std::move(value));
+  }
+  void add_of(const settings::Switch&) {
+    if (const auto* on = std::get_if<bool>(&now_)) add(!*on);
+  }
+  void add_of(const settings::Number&) {
+    const auto range = settings::working_range(setting_, project_, place_);
+    const auto effective = settings::effective_value(setting_, project_, place_);
+    const auto* number = std::get_if<std::int64_t>(&effective);
+    const bool high_first = number != nullptr && *number > range.high;
+    add(high_first ? range.high : range.low);
+    if (setting_.of_slave()) {
+      if (const auto free = free_number(setting_, project_, place_, range)) add(*free);
+    }
+    add(high_first ? range.low : range.high);
+  }
+  void add_of(const settings::Choice& choice) {
+    const auto options = setting_.options ? setting_.options(project_, place_) : choice.options;
+    for (const auto& option : options) add(option.value);
+  }
+  /// Without one of them.
+  void add_of(const settings::Indices&) {
+    const auto* all = std::get_if<std::vector<std::uint16_t>>(&now_);
+    for (std::size_t i = 0; all != nullptr && i < all->size(); ++i) {
+      auto fewer = *all;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      add(std::move(fewer));
+    }
+  }
+  template <class Other>
+  void add_of(const Other&) {}  // what is to be typed, nobody guesses
+
+  const Setting& setting_;
+  const Project& project_;
+  Place place_;
+  Value now_;
+  std::vector<Value> values_;
+};
+
+/// Compiled with the value at all places.
+std::optional<std::vector<Finding>> findings_with(const Project& project, const QuickFix& fix) {
+  Project changed = project;
+  for (const auto& place : fix.places) {
+    if (!settings::set_value(*fix.setting, changed, place, fix.value)) return std::nullopt;
+  }
+  auto compiled = compile(changed);
+  return compiled ? std::optional(std::move(compiled->findings)) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding, std::span<const int> slaves,
+                                  std::size_t most) {
+  const auto found = settings::find(project, finding.place.key, false);
+  const auto compiled = compile(project);
+  if (!found || !compiled) return {};
+  QuickFix fix{found->setting, {found->place}, {}};
+  for (const int slave : slaves) {
+    const auto at = static_cast<std::size_t>(slave);
+    if (found->setting->of_slave() && slave >= 0 && at < project.slaves.size() && at != found->place.slave)
+      fix.places.push_back({at, found->place.item, found->place.sub});
+  }
+  const auto gone = [&](const std::vector<Finding>& after) {
+    return std::ranges::none_of(after, [&](const Finding& one) {
+      if (one.code == finding.code && one.place.key == finding.place.key) return true;
+      const bool there = std::ranges::any_of(slaves, [&](int slave) { return slave == one.place.slave; });
+      if (one.code == finding.code && there) return true;
+      return one.severity >= finding.severity && !contains(compiled->findings, one);
+    });
+  };
+  std::vector<QuickFix> fixes;
+  const Candidates candidates(*found->setting, project, found->place);
+  for (const auto& value : candidates.values()) {
+    fix.value = value;
+    const auto after = findings_with(project, fix);
+    if (!after || !gone(*after)) continue;
+    fixes.push_back(fix);
+    if (fixes.size() == most) break;
+  }
+  return fixes;
+}
+
+}  // namespace syncline

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/finding_fixes.h"
+
+#include <QAction>
+#include <QMenu>
+#include <utility>
+
+#include "advice/quick_fixes.h"
+#include "ui/session/workspace.h"
+#include "ui/text/glossary.h"
+#include "ui/text/setting_text.h"
+
+namespace syncline::ui {
+namespace {
+
+/// "1000 us", "auto", the words of a choice.
+QString valueWords(const QuickFix& fix, const Project& project) {
+  const auto& setting = *fix.setting;
+  if (std::holds_alternative<settings::Unset>(fix.value)) return settingWord(setting.unset);
+  const auto& place = fix.places.front();
+  const auto* choice = std::get_if<settings::Choice>(&setting.type);
+  if (choice != nullptr) {
+    const auto options = setting.options ? setting.options(project, place) : choice->options;
+    for (const auto& option : options) {
+      if (option.value == fix.value) return optionText(option);
+    }
+  }
+  auto changed = project;
+  if (!settings::set_value(setting, changed, place, fix.value)) return {};
+  return QString::fromStdString(settings::text_with_unit(setting, changed, place));
+}
+
+}  // namespace
+
+FindingFixes::FindingFixes(Workspace& workspace, std::function<bool()> commit, QObject* parent)
+    : QObject(parent), workspace_(workspace), commit_(std::move(commit)) {}
+
+void FindingFixes::fill(QMenu& menu, const Message& message) {
+  auto* go = menu.addAction(message.key.isEmpty() ? tr("Show Its Slave") : tr("Go to the Setting"));
+  go->setObjectName(QStringLiteral("messageGo"));
+  connect(go, &QAction::triggered, this,
+          [this, slave = message.slave, key = message.key] { Q_EMIT placeWanted(slave, key); });
+  if (message.finding != nullptr && !message.finding->place.key.empty()) addFixes(menu, message);
+}
+
+void FindingFixes::addFixes(QMenu& menu, const Message& message) {
+  const auto& project = workspace_.document().project();
+  const auto fixes = quick_fixes(project, *message.finding, message.found_at);
+  menu.addSeparator();
+  for (const auto& fix : fixes) {
+    const auto label = settingLabel(*fix.setting);
+    const auto words = valueWords(fix, project);
+    const int count = static_cast<int>(fix.places.size());
+    auto text = count > 1 ? tr("Set %1 of %n slave(s) to %2", nullptr, count).arg(label, words)
+                          : tr("Set %1 to %2").arg(label, words);
+    auto* action = menu.addAction(text);
+    action->setObjectName(QStringLiteral("messageFix"));
+    connect(action, &QAction::triggered, this, [this, fix, text] {
+      if (!commit_()) return;
+      std::vector<SettingEdit> edits;
+      for (const auto& place : fix.places) edits.push_back({fix.setting, place, fix.value});
+      if (auto status = workspace_.document().set(text, std::move(edits)); !status)
+        workspace_.report(status.error(), Severity::kError, tr("Configuration"));
+    });
+  }
+  if (!fixes.empty()) return;
+  auto* none = menu.addAction(tr("No single value of this setting mends it"));
+  none->setEnabled(false);
+}
+
+}  // namespace syncline::ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "ui/text/message.h"
+
+class QMenu;
+
+namespace syncline::ui {
+
+class Workspace;
+
+/// What the menu of a finding about the project offers: to go to its field, and values with which it is gone, each one
+/// undo step. The values are tried when the menu is wanted.
+class FindingFixes final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `commit`: hands in what is being typed; false: a field holds what cannot be a value.
+  FindingFixes(Workspace& workspace, std::function<bool()> commit, QObject* parent);
+  void fill(QMenu& menu, const Message& message);
+
+ Q_SIGNALS:
+  void placeWanted(int slave, const QString& key);
+
+ private:
+  void addFixes(QMenu& menu, const Message& message);
+
+  Workspace& workspace_;
+  std::function<bool()> commit_;
+};
+
+}  // namespace syncline::ui
