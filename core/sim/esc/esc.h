@@ -102,6 +102,10 @@ class Esc {
     const bool known = plan.shape == shape.id && plan.generation == generation_ && !plan.executed;
     if (!known || end >= idle_until_ || has_something_under_way()) [[unlikely]]
       return false;
+    if (plan.is_passive()) {
+      follow_passively(plan, frame, begin, end);
+      return true;
+    }
     if (!cycles_.repeating) {
       follow_at_once(plan, frame, begin, end);
       return true;
@@ -304,6 +308,8 @@ class Esc {
            ports_.port0_automatically_closed();
   }
   void follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  /// The same by a plan that is_passive().
+  void follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
   /// The same while cycles are counted; false: this one is another, and nothing has been done.
   [[nodiscard]] bool repeat_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
   /// The outputs that it brings are those that are there.

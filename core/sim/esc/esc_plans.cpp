@@ -139,6 +139,18 @@ void Esc::tell_events(std::uint8_t told) {
   }
 }
 
+[[gnu::flatten]] void Esc::follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
+                                            Nanoseconds end) {
+  frame_time_ = begin;
+  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  dc_.pass_quietly(end);
+  if (plan.count == 0) return frame.pass_uncounted();
+  auto* const memory = memory_.at(0, EscMemory::kSize).data();
+  for (const auto& step : std::span(plan.steps).first(plan.count))
+    follow(step, memory + step.address, frame.bytes().data() + step.offset);
+  frame.pass(plan.wkc);
+}
+
 inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end) {
   auto* const bytes = frame.bytes().data();
   follow(plan, bytes);
