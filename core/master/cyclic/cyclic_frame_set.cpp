@@ -169,10 +169,10 @@ std::optional<CyclicFrameSet::LogicalByte> CyclicFrameSet::find_logical(std::uin
   return std::nullopt;
 }
 
-std::optional<std::uint8_t> CyclicFrameSet::read_logical(LogicalByte place) const {
-  const auto& entry = entries_[place.entry];
-  if (!entry.sent || !entry.datagram.done()) return std::nullopt;
-  return entry.data[place.offset];
+std::span<const std::uint8_t> CyclicFrameSet::read_logical(std::size_t number) const {
+  const auto& entry = entries_[number];
+  if (!entry.sent || !entry.datagram.done()) return {};
+  return entry.data;
 }
 
 void CyclicFrameSet::correct_by_link() {

@@ -73,9 +73,9 @@ class CyclicFrameSet {
     std::size_t entry = 0, offset = 0;
   };
   [[nodiscard]] std::optional<LogicalByte> find_logical(std::uint32_t address) const;
-  /// As it came back in the cycle that was evaluated last, whatever the working counter expected; nothing when it did
-  /// not.
-  [[nodiscard]] std::optional<std::uint8_t> read_logical(LogicalByte place) const;
+  /// The bytes of an entry as they came back in the cycle that was evaluated last, whatever the working counter
+  /// expected; nothing when it did not.
+  [[nodiscard]] std::span<const std::uint8_t> read_logical(std::size_t entry) const;
 
   [[nodiscard]] std::span<std::uint8_t> outputs() { return outputs_; }
   [[nodiscard]] std::span<const std::uint8_t> inputs() const { return inputs_; }

@@ -39,9 +39,16 @@ MailboxBits::MailboxBits(RunState& run, const CyclicFrameSet& frames) : run_(run
 }
 
 void MailboxBits::observe() {
+  std::optional<std::size_t> entry;  // that `bytes` are of: mostly all bits are in one
+  std::span<const std::uint8_t> bytes;
   for (const auto& place : places_) {
-    const auto byte = run_.snapshot.slaves[place.slave].present ? frames_.read_logical(place.byte) : std::nullopt;
-    run_.mailboxes[place.slave].full = byte ? std::optional((*byte & place.mask) != 0) : std::nullopt;
+    if (place.byte.entry != entry) {
+      entry = place.byte.entry;
+      bytes = frames_.read_logical(place.byte.entry);
+    }
+    const bool known = !bytes.empty() && run_.snapshot.slaves[place.slave].present;
+    run_.mailboxes[place.slave].full =
+        known ? std::optional((bytes[place.byte.offset] & place.mask) != 0) : std::nullopt;
   }
 }
 

@@ -77,11 +77,21 @@ std::uint64_t DcUnit::offset() const {
 
 std::uint64_t DcUnit::system_time(Nanoseconds time) const { return masked(unwrapped_time(time)); }
 
-void DcUnit::leave_signals_unminded() {
+bool DcUnit::has_regular_signals() const {
   const bool regular = generator_.active() && settings_.sync0 && !settings_.sync1 && settings_.cycle0 >= kShortestCycle;
   // Without an acknowledgement of the last one none comes.
   const bool stuck = memory_.u16(reg::kPulseLength) == 0 && memory_.u8(reg::kSync0Status) != 0;
-  if (!regular || stuck || unminded_ || !generator_.next_sync0()) return;
+  return regular && !stuck && generator_.next_sync0();
+}
+
+void DcUnit::deliver_from(Nanoseconds time) {
+  const auto now = std::exchange(now_, time);
+  signals_moved();
+  deliver_until(now);
+}
+
+void DcUnit::leave_signals_unminded() {
+  if (unminded_ || !has_regular_signals()) return;
   unminded_ = true;
   next_when_left_ = *generator_.next_sync0();
 }

@@ -46,6 +46,22 @@ class DcUnit {
     pass_unminded();
     return std::exchange(unasked_, 0);
   }
+  /// SYNC0 comes in regular cycles, without SYNC1.
+  [[nodiscard]] bool has_regular_signals() const;
+  /// Until the next SYNC0 of these, seen from this moment, in local time; 0 and less: it has come.
+  [[nodiscard]] std::int64_t until_sync0(const LocalClock::Moment& moment) const {
+    return static_cast<std::int64_t>(*generator_.next_sync0() - offset() - moment.exact());
+  }
+  [[nodiscard]] LocalClock::Moment moment(Nanoseconds time) const { return clock_.moment(time); }
+  [[nodiscard]] const LocalClock& clock() const { return clock_; }
+  /// Somebody else has done what the next SYNC0 is for. Its local time.
+  std::uint64_t pass_sync0() {
+    const auto local = *generator_.next_sync0() - offset();
+    generator_.pass_sync0();
+    return local;
+  }
+  /// Delivers those between `time` and now that pass_idly() and pass_sync0() have left.
+  void deliver_from(Nanoseconds time);
   /// They are delivered again; true time of the last one that was not.
   std::optional<Nanoseconds> mind_signals();
   /// Nothing happens in the unit before, as long as nobody writes to it.
@@ -55,6 +71,7 @@ class DcUnit {
 
   /// A frame starts at the processing unit: the system time that reads in this frame show.
   void start_of_frame(Nanoseconds time);
+  void start_of_frame(const LocalClock::Moment& moment) { local_at_start_of_frame_ = moment.sample; }
   /// The same and count_unminded(), of signals that nobody minds.
   std::uint64_t start_of_counted_frame(Nanoseconds time) {
     const auto clock = clock_.read(time);

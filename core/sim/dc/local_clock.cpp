@@ -86,6 +86,11 @@ Nanoseconds LocalClock::next_move(Nanoseconds time, Nanoseconds step) const {
   return next;
 }
 
+Nanoseconds LocalClock::time_before(const Moment& moment, std::uint64_t local) {
+  const auto since = static_cast<Fixed>(moment.exact() - local) * kOne + (moment.shown & (kOne - 1));
+  return moment.time - static_cast<Nanoseconds>(since / moment.rate);
+}
+
 /// In true time, until the counter has gone on by `ahead` less `fraction`.
 LocalClock::Unsigned LocalClock::passing_time(std::uint64_t ahead, std::uint64_t fraction) const {
   constexpr std::uint64_t kShort = std::uint64_t{1} << 24;  // ns

@@ -51,6 +51,16 @@ class LocalClock {
     const auto shown = whole(raw);
     return {shown - shown % kTick - whole(correction + kOne / 2), whole(raw - correction)};
   }
+  /// The counter at `time`, and how fast it is: what it showed a little earlier can be told from it later.
+  struct Moment;
+  [[nodiscard]] Moment moment(Nanoseconds time) const;
+  /// First true time at which exact() reached `local`, which was shortly before `moment`, at the same rate.
+  [[nodiscard]] static Nanoseconds time_before(const Moment& moment, std::uint64_t local);
+  /// To 1 in 128: any quartz and any correction in use.
+  [[nodiscard]] bool runs_nearly_true() const {
+    const auto deviation = raw_rate_ - correction_rate_ - kOne;
+    return deviation < kOne >> 7 && -deviation < kOne >> 7;
+  }
   /// First true time from `from` on at which exact() reaches `local`: `from` when that is past, kNever when true time
   /// ends before.
   [[nodiscard]] Nanoseconds time_of(std::uint64_t local, Nanoseconds from) const;
@@ -110,5 +120,22 @@ class LocalClock {
   Nanoseconds next_wander_, next_move_, next_change_;
   Random random_;
 };
+
+struct LocalClock::Moment {
+  Nanoseconds time = 0;
+  Fixed shown = 0;
+  std::int64_t rate = kOne;
+  std::uint64_t sample = 0;  // sample() then
+  /// exact() then.
+  [[nodiscard]] std::uint64_t exact() const { return whole(shown); }
+};
+
+inline LocalClock::Moment LocalClock::moment(Nanoseconds time) const {
+  const auto passed = static_cast<Fixed>(time - time_);
+  const auto raw = raw_ + passed * raw_rate_, correction = correction_ + passed * correction_rate_;
+  const auto counted = whole(raw);
+  return {time, raw - correction, raw_rate_ - correction_rate_,
+          counted - counted % kTick - whole(correction + kOne / 2)};
+}
 
 }  // namespace syncline::sim

@@ -34,6 +34,11 @@ class SyncGenerator {
   [[nodiscard]] std::uint64_t latest_sync1() const { return latest1_; }
   /// The earliest signal; SYNC0 before a coincident SYNC1.
   [[nodiscard]] std::optional<Due> due() const;
+  /// SYNC0 of a unit without SYNC1 has come.
+  void pass_sync0() {
+    first0_done_ = true;
+    next0_ = *next0_ + settings_.cycle0;
+  }
   /// The signal of due() has come.
   void fired();
   /// System time has jumped to `now` (offset written, clock step): pulses that were jumped over are lost.

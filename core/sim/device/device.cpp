@@ -85,6 +85,7 @@ void Device::refuse(AlState state, std::uint16_t code) {
 // ---- time --------------------------------------------------------------------------------------
 
 void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, std::uint16_t text_id) {
+  catch_up();
   if (!has_mailbox()) return;
   coe::Emergency emergency{error_code, error_register, {}};
   store_le(std::span(emergency.data).first(2), text_id);
@@ -102,6 +103,7 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
 }
 
 void Device::run_until(Nanoseconds time) {
+  catch_up();
   if (time >= std::min(request_due_, mail_due_) && !stopped_) answer_until(time);
   esc_.advance_to(time);
   now_ = std::max(now_, time);
@@ -109,8 +111,18 @@ void Device::run_until(Nanoseconds time) {
   if (state_ == AlState::kOp && !stopped_) {
     if (!minds_inputs_read()) esc_.leave_transfers_unminded(process_data_.buffered_inputs());
     if (rests()) rest();
+    if (const auto calculation = repeats()) repeat(*calculation, time);
   }
-  esc_.stay_idle_until(idle_until());
+  if (!esc_.repeats_cycles()) esc_.stay_idle_until(idle_until());
+}
+
+void Device::repeat(Nanoseconds calculation, Nanoseconds time) {
+  const auto& outputs = process_data_.sync_managers(PdoDirection::kRx);
+  const auto inputs = process_data_.input_managers(), buffered = process_data_.buffered_managers();
+  const bool busy = std::min(request_due_, mail_due_) != kNever || minds_inputs_read() || esc_.device_emulation();
+  if (busy || outputs.size() != 1 || (buffered >> outputs.front() & 1U) == 0 || (inputs & ~buffered) != 0) return;
+  if (!process_data_.inputs_stay() || !process_data_.outputs_stay()) return;
+  esc_.repeat_cycles({.outputs = outputs.front(), .renewed = inputs, .calculation = calculation}, time);
 }
 
 void Device::rest() {
@@ -142,6 +154,7 @@ void Device::silence_mailbox(bool silent) {
 }
 
 void Device::stop_application(Nanoseconds time) {
+  catch_up();
   if (std::exchange(stopped_, true)) return;
   esc_.serve_promptly(false);
   esc_.pdi_stops(std::max(now_, time));

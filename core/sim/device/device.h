@@ -39,7 +39,10 @@ class Device : public Esc::Listener {
     }
   }
   [[nodiscard]] AlState state() const { return state_; }
-  [[nodiscard]] ObjectDictionary& dictionary() { return dictionary_; }
+  [[nodiscard]] ObjectDictionary& dictionary() {
+    catch_up();
+    return dictionary_;
+  }
 
   // Faults.
   void refuse(AlState state, std::uint16_t code);
@@ -48,8 +51,8 @@ class Device : public Esc::Listener {
   void slow_mailbox(Nanoseconds delay) { mailbox_delay_ = delay; }
   /// The application needs so much longer for each cycle, at most an hour; 0: as usual.
   void slow_application(Nanoseconds delay) {
-    application_delay_ = std::clamp<Nanoseconds>(delay, 0, 3600 * kSecond);
     esc_.wake_up();
+    application_delay_ = std::clamp<Nanoseconds>(delay, 0, 3600 * kSecond);
   }
 
   /// The firmware hangs: it sees nothing of what its ESC does, until it goes on with what it finds there.
@@ -71,6 +74,10 @@ class Device : public Esc::Listener {
   void process_data_watchdog_expired(Nanoseconds time) override;
   void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) override;
   void signals_passed(Nanoseconds time) override { last_sync0_ = time; }
+  void cycles_passed(std::uint64_t count, Nanoseconds time) override {
+    last_sync0_ = time;
+    on_cycles_passed(count, time);
+  }
 
  protected:
   static constexpr std::uint16_t kCommunicationError = 0x8100;  // CiA 301 emergency code
@@ -93,6 +100,12 @@ class Device : public Esc::Listener {
   /// Until the ESC is woken up, SYNC0 and process data that come and go would change nothing in OP but the outputs in
   /// the dictionary, and only that the same inputs are written again: with each SYNC0, or without one with new outputs.
   [[nodiscard]] virtual bool rests() { return false; }
+
+  /// How long before SYNC0 outputs must come, when a cycle like the last one would change nothing that anybody could
+  /// see: outputs that hold what they held, then SYNC0. Empty: one must look at each cycle.
+  [[nodiscard]] virtual std::optional<Nanoseconds> repeats() { return std::nullopt; }
+  /// There were `count` such cycles; the last SYNC0 came at `time`.
+  virtual void on_cycles_passed(std::uint64_t, Nanoseconds) {}
 
   /// on_inputs_read() does something.
   [[nodiscard]] virtual bool minds_inputs_read() const { return false; }
@@ -127,6 +140,12 @@ class Device : public Esc::Listener {
   void run_until(Nanoseconds time);
   /// What nobody would notice need not be told by the ESC.
   void rest();
+  /// Cycles that are all alike need only be counted by the ESC.
+  void repeat(Nanoseconds calculation, Nanoseconds time);
+  /// What the ESC has only counted is done.
+  void catch_up() {
+    if (esc_.repeats_cycles()) esc_.wake_up();
+  }
   /// Nothing of the device's own is due before.
   [[nodiscard]] Nanoseconds idle_until();
   /// When SYNC0 will have stayed away for too long.

@@ -153,6 +153,13 @@ void ProcessData::outputs_to_dictionary(Channel& channel) {
   }
 }
 
+bool ProcessData::outputs_stay() const {
+  return std::ranges::all_of(channels_, [this](const Channel& channel) {
+    return channel.direction == PdoDirection::kTx ||
+           (channel.outputs_stay && short_equal(std::as_const(esc_).sync_manager_area(channel.manager), channel.taken));
+  });
+}
+
 void ProcessData::forget_objects() {
   inputs_stay_ = false;
   forget_outputs();

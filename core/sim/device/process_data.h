@@ -28,6 +28,8 @@ class ProcessData {
   void renew_inputs();
   /// The dictionary's inputs are in the SyncManagers, and outputs do not change them.
   [[nodiscard]] bool inputs_stay() const { return inputs_stay_ && generation_ == esc_.generation(); }
+  /// The dictionary's outputs are those that the SyncManagers hold.
+  [[nodiscard]] bool outputs_stay() const;
   /// Somebody else has been at the dictionary.
   void forget_objects();
   /// Another number whenever the objects that outputs are mapped to may have changed.

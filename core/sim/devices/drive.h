@@ -38,6 +38,8 @@ class Drive : public Device {
   bool settling(AlState wanted, Nanoseconds waited) override;
   void check_running(Nanoseconds time) override;
   Nanoseconds runs_alone_until() override;
+  std::optional<Nanoseconds> repeats() override;
+  void on_cycles_passed(std::uint64_t count, Nanoseconds time) override;
   /// A servo period begins.
   virtual void servo_tick(Nanoseconds) {}
   /// Somebody looks at servo_tick(), so that none may be left out.
@@ -72,6 +74,9 @@ class Drive : public Device {
   void count_sync_event(bool missed);
   void raise_sync_alarm();
   void begin_local_cycle(Nanoseconds time);
+  [[nodiscard]] static Nanoseconds end_of(const SyncObject::LocalTimes& times) {
+    return times.calc_and_copy + times.delay;
+  }
   /// Lets the servo loop run up to `time`, and latches the inputs when the shift time puts them in between.
   void run_servo(Nanoseconds time) {
     if (latch_due_ || !passes_over_periods()) run_each_period(time);
@@ -103,6 +108,7 @@ class Drive : public Device {
   DriveHabits habits_;
   Objects objects_;
   std::optional<Published> published_;
+  bool steady_ = false;        // the last command changed nothing, nor would it now
   bool plain_inputs_ = false;  // nothing else
   bool watched_ = false;
   /// The last one that was read, and what it was read from.

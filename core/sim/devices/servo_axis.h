@@ -34,6 +34,7 @@ struct AxisCommand {
   std::int32_t interpolation_point = 0;
   std::uint32_t profile_velocity = 100'000;        // increments/s
   std::uint32_t profile_acceleration = 1'000'000;  // increments/s^2
+  bool operator==(const AxisCommand&) const = default;
 };
 
 /// Demand generator and position loop of a drive: a proportional controller with velocity feed-forward on an axis that
@@ -51,6 +52,7 @@ class ServoAxis {
 
   /// A new command is valid at `time`; it is meant for `cycle` ns (the distance of targets).
   void command(const AxisCommand& command, Nanoseconds time, Nanoseconds cycle);
+  [[nodiscard]] const AxisCommand& last_command() const { return command_; }
   /// One servo period has come.
   void step(Nanoseconds time);
 

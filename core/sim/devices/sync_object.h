@@ -69,6 +69,12 @@ class SyncObject {
   };
   /// `extra`: what an overloaded application adds.
   LocalTimes next_cycle(Nanoseconds extra);
+  /// The last of so many cycles, at least one.
+  LocalTimes pass_cycles(std::uint64_t count, Nanoseconds extra);
+  /// None takes longer.
+  [[nodiscard]] LocalTimes longest(Nanoseconds extra) const {
+    return {habits_.calc_and_copy + extra, static_cast<Nanoseconds>(habits_.delay)};
+  }
 
   void count_missed() { count(missed_); }
   void count_exceeded() { count(exceeded_); }
@@ -83,6 +89,7 @@ class SyncObject {
   static void count(ObjectValue<std::uint16_t>& counter) { counter.set(static_cast<std::uint16_t>(counter.get() + 1)); }
   std::uint32_t start_measurement(std::span<const std::uint8_t> data);
   [[nodiscard]] Nanoseconds vary(std::uint32_t worst);
+  void next_noise() { noise_ = noise_ * 1'664'525U + 1'013'904'223U; }
 
   ObjectDictionary& dictionary_;
   std::uint16_t index_;

@@ -70,6 +70,7 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   if (ports_.port0_automatically_closed() && !mark_circulating(frame.datagrams())) return false;
   protection_.start_of_frame();
   if (renewed_by_signal_ != 0) count_renewals();
+  if (cycles_.repeating) wake_up();
   frame_time_ = time;
   if (maps_stale_) reload_maps();
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));

@@ -20,6 +20,7 @@
 #include "sim/esc/passing_frame.h"
 #include "sim/esc/pdi_watchdog.h"
 #include "sim/esc/process_data_watchdog.h"
+#include "sim/esc/repeated_cycles.h"
 #include "sim/esc/reset_sequence.h"
 #include "sim/esc/sii_interface.h"
 #include "sim/esc/three_buffers.h"
@@ -56,6 +57,8 @@ class Esc {
     virtual void sync_signal(SyncGenerator::Signal signal, Nanoseconds time) = 0;
     /// Of the SYNC0 that nobody wanted to know, the last one came at `time`.
     virtual void signals_passed(Nanoseconds) {}
+    /// So many of the cycles that were only counted are over; the last SYNC0 came at `time`.
+    virtual void cycles_passed(std::uint64_t, Nanoseconds) {}
   };
   /// The listener must outlive the ESC; the ESC must not move afterwards.
   void set_listener(Listener* listener);
@@ -99,8 +102,15 @@ class Esc {
     const bool known = plan.shape == shape.id && plan.generation == generation_ && !plan.executed;
     if (!known || end >= idle_until_ || has_something_under_way()) [[unlikely]]
       return false;
-    follow_at_once(plan, frame, begin, end);
-    return true;
+    if (plan.is_passive()) {
+      follow_passively(plan, frame, begin, end);
+      return true;
+    }
+    if (!cycles_.repeating) {
+      follow_at_once(plan, frame, begin, end);
+      return true;
+    }
+    return repeat_at_once(plan, frame, begin, end);
   }
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
@@ -123,6 +133,7 @@ class Esc {
     minded_ = ~0U;
     renewed_by_transfer_ = {};
     if (dc_.signals_unminded()) mind_signals();
+    if (cycles_.repeating) end_cycles();
   }
   /// Time passes, and nothing happens.
   void pass_idly(Nanoseconds time) { dc_.pass_quietly(time); }
@@ -133,6 +144,11 @@ class Esc {
   void leave_transfers_unminded(std::uint32_t managers);
   /// At each transfer in SyncManager `by` that nobody minds the device writes the same inputs again into `renewed`.
   void renew_at_transfers(unsigned by, std::uint32_t renewed);
+  /// In each cycle the device does the same until something wakes up the ESC or the cycle is another one: cycles are
+  /// counted, and Listener::cycles_passed() then tells how many. The last SYNC0 has been delivered, and the outputs
+  /// for the next one are still to come.
+  void repeat_cycles(const RepeatedCycles::Work& work, Nanoseconds time);
+  [[nodiscard]] bool repeats_cycles() const { return cycles_.repeating; }
   /// The frames come from elsewhere: what an ESC does with them by its position is another thing.
   void forget_plans() { settings_changed(); }
   /// Another one after each change of the settings.
@@ -292,6 +308,20 @@ class Esc {
            ports_.port0_automatically_closed();
   }
   void follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  /// The same by a plan that is_passive().
+  void follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  /// The same while cycles are counted; false: this one is another, and nothing has been done.
+  [[nodiscard]] bool repeat_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  /// The outputs that it brings are those that are there.
+  [[nodiscard]] bool holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const;
+  /// What is done with the frame's data, and what follows from it at once.
+  void follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end);
+  /// Something else happens then, unless the cycle goes on.
+  void repeat_until(Nanoseconds time) {
+    const auto& clock = dc_.clock();
+    idle_until_ = clock.runs_nearly_true() ? std::min({time, quiet_until_, clock.next_change()}) : INT64_MIN;
+  }
+  void end_cycles();
   void take_up(const FramePlan& plan, const std::uint8_t* frame);
   [[nodiscard]] static std::uint64_t time_in(const FramePlan& plan, const std::uint8_t* frame);
   void restart_watchdog(Nanoseconds time);
@@ -338,6 +368,7 @@ class Esc {
     std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
   };
   Renewal renewed_by_transfer_;
+  RepeatedCycles cycles_;
 
   // Of the frame that is passing:
   bool touched_ = false;

@@ -185,6 +185,22 @@ void Esc::mind_signals() {
   if (listener_ != nullptr && last) listener_->signals_passed(*last);
 }
 
+void Esc::repeat_cycles(const RepeatedCycles::Work& work, Nanoseconds time) {
+  const bool told = options_.counts_at_once && !sync_silent_ && listener_ != nullptr;
+  if (!told || cycles_.repeating || !dc_.has_regular_signals()) return;
+  leave_transfers_unminded(work.renewed | 1U << work.outputs);
+  cycles_ = {.work = work, .repeating = true, .quiet_from = time};
+  repeat_until(time + RepeatedCycles::surely(dc_.until_sync0(dc_.moment(time))));
+}
+
+void Esc::end_cycles() {
+  const auto cycles = std::exchange(cycles_, {});
+  const auto whole = cycles.outputs_taken - (cycles.awaits_sync0 ? 1 : 0);
+  if (whole > 0) listener_->cycles_passed(whole, LocalClock::time_before(cycles.behind_sync0, cycles.sync0));
+  if (cycles.awaits_sync0) listener_->sync_manager_written(cycles.work.outputs, cycles.taken_at);
+  dc_.deliver_from(cycles.quiet_from);
+}
+
 void Esc::pdi_works() {
   if (pdi_watchdog_.pdi_works()) raise_event(kEventDlStatus);
 }

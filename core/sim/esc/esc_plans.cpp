@@ -128,11 +128,7 @@ void Esc::tell_events(std::uint8_t told) {
     if (renewed_by_signal_ != 0) count_renewals();
     if (plan.time_size != 0) dc_.start_of_frame(begin);
   }
-  auto* const bytes = frame.bytes().data();
-  follow(plan, bytes);
-  frame.pass(plan.wkc);
-  dc_.pass_quietly(end);
-  if (plan.time_size != 0) dc_.system_time_received(plan.time_size, time_in(plan, bytes), end);
+  follow_data(plan, frame, end);
   if (((plan.written | plan.read) & minded_) != 0) {
     sm_written_ = plan.written;
     sm_read_ = plan.read;
@@ -141,6 +137,69 @@ void Esc::tell_events(std::uint8_t told) {
     if (plan.restarts_watchdog) restart_watchdog(end);
     if ((renewed_by_transfer_.by & plan.written) != 0) renew(renewed_by_transfer_.renewed, 1);
   }
+}
+
+[[gnu::flatten]] void Esc::follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
+                                            Nanoseconds end) {
+  frame_time_ = begin;
+  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  dc_.pass_quietly(end);
+  if (plan.count == 0) return frame.pass_uncounted();
+  auto* const memory = memory_.at(0, EscMemory::kSize).data();
+  for (const auto& step : std::span(plan.steps).first(plan.count))
+    follow(step, memory + step.address, frame.bytes().data() + step.offset);
+  frame.pass(plan.wkc);
+}
+
+inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end) {
+  auto* const bytes = frame.bytes().data();
+  follow(plan, bytes);
+  frame.pass(plan.wkc);
+  dc_.pass_quietly(end);
+  if (plan.time_size != 0) dc_.system_time_received(plan.time_size, time_in(plan, bytes), end);
+}
+
+[[gnu::flatten]] bool Esc::repeat_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
+                                          Nanoseconds end) {
+  auto& cycles = cycles_;
+  const auto moment = dc_.moment(begin);
+  auto ahead = dc_.until_sync0(moment);
+  const bool sync0_came = ahead <= 0;
+  const bool brings_outputs = (plan.written >> cycles.work.outputs & 1U) != 0;
+  const bool in_turn = sync0_came ? cycles.awaits_sync0 : !(brings_outputs && cycles.awaits_sync0);
+  const Nanoseconds cycle = dc_.settings().cycle0;
+  if (sync0_came) ahead += cycle;
+  const bool in_time = ahead >= RepeatedCycles::at_most(end - begin + cycles.work.calculation);
+  const bool unminded = ((plan.written | plan.read) & minded_) == 0;
+  if (!in_turn || !in_time || !unminded) return false;
+  if (brings_outputs && !holds_outputs_of(plan, frame)) return false;
+  if (sync0_came) {
+    cycles.behind_sync0 = moment;
+    cycles.sync0 = dc_.pass_sync0();
+    cycles.awaits_sync0 = false;
+    renew(cycles.work.renewed, 1);
+  }
+  frame_time_ = begin;
+  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  if (plan.time_size != 0) dc_.start_of_frame(moment);
+  follow_data(plan, frame, end);
+  if (plan.restarts_watchdog) restart_watchdog(end);
+  if (brings_outputs) {
+    cycles.awaits_sync0 = true;
+    cycles.taken_at = end;
+    ++cycles.outputs_taken;
+  }
+  cycles.quiet_from = end;
+  // A second SYNC0 without outputs between them is another matter.
+  repeat_until(begin + RepeatedCycles::surely(cycles.awaits_sync0 ? ahead + cycle : ahead));
+  return true;
+}
+
+inline bool Esc::holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const {
+  const auto* step = plan.steps.data();
+  while (step->what != Do::kTakeOutputs || step->detail != cycles_.work.outputs) ++step;  // the plan has it
+  const auto held = memory_.at(step->address, step->length);
+  return short_equal(held, frame.bytes().subspan(step->offset, step->length));
 }
 
 std::uint64_t Esc::time_in(const FramePlan& plan, const std::uint8_t* frame) {

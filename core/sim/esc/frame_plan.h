@@ -46,6 +46,9 @@ struct FramePlan {
   Counters wkc{};                  // what the working counters grow by
   std::array<Step, kMostSteps> steps{};
 
+  /// No time is received, and no SyncManager has a part in it: what SYNC0 has done before does not matter.
+  [[nodiscard]] bool is_passive() const { return time_size == 0 && (written | read) == 0; }
+
   /// False: there is no room for it.
   bool add(const Step& step) {
     if (count == kMostSteps) return false;

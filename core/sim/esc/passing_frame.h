@@ -56,6 +56,8 @@ class PassingFrame {
     for (std::size_t i = 0; i < wkc.size(); ++i) counters_[i] = static_cast<std::uint16_t>(counters_[i] + wkc[i]);
     ++passed_;
   }
+  /// One has done nothing with it.
+  void pass_uncounted() { ++passed_; }
   /// Takes what the plans counted into the datagrams: before somebody looks at those.
   void settle();
   [[nodiscard]] std::span<std::uint8_t> bytes() { return bytes_; }

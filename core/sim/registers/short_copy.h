@@ -57,7 +57,10 @@ inline void short_copy(std::span<const std::uint8_t> from, std::span<std::uint8_
   constexpr std::size_t kWord = 8;
   if (a.size() != b.size()) return false;
   if (a.size() == 4) return load_le<std::uint32_t>(a) == load_le<std::uint32_t>(b);
-  if (a.size() < kWord || a.size() > 2 * kWord) return std::ranges::equal(a, b);
+  if (a.size() < kWord || a.size() > 4 * kWord) return std::ranges::equal(a, b);
+  for (std::size_t at = kWord; at + kWord < a.size(); at += kWord) {
+    if (load_le<std::uint64_t>(a.subspan(at)) != load_le<std::uint64_t>(b.subspan(at))) return false;
+  }
   const auto last = a.size() - kWord;  // words that may overlap
   return load_le<std::uint64_t>(a) == load_le<std::uint64_t>(b) &&
          load_le<std::uint64_t>(a.subspan(last)) == load_le<std::uint64_t>(b.subspan(last));

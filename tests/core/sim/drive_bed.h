@@ -17,8 +17,9 @@ namespace syncline::test {
 /// A drive alone on the bus: its mailbox, its states, and frames that arrive when the test wants them.
 class DriveBed {
  public:
-  explicit DriveBed(const std::string& type, std::vector<FaultConfig> faults = {}, double ppm = 0)
-      : device(sim_slave(type).device), probe(make(type, std::move(faults), ppm)) {
+  explicit DriveBed(const std::string& type, std::vector<FaultConfig> faults = {}, double ppm = 0,
+                    sim::SimBus::Work work = sim::SimBus::Work::kAtOnce)
+      : device(sim_slave(type).device), probe(make(type, std::move(faults), ppm), work) {
     for (unsigned i = 0; i < 2; ++i) {
       const auto& sm = device.sync_managers[i];
       probe.set_sync_manager(0, i, sm.start_address, 128, sm.control_byte);
@@ -84,6 +85,13 @@ class DriveBed {
     cycles(3);
     return status();
   }
+  [[nodiscard]] std::size_t length(unsigned manager) const {
+    std::uint32_t bits = 0;
+    for (const auto& pdo : device.pdos(manager == 2 ? PdoDirection::kRx : PdoDirection::kTx)) {
+      if (pdo.sync_manager) bits += pdo.bit_length();
+    }
+    return (bits + 7) / 8;
+  }
   std::uint16_t status() { return probe.read(0, reg::kAlStatus, 2).value<std::uint16_t>(); }
 
   // ---- process data ----
@@ -140,13 +148,6 @@ class DriveBed {
     auto config = line({slave});
     config.faults = std::move(faults);
     return config;
-  }
-  std::size_t length(unsigned manager) const {
-    std::uint32_t bits = 0;
-    for (const auto& pdo : device.pdos(manager == 2 ? PdoDirection::kRx : PdoDirection::kTx)) {
-      if (pdo.sync_manager) bits += pdo.bit_length();
-    }
-    return (bits + 7) / 8;
   }
   /// Of the modes of operation in the default PDOs.
   std::size_t type_offset() const { return device.type == "SL-SV7" ? 12 : 6; }

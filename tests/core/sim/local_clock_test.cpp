@@ -32,6 +32,20 @@ RC_GTEST_PROP(SimLocalClock, TimeOfIsTheFirstTimeThatShowsIt, ()) {
   }
 }
 
+RC_GTEST_PROP(SimLocalClock, TimeBeforeIsWhatTimeOfSaidBefore, ()) {
+  OscillatorConfig config;
+  config.ppm = *rc::gen::inRange(-50'000, 50'000) * 0.1;
+  config.start_offset = *rc::gen::inRange<Nanoseconds>(0, 1'000'000'000'000);
+  sim::LocalClock clock(config, kStart, 1);
+  const auto from = kStart + 3 * kMillisecond;
+  clock.set_correction(*rc::gen::inRange(-770, 770) * 1e-6, from);
+  const auto wanted = clock.exact(from) + *rc::gen::inRange<std::uint64_t>(1, 10'000'000);
+  const auto time = clock.time_of(wanted, from);
+  const auto moment = clock.moment(time + *rc::gen::inRange<Nanoseconds>(0, 10'000'000));
+  clock.set_correction(*rc::gen::inRange(-770, 770) * 1e-6, moment.time);  // what comes later does not matter
+  RC_ASSERT(sim::LocalClock::time_before(moment, wanted) == time);
+}
+
 TEST(SimLocalClock, WhatIsPastIsDueNowAndWhatTheCounterCannotReachNever) {
   sim::LocalClock clock({}, kStart, 1);
   EXPECT_EQ(clock.time_of(clock.exact(kStart) - 1, kStart), kStart);
