@@ -7354,6 +7354,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>Deviation</source>
             <translation>Abweichung</translation>
         </message>
+        <message>
+            <source>Arrival phase</source>
+            <translation>Ankunftsphase</translation>
+        </message>
 </context>
 <context>
     <name>SampleRange</name>
@@ -7391,6 +7395,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Deviation of a slave</source>
             <translation>Abweichung eines Slaves</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>Ankunftsphase eines Slaves</translation>
         </message>
 </context>
 <context>
@@ -8461,6 +8469,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Deviation of a slave</source>
             <translation>Abweichung eines Slaves</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>Ankunftsphase eines Slaves</translation>
+        </message>
+        <message>
+            <source>Setpoint slips of a slave</source>
+            <translation>Sollwert-Aussetzer eines Slaves</translation>
         </message>
         <message>
             <source>Trigger</source>

@@ -7319,6 +7319,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>Deviation</source>
             <translation>偏差</translation>
         </message>
+        <message>
+            <source>Arrival phase</source>
+            <translation>到达相位</translation>
+        </message>
 </context>
 <context>
     <name>SampleRange</name>
@@ -7356,6 +7360,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Deviation of a slave</source>
             <translation>从站的偏差</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>从站的到达相位</translation>
         </message>
 </context>
 <context>
@@ -8414,6 +8422,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Deviation of a slave</source>
             <translation>从站的偏差</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>从站的到达相位</translation>
+        </message>
+        <message>
+            <source>Setpoint slips of a slave</source>
+            <translation>从站的设定值错拍</translation>
         </message>
         <message>
             <source>Trigger</source>

@@ -48,7 +48,8 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
   if (record_ == nullptr) return series_csv(columns, 0, 0, 0);
   const auto& samples = record_->samples();
   for (const auto& signal : signals()) {
-    if (signal.form == SignalInfo::Form::kCell) continue;
+    // Made for all slaves at once it would take as much room as everything else; the distribution saves it.
+    if (signal.form == SignalInfo::Form::kCell || signal.form == SignalInfo::Form::kDerived) continue;
     const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
     for (std::size_t slave = 0; slave < (of_slaves ? samples.slave_count() : 1); ++slave) {
       const auto& series = samples.series(signal.id, slave);
