@@ -11,7 +11,7 @@
 namespace syncline {
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoArrival = std::numeric_limits<float>::quiet_NaN();
 
 bool is_known(const CycleSample& sample) {
   constexpr auto kBoth = CycleSample::kReferenceValid | CycleSample::kSyncBaseValid;
@@ -32,7 +32,7 @@ class Steps {
   }
 
  private:
-  float value_ = kNothing;
+  float value_ = kNoArrival;
   std::vector<std::pair<Nanoseconds, float>> next_;
   std::size_t done_ = 0;
 };
@@ -52,8 +52,8 @@ ArrivalSeries::ArrivalSeries(const MinMaxSeries& axis, std::vector<Sync0Slave> s
 
 void ArrivalSeries::append(std::span<const CycleSample> samples, std::span<const Nanoseconds> times) {
   if (turn_.empty()) return;
-  turns_room_.assign(samples.size(), kNothing);
-  in_cycle_room_.assign(samples.size(), kNothing);
+  turns_room_.assign(samples.size(), kNoArrival);
+  in_cycle_room_.assign(samples.size(), kNoArrival);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!is_known(samples[i])) continue;
     const auto passed = dc::sync0_arrival({samples[i].sync_base, cycle_time_}, samples[i].reference_time);
@@ -66,7 +66,7 @@ void ArrivalSeries::append(std::span<const CycleSample> samples, std::span<const
 
 void ArrivalSeries::leave_gap(Nanoseconds time) {
   for (auto* series : {&turn_, &in_cycle_}) {
-    if (!series->empty()) series->front().append(time, kNothing);
+    if (!series->empty()) series->front().append(time, kNoArrival);
   }
 }
 
@@ -95,7 +95,7 @@ void ArrivalSeries::extend(Made& made, const Sync0Slave& slave, const MinMaxSeri
   in_cycle_.front().for_each(from, INT64_MAX, [&](Nanoseconds time, float in_cycle) {
     const auto turn = turns_room_[i++];
     const auto late = delay.at(time);
-    if (std::isnan(in_cycle) || std::isnan(late)) return made.series.append(time, kNothing);
+    if (std::isnan(in_cycle) || std::isnan(late)) return made.series.append(time, kNoArrival);
     const auto passed = static_cast<Nanoseconds>(turn) * cycle_time_ + static_cast<Nanoseconds>(in_cycle);
     const auto came = dc::outputs_arrival(passed, static_cast<Nanoseconds>(late), slave.wire);
     made.series.append(time, static_cast<float>(dc::sync0_arrival({slave.shift, slave.period}, came).phase));

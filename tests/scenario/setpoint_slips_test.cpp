@@ -12,7 +12,7 @@
 namespace syncline {
 namespace {
 
-constexpr std::size_t kDrive = 1;
+constexpr std::size_t kSlippingDrive = 1;
 
 /// Two axes whose frames are lost, and sent behind a SYNC0, at known times.
 class SlippingMachine {
@@ -49,17 +49,17 @@ class SlippingMachine {
   }
   /// The next frames but one stand still until they come `behind` SYNC0.
   void make_late(Nanoseconds behind) {
-    const auto came = dc::outputs_arrival(last_.reference_time, snapshot_.slaves[kDrive].propagation_delay_ns,
-                                          sync0_slaves(config_)[kDrive].wire);
-    const auto& drive = sync0_slaves(config_)[kDrive];
+    const auto came = dc::outputs_arrival(last_.reference_time, snapshot_.slaves[kSlippingDrive].propagation_delay_ns,
+                                          sync0_slaves(config_)[kSlippingDrive].wire);
+    const auto& drive = sync0_slaves(config_)[kSlippingDrive];
     const auto margin = dc::sync0_arrival({last_.sync_base + drive.shift, drive.period}, came).margin;
     const auto begin = last_.send_time + 20 * config_.cycle_time() - 50 * kMicrosecond;
     clock_.add_standstill(begin, 50 * kMicrosecond + margin + behind);
   }
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
   /// Read from the drive a while after the last disturbance.
-  [[nodiscard]] std::uint32_t counted_by_drive() const { return snapshot_.slaves[kDrive].sm2_missed.value; }
-  [[nodiscard]] std::optional<SetpointSlips::Count> counted() const { return slips_->count(kDrive); }
+  [[nodiscard]] std::uint32_t counted_by_drive() const { return snapshot_.slaves[kSlippingDrive].sm2_missed.value; }
+  [[nodiscard]] std::optional<SetpointSlips::Count> counted() const { return slips_->count(kSlippingDrive); }
 
  private:
   test::SimulatedNetwork network_;

@@ -22,7 +22,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr unsigned kFiguresEvery = 6;  // ticks: faster cannot be read
+constexpr unsigned kArrivalsEvery = 6;  // ticks: faster cannot be read
 
 /// As the slave has told (0x1C32:06), else as its family is known.
 std::optional<Nanoseconds> calcAndCopy(const RunRecord& record, std::size_t slave) {
@@ -93,7 +93,7 @@ void CycleView::select(int slave) {
 int CycleView::slave() const { return slaves_->count() > 0 ? slaves_->currentData().toInt() : -1; }
 
 void CycleView::refresh() {
-  if (record_ == nullptr || slave() < 0 || ticks_++ % kFiguresEvery != 0) return;
+  if (record_ == nullptr || slave() < 0 || ticks_++ % kArrivalsEvery != 0) return;
   const auto& samples = record_->samples();
   const auto position = static_cast<std::size_t>(slave());
   // Of a picture that stands nothing is counted again.

@@ -12,9 +12,9 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kEpoch = 850'000'000LL * kSecond;
+constexpr Nanoseconds kArrivalEpoch = 850'000'000LL * kSecond;
 
-SampleStore::Layout layout() {
+SampleStore::Layout arrival_layout() {
   SampleStore::Layout layout;
   layout.slaves = 4;
   layout.cycle_capacity = 8192;
@@ -35,11 +35,11 @@ Snapshot with_delays(Nanoseconds time) {
   return snapshot;
 }
 
-CycleSample sample(std::uint64_t cycle, Nanoseconds late) {
+CycleSample arriving(std::uint64_t cycle, Nanoseconds late) {
   CycleSample s;
   s.cycle = cycle;
   s.send_time = static_cast<Nanoseconds>(cycle) * kMillisecond;
-  s.reference_time = kEpoch + s.send_time + late;
+  s.reference_time = kArrivalEpoch + s.send_time + late;
   s.sync_base = 123'456;
   s.flags = CycleSample::kReferenceValid | CycleSample::kSyncBaseValid;
   return s;
@@ -47,12 +47,12 @@ CycleSample sample(std::uint64_t cycle, Nanoseconds late) {
 
 /// One series of the bus is enough for all of them, exactly, however often somebody looks meanwhile.
 TEST(ArrivalSeries, OfEachSlaveIsThatOfItsOwnGrid) {
-  SampleStore store(layout());
+  SampleStore store(arrival_layout());
   store.append(with_delays(0));
   Random random(3);
   std::vector<CycleSample> samples;
   for (std::uint64_t cycle = 1; cycle <= 5'000; ++cycle) {
-    samples.push_back(sample(cycle, static_cast<Nanoseconds>(random.next() % 900'000)));
+    samples.push_back(arriving(cycle, static_cast<Nanoseconds>(random.next() % 900'000)));
     store.append(std::span(&samples.back(), 1));
     if (random.next() % 100 == 0) (void)store.series(Signal::kArrivalPhase, random.next() % 4);
   }
@@ -72,14 +72,14 @@ TEST(ArrivalSeries, OfEachSlaveIsThatOfItsOwnGrid) {
 }
 
 TEST(ArrivalSeries, WhatIsNotKnownIsAGap) {
-  SampleStore store(layout());
-  store.append(std::vector{sample(1, 0)});
+  SampleStore store(arrival_layout());
+  store.append(std::vector{arriving(1, 0)});
   store.append(with_delays(2 * kMillisecond - 1));
-  auto lost = sample(3, 0);
+  auto lost = arriving(3, 0);
   lost.flags = CycleSample::kFrameLost | CycleSample::kSyncBaseValid;
-  auto old = sample(4, 0);
+  auto old = arriving(4, 0);
   old.flags = CycleSample::kReferenceValid;
-  store.append(std::vector{sample(2, 0), lost, old, sample(5, 0), sample(9, 0)});
+  store.append(std::vector{arriving(2, 0), lost, old, arriving(5, 0), arriving(9, 0)});
   std::vector<bool> known;
   store.series(Signal::kArrivalPhase, 0).for_each(INT64_MIN, INT64_MAX, [&](Nanoseconds, float phase) {
     known.push_back(!std::isnan(phase));

@@ -8,15 +8,15 @@ namespace {
 
 using Count = SetpointSlips::Count;
 
-constexpr Nanoseconds kCycle = kMillisecond;
-constexpr Nanoseconds kEpoch = 850'000'000LL * kSecond;
+constexpr Nanoseconds kSlipsCycle = kMillisecond;
+constexpr Nanoseconds kSlipsEpoch = 850'000'000LL * kSecond;
 
 /// Frames pass the reference clock 300 us before the SYNC0 of a slave that is 1 us behind, 20 us before they end.
 class SetpointSlipsTest : public testing::Test {
  protected:
   void begin(const Sync0Slave& slave) {
     slaves_ = {slave};
-    slips_.emplace(slaves_, kCycle);
+    slips_.emplace(slaves_, kSlipsCycle);
     snapshot_.slaves.resize(1);
     auto& status = snapshot_.slaves[0];
     status.present = status.dc_enabled = true;
@@ -27,7 +27,7 @@ class SetpointSlipsTest : public testing::Test {
   CycleSample frame(int cycle, Nanoseconds late = 0) {
     CycleSample s;
     s.cycle = static_cast<std::uint64_t>(cycle);
-    s.reference_time = kEpoch + cycle * kCycle - 300'000 + late;
+    s.reference_time = kSlipsEpoch + cycle * kSlipsCycle - 300'000 + late;
     s.send_time = s.reference_time - 77'000;
     s.sync_base = 5;
     s.flags = CycleSample::kReferenceValid | CycleSample::kSyncBaseValid;
@@ -43,7 +43,7 @@ class SetpointSlipsTest : public testing::Test {
     for (int cycle = from; cycle < to; ++cycle) (void)slips_->observe(frame(cycle));
   }
 
-  const Sync0Slave every_{kCycle, 0, 20'000, 1};
+  const Sync0Slave every_{kSlipsCycle, 0, 20'000, 1};
   std::vector<Sync0Slave> slaves_;
   std::optional<SetpointSlips> slips_;
   Snapshot snapshot_;
@@ -75,7 +75,7 @@ TEST_F(SetpointSlipsTest, AFrameBehindItsSync0LeavesOneEmptyAndCrowdsTheNext) {
 }
 
 TEST_F(SetpointSlipsTest, WhereSync0IsSlowerAsManyFramesAreDue) {
-  begin({2 * kCycle, 0, 20'000, 2});
+  begin({2 * kSlipsCycle, 0, 20'000, 2});
   pass(0, 10);
   (void)slips_->observe(lost(10));
   pass(11, 20);
@@ -88,7 +88,7 @@ TEST_F(SetpointSlipsTest, WhereSync0IsSlowerAsManyFramesAreDue) {
 }
 
 TEST_F(SetpointSlipsTest, WhereSync0IsFasterNothingIsCounted) {
-  begin({kCycle / 2, 0, 20'000, 0});
+  begin({kSlipsCycle / 2, 0, 20'000, 0});
   pass(0, 10);
   EXPECT_EQ(slips_->count(0), std::nullopt);
 }

@@ -9,7 +9,7 @@
 namespace syncline {
 namespace {
 
-NetworkConfig with_sync0(std::vector<Nanoseconds> periods) {
+NetworkConfig slaves_with_sync0(std::vector<Nanoseconds> periods) {
   CyclicCmd command;
   command.command = Command::kLrw;
   command.data_length = 200;
@@ -27,7 +27,7 @@ NetworkConfig with_sync0(std::vector<Nanoseconds> periods) {
 }
 
 TEST(Sync0Slaves, AreWhatTheConfigurationSays) {
-  const auto config = with_sync0({kMillisecond, 4 * kMillisecond, 250 * kMicrosecond, 0});
+  const auto config = slaves_with_sync0({kMillisecond, 4 * kMillisecond, 250 * kMicrosecond, 0});
   const auto wire = wire_time(config.cyclic[0].frames[0]);
   const auto shift = 40 * kMicrosecond;
   EXPECT_EQ(sync0_slaves(config), (std::vector<Sync0Slave>{{kMillisecond, shift, wire, 1},
@@ -37,7 +37,7 @@ TEST(Sync0Slaves, AreWhatTheConfigurationSays) {
 }
 
 TEST(Sync0Slaves, WithoutSync0OrOutputsNothingIsKnown) {
-  auto config = with_sync0({kMillisecond, kMillisecond, kMillisecond});
+  auto config = slaves_with_sync0({kMillisecond, kMillisecond, kMillisecond});
   config.slaves[0].dc.reset();
   config.slaves[1].dc->assign_activate = 0;
   config.slaves[2].send.reset();
@@ -46,12 +46,12 @@ TEST(Sync0Slaves, WithoutSync0OrOutputsNothingIsKnown) {
 
 /// Primes of milliseconds: all of them meet once in more than a minute, so nobody knows with which cycle each began.
 TEST(Sync0Slaves, AGridOfMoreThanAMinuteHidesSlowSync0) {
-  const auto config = with_sync0({41 * kMillisecond, 43 * kMillisecond, 47 * kMillisecond, kMillisecond / 2});
+  const auto config = slaves_with_sync0({41 * kMillisecond, 43 * kMillisecond, 47 * kMillisecond, kMillisecond / 2});
   EXPECT_FALSE(sync_grid(config));
   const auto slaves = sync0_slaves(config);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(slaves[i], Sync0Slave{}) << i;
   EXPECT_EQ(slaves[3].period, kMillisecond / 2) << "in each cycle alike";
-  EXPECT_EQ(sync_grid(with_sync0({4 * kMillisecond, 6 * kMillisecond})), 12 * kMillisecond);
+  EXPECT_EQ(sync_grid(slaves_with_sync0({4 * kMillisecond, 6 * kMillisecond})), 12 * kMillisecond);
 }
 
 }  // namespace
