@@ -362,6 +362,68 @@
         </message>
 </context>
 <context>
+    <name>CyclePlot</name>
+        <message>
+            <source>From one SYNC0 to the next: when the frame with the slave's outputs had ended there, in system time. Bars are logarithmic counts and fade with the age of their latest arrival; shaded is what the slave needs for calculating and copying.</source>
+            <translation>Von einem SYNC0 zum nächsten: wann der Frame mit den Ausgängen des Slaves dort zu Ende war, in Systemzeit. Die Balken sind logarithmische Anzahlen und verblassen mit dem Alter ihrer jüngsten Ankunft; schattiert ist, was der Slave zum Rechnen und Kopieren braucht.</translation>
+        </message>
+</context>
+<context>
+    <name>CycleView</name>
+        <message>
+            <source>Slave whose SYNC0 period is shown</source>
+            <translation>Slave, dessen SYNC0-Periode gezeigt wird</translation>
+        </message>
+        <message>
+            <source>Margins and setpoint slips</source>
+            <translation>Reserven und Sollwert-Aussetzer</translation>
+        </message>
+        <message>
+            <source>Arrivals in the SYNC0 period</source>
+            <translation>Ankünfte in der SYNC0-Periode</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>No slave with SYNC0 whose outputs can be followed</source>
+            <translation>Kein Slave mit SYNC0, dessen Ausgänge verfolgt werden können</translation>
+        </message>
+        <message>
+            <source>margin at least %1</source>
+            <translation>Reserve mindestens %1</translation>
+        </message>
+        <message>
+            <source>no arrivals</source>
+            <translation>keine Ankünfte</translation>
+        </message>
+        <message>
+            <source>99.9 %: %1</source>
+            <translation>99,9 %: %1</translation>
+        </message>
+        <message>
+            <source>calculating and copying %1</source>
+            <translation>Rechnen und Kopieren %1</translation>
+        </message>
+        <message>
+            <source>calculating and copying not known</source>
+            <translation>Rechnen und Kopieren nicht bekannt</translation>
+        </message>
+        <message>
+            <source>setpoint slips: %1</source>
+            <translation>Sollwert-Aussetzer: %1</translation>
+        </message>
+        <message>
+            <source>setpoint slips not known</source>
+            <translation>Sollwert-Aussetzer nicht bekannt</translation>
+        </message>
+        <message>
+            <source>SYNC0 %1, shift %2</source>
+            <translation>SYNC0 %1, Shift %2</translation>
+        </message>
+</context>
+<context>
     <name>DcmPanel</name>
         <message>
             <source>DCM error</source>
@@ -1048,6 +1110,14 @@
         <message>
             <source>Slaves</source>
             <translation>Slaves</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>Where in the SYNC0 period of a slave its outputs come, instead of the plots</source>
+            <translation>Wo in der SYNC0-Periode eines Slaves seine Ausgänge ankommen, anstelle der Kurven</translation>
         </message>
         <message>
             <source>The deviations of all slaves as a heat map, and their figures, instead of the plots</source>
@@ -7393,6 +7463,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>Deviation</source>
             <translation>Abweichung</translation>
         </message>
+        <message>
+            <source>Arrival phase</source>
+            <translation>Ankunftsphase</translation>
+        </message>
 </context>
 <context>
     <name>SampleRange</name>
@@ -7430,6 +7504,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Deviation of a slave</source>
             <translation>Abweichung eines Slaves</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>Ankunftsphase eines Slaves</translation>
         </message>
 </context>
 <context>
@@ -8500,6 +8578,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Deviation of a slave</source>
             <translation>Abweichung eines Slaves</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>Ankunftsphase eines Slaves</translation>
+        </message>
+        <message>
+            <source>Setpoint slips of a slave</source>
+            <translation>Sollwert-Aussetzer eines Slaves</translation>
         </message>
         <message>
             <source>Trigger</source>

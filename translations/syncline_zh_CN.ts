@@ -361,6 +361,68 @@
         </message>
 </context>
 <context>
+    <name>CyclePlot</name>
+        <message>
+            <source>From one SYNC0 to the next: when the frame with the slave&apos;s outputs had ended there, in system time. Bars are logarithmic counts and fade with the age of their latest arrival; shaded is what the slave needs for calculating and copying.</source>
+            <translation>从一个 SYNC0 到下一个：带有从站输出的帧在该处结束的时刻（系统时间）。柱为对数计数，随最近一次到达的时间变旧而变淡；阴影为从站计算与复制所需的时间。</translation>
+        </message>
+</context>
+<context>
+    <name>CycleView</name>
+        <message>
+            <source>Slave whose SYNC0 period is shown</source>
+            <translation>显示其 SYNC0 周期的从站</translation>
+        </message>
+        <message>
+            <source>Margins and setpoint slips</source>
+            <translation>裕量与设定值错拍</translation>
+        </message>
+        <message>
+            <source>Arrivals in the SYNC0 period</source>
+            <translation>SYNC0 周期内的到达</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>No slave with SYNC0 whose outputs can be followed</source>
+            <translation>没有可跟踪输出的带 SYNC0 的从站</translation>
+        </message>
+        <message>
+            <source>margin at least %1</source>
+            <translation>裕量至少 %1</translation>
+        </message>
+        <message>
+            <source>no arrivals</source>
+            <translation>没有到达</translation>
+        </message>
+        <message>
+            <source>99.9 %: %1</source>
+            <translation>99.9 %：%1</translation>
+        </message>
+        <message>
+            <source>calculating and copying %1</source>
+            <translation>计算与复制 %1</translation>
+        </message>
+        <message>
+            <source>calculating and copying not known</source>
+            <translation>计算与复制时间未知</translation>
+        </message>
+        <message>
+            <source>setpoint slips: %1</source>
+            <translation>设定值错拍：%1</translation>
+        </message>
+        <message>
+            <source>setpoint slips not known</source>
+            <translation>设定值错拍未知</translation>
+        </message>
+        <message>
+            <source>SYNC0 %1, shift %2</source>
+            <translation>SYNC0 %1，偏移 %2</translation>
+        </message>
+</context>
+<context>
     <name>DcmPanel</name>
         <message>
             <source>DCM error</source>
@@ -1046,6 +1108,14 @@
         <message>
             <source>Slaves</source>
             <translation>从站</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>Where in the SYNC0 period of a slave its outputs come, instead of the plots</source>
+            <translation>输出在从站 SYNC0 周期中何时到达，代替曲线</translation>
         </message>
         <message>
             <source>The deviations of all slaves as a heat map, and their figures, instead of the plots</source>
@@ -7357,6 +7427,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>Deviation</source>
             <translation>偏差</translation>
         </message>
+        <message>
+            <source>Arrival phase</source>
+            <translation>到达相位</translation>
+        </message>
 </context>
 <context>
     <name>SampleRange</name>
@@ -7394,6 +7468,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Deviation of a slave</source>
             <translation>从站的偏差</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>从站的到达相位</translation>
         </message>
 </context>
 <context>
@@ -8452,6 +8530,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Deviation of a slave</source>
             <translation>从站的偏差</translation>
+        </message>
+        <message>
+            <source>Arrival phase of a slave</source>
+            <translation>从站的到达相位</translation>
+        </message>
+        <message>
+            <source>Setpoint slips of a slave</source>
+            <translation>从站的设定值错拍</translation>
         </message>
         <message>
             <source>Trigger</source>

@@ -26,6 +26,7 @@
 #include "ui/machine_building.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
+#include "ui/panels/cycle_view.h"
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/slaves_view.h"
@@ -194,6 +195,24 @@ void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme)
   strip->showBody(ui::LiveStrip::Body::kPlots);
 }
 
+/// The SYNC0 period of a slave in place of the plots, in the usual and in the smallest window.
+void takeCycle(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  auto* strip = window.findChild<ui::LiveStrip*>();
+  strip->showBody(ui::LiveStrip::Body::kCycle);
+  const auto usual = window.size();
+  for (const auto& [size, name] : {std::pair{usual, "-cycle"}, {QSize(1024, 640), "-cycle-small"}}) {
+    window.resize(size);
+    QApplication::processEvents();
+    static_cast<void>(waitUntil([strip] {
+      strip->refresh();
+      return strip->cycle()->plot()->picture().figures.count > 0;
+    }));
+    camera.take(window, theme + QLatin1String(name));
+  }
+  window.resize(usual);
+  strip->showBody(ui::LiveStrip::Body::kPlots);
+}
+
 /// All slaves in place of the plots, in the usual and in the smallest window.
 void takeSlaves(Camera& camera, ui::MainWindow& window, const QString& theme) {
   auto* strip = window.findChild<ui::LiveStrip*>();
@@ -297,6 +316,7 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     takeDistribution(camera, window, ui::theme::modeName(mode));
     takeStability(camera, window, ui::theme::modeName(mode));
     takeSlaves(camera, window, ui::theme::modeName(mode));
+    takeCycle(camera, window, ui::theme::modeName(mode));
     takePages(camera, window, workspace, ui::theme::modeName(mode));
     workspace.setExpert(true);
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));

@@ -14,6 +14,7 @@ struct CycleSample {
   std::uint64_t cycle = 0;            // counts from going online
   Nanoseconds send_time = 0;          // host clock, just before the frame was handed to the link
   Nanoseconds reference_time = 0;     // system time of the reference clock when the frame passed, 0 = none
+  Nanoseconds sync_base = 0;          // SYNC0 of a slave lies here + n * grid + its shift in system time
   std::int32_t wake_lateness_ns = 0;  // send_time minus the scheduled time
   std::int32_t round_trip_ns = 0;
   std::int32_t dcm_error_ns = 0;  // controller error, raw
@@ -44,6 +45,7 @@ struct CycleSample {
     kReferenceValid = 128,
     kOverrun = 256,
     kFrameLate = 512,       // late_by_ns is valid
+    kSyncBaseValid = 4096,  // sync_base is valid
     kFollowersRead = 2048,  // deviation_ns is valid
     kSlaveFollows = 1024,   // slave_position follows the reference clock: what it shows is a deviation
   };

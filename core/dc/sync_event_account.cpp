@@ -8,10 +8,6 @@
 namespace syncline::dc {
 namespace {
 
-std::int64_t floor_div(std::int64_t a, std::int64_t b) {
-  return a / b - ((a % b != 0) && ((a < 0) != (b < 0)) ? 1 : 0);
-}
-
 std::uint32_t sum(const MissesByCause& misses) { return std::accumulate(misses.begin(), misses.end(), 0U); }
 
 std::uint32_t& at(MissesByCause& misses, MissCause cause) { return misses[static_cast<std::size_t>(cause)]; }
@@ -20,7 +16,7 @@ std::uint32_t& at(MissesByCause& misses, MissCause cause) { return misses[static
 
 void SyncEventAccount::observe(const Cycle& cycle) {
   any_since_reading_ = true;
-  const auto period = floor_div(cycle.time - first_, period_);
+  const auto period = sync0_arrival(grid_, cycle.time).number;
   left_out_ += cycle.left_out;
   if (!evaluated_) {
     // The first outputs begin the account: nobody knows what came before.

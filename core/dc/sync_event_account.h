@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "channels/values/miss_cause.h"
+#include "dc/sync0_arrival.h"
 #include "support/counter_total.h"
 #include "support/types.h"
 
@@ -17,8 +18,7 @@ namespace syncline::dc {
 /// manual has it (+3, -1). Values only, allocates nothing; one thread.
 class SyncEventAccount {
  public:
-  /// `period`: SYNC0 cycle, ns, > 0. `first`: system time of any SYNC0 of the slave.
-  SyncEventAccount(Nanoseconds period, Nanoseconds first) : period_(period), first_(first) {}
+  explicit SyncEventAccount(const Sync0Grid& grid) : grid_(grid) {}
 
   struct Cycle {
     Nanoseconds time = 0;        // system time when the outputs were at the slave, or would have been
@@ -33,7 +33,7 @@ class SyncEventAccount {
   [[nodiscard]] std::optional<Nanoseconds> regular_until() const {
     if ((frames_lost_ | left_out_ | integrator_ | candidate_) != 0) return std::nullopt;
     if (!evaluated_ || delivered_ != evaluated_) return std::nullopt;
-    return first_ + (*evaluated_ + 1) * period_;
+    return grid_.first + (*evaluated_ + 1) * grid_.period;
   }
   /// So many regular cycles at once.
   void pass_regular(std::int64_t cycles) {
@@ -72,7 +72,7 @@ class SyncEventAccount {
   std::uint32_t explain_rest();
   void correct(std::int64_t misses);
 
-  Nanoseconds period_, first_;
+  Sync0Grid grid_;
   std::uint32_t limit_ = 0;
   std::optional<std::int64_t> evaluated_;         // number of the SYNC0 period that is running
   std::optional<std::int64_t> delivered_;         // the last period with outputs

@@ -95,8 +95,10 @@ std::vector<RecentSamples::Chunk> RecentSamples::since(Nanoseconds from) const {
 
 std::unique_ptr<SampleStore> held_copy(const RunRecord& record, Nanoseconds until) {
   const auto& from = record.samples();
-  auto copy = std::make_unique<SampleStore>(
-      SampleStore::Layout{from.slave_count(), record.limits().cycle_time, kHeldCapacity, 0});
+  auto copy = std::make_unique<SampleStore>(SampleStore::Layout{.slaves = from.slave_count(),
+                                                                .cycle_time = record.limits().cycle_time,
+                                                                .cycle_capacity = kHeldCapacity,
+                                                                .speed_counter_start = 0});
   std::vector<Nanoseconds> times;
   std::vector<float> values;
   for (const auto& signal : signals()) {

@@ -9,6 +9,7 @@ RecordingAbout about_run(const NetworkConfig& config) {
   RecordingAbout about;
   about.limits = limits_of(config);
   about.speed_counter_start = speed_counter_start_of(config);
+  about.sync0 = sync0_slaves(config);
   for (const auto& slave : config.slaves) {
     const auto& id = slave.identity;
     about.slaves.push_back({slave.name, id.vendor_id, id.product_code, id.revision_no});

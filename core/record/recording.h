@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "record/run_record.h"
+#include "trace/sync0_slaves.h"
 
 /// What stands in a recording besides samples: given by who records, read back as it was.
 namespace syncline {
@@ -37,6 +38,7 @@ struct RecordingAbout {
   /// Host clock: since when the run's figures were taken last; kNotArmed: not yet; nothing: not known.
   std::optional<Nanoseconds> armed;
   std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
+  std::vector<Sync0Slave> sync0{};             // by position; out of the configuration, and not in the file
 };
 /// Slaves and limits of a configuration; the rest is left to the caller.
 [[nodiscard]] RecordingAbout about_run(const NetworkConfig& config);

@@ -11,7 +11,7 @@
 namespace syncline {
 
 inline constexpr std::int64_t kRecordingId = 0x53594E52;  // "SYNR", SQLite's application_id
-inline constexpr std::int64_t kRecordingVersion = 2;      // user_version
+inline constexpr std::int64_t kRecordingVersion = 3;      // user_version
 inline constexpr std::int64_t kFirstWithDetails = 2;      // of events and findings
 /// Rows of `summary` and `data`: block * kSeriesPerBlock + series.
 inline constexpr std::int64_t kSeriesPerBlock = 1 << 20;

@@ -28,14 +28,19 @@ constexpr std::string_view form_name(Form form) {
       return "readings";
     case Form::kHeld:
       return "held";
+    case Form::kDerived:
+      return "derived";
   }
   return "cell";
 }
 
 SampleStore::Layout layout_of(const RecordingAbout& about) {
   // Only what the next block needs is looked up in it.
-  return {about.slaves.size(), about.limits.cycle_time, static_cast<std::size_t>(kMostBlockCycles),
-          about.speed_counter_start};
+  return {.slaves = about.slaves.size(),
+          .cycle_time = about.limits.cycle_time,
+          .cycle_capacity = static_cast<std::size_t>(kMostBlockCycles),
+          .speed_counter_start = about.speed_counter_start,
+          .sync0 = about.sync0};
 }
 
 std::string levels_of(std::span<const CycleSample> samples, const SignalInfo& signal, std::vector<float>& values) {
@@ -268,7 +273,8 @@ Status RecordingWriter::put_held(std::int64_t block, Nanoseconds begin) {
   for (const auto& signal : signals()) {
     const bool of_slaves = signal.scope == Scope::kSlave;
     // What single cycles tell stands in the columns.
-    if (signal.form == Form::kCell || signal.form == Form::kCycles || (!of_slaves && signal.of_bus == nullptr))
+    if (signal.form == Form::kCell || signal.form == Form::kCycles || signal.form == Form::kDerived ||
+        (!of_slaves && signal.of_bus == nullptr))
       continue;
     for (std::size_t slave = 0; slave < (of_slaves ? store.slave_count() : 1); ++slave) {
       const auto number = series_number(signal.id, of_slaves ? static_cast<int>(slave) : -1);

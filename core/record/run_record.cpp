@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/sync_grid.h"
 #include "dc/clock_registers.h"
 #include "diagnosis/run_diagnosis.h"
 #include "protocol/dc_registers.h"
@@ -25,6 +26,8 @@ SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_cap
   const auto suitable = std::clamp(static_cast<std::size_t>(kHistory / layout.cycle_time), kLeastCycles, kMostCycles);
   layout.cycle_capacity = cycle_capacity > 0 ? cycle_capacity : suitable;
   layout.speed_counter_start = speed_counter_start;
+  layout.sync0 = sync0_slaves(config);
+  layout.sync_grid = sync_grid(config).value_or(0);
   return layout;
 }
 

@@ -77,6 +77,7 @@ constexpr std::array kSampleColumns{
     state<&CycleSample::slaves_sync>(Signal::kSlavesSync),
     state<&CycleSample::master_sync>(Signal::kMasterSync),
     whole<&CycleSample::master_state>(Signal::kMasterState),
+    whole<&CycleSample::sync_base>(Signal::kSyncBase),
 };
 
 constexpr auto kColumns = [] {

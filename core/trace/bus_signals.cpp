@@ -148,6 +148,8 @@ constexpr std::array kBusRows{
          [](const CycleSample& s) { return whole(s.dcm_output_total_ns); }),
     cell(Signal::kDcmErrorCode, "dcm_error_code", "DCM error code", "",
          [](const CycleSample& s) { return whole(s.dcm_error_code); }),
+    cell(Signal::kSyncBase, "sync_base_ns", "Base of the SYNC grid", "ns",
+         [](const CycleSample& s) { return whole_when(has(s, Flag::kSyncBaseValid), s.sync_base); }),
     total(Signal::kLostFrames, "lost_frames_total", "Lost frames", "not back at their deadline, and not come since",
           [](const Snapshot& s) { return std::optional(static_cast<double>(s.lost_frames)); }),
     total(Signal::kLateFrames, "late_frames_total", "Late frames", "back after their deadline",

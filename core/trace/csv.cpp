@@ -37,7 +37,8 @@ constexpr std::array kCsvColumns{Signal::kCycle,
                                  Signal::kFrameLateBy,
                                  Signal::kSkippedCycles,
                                  Signal::kDeviation,
-                                 Signal::kSlaveFollows};
+                                 Signal::kSlaveFollows,
+                                 Signal::kSyncBase};
 
 }  // namespace
 

@@ -47,6 +47,7 @@ class MinMaxSeries {
   [[nodiscard]] Nanoseconds first_time() const;
   [[nodiscard]] Nanoseconds last_time() const;
   [[nodiscard]] std::size_t memory_bytes() const;
+  [[nodiscard]] std::size_t capacity() const { return static_cast<std::size_t>(capacity_); }
 
   /// Columns of `width` ns that cover [begin, end). Their edges are multiples of `width` since the epoch
   /// whatever `begin` is, so a window that slides does not change the columns inside it.

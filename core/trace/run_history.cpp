@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "dc/clock_registers.h"
+#include "dc/sync0_arrival.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {
@@ -99,7 +100,8 @@ void HistoryRecorder::add_deviation(const CycleSample& sample) {
 
 void HistoryRecorder::add_arrival(const CycleSample& sample) {
   if (!grid_known_ || (sample.flags & CycleSample::kReferenceValid) == 0) return;
-  history_.frame_lateness.add(dc::wrap_to_half(sample.reference_time - (base_ - set_value_), cycle_));
+  const auto arrival = dc::sync0_arrival({base_ - set_value_, cycle_}, sample.reference_time);
+  history_.frame_lateness.add(dc::wrap_to_half(arrival.phase, cycle_));
 }
 
 // ---- events and snapshots -----------------------------------------------------------------------

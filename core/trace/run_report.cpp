@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "config/frame_time.h"
+#include "dc/sync0_arrival.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {
@@ -68,10 +69,8 @@ namespace {
 
 /// From the nominal moment at which the slave has its outputs to its next SYNC0.
 Nanoseconds sync0_margin(const RunReport::Slave& slave, Nanoseconds set_value) {
-  const auto distance = set_value + slave.sync0_shift -
-                        static_cast<Nanoseconds>(slave.propagation_delay_ns.value_or(0)) - slave.outputs_wire_time;
-  const auto rest = distance % slave.sync0_cycle;
-  return rest < 0 ? rest + slave.sync0_cycle : rest;
+  const auto arrived = dc::outputs_arrival(-set_value, slave.propagation_delay_ns.value_or(0), slave.outputs_wire_time);
+  return dc::sync0_arrival({slave.sync0_shift, slave.sync0_cycle}, arrived).margin;
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ constexpr std::size_t kLongestRun = 1024;
 
 }  // namespace
 
-SampleStore::SampleStore(const Layout& layout) : layout_(layout), places_(kSignalCount) {
+SampleStore::SampleStore(const Layout& layout)
+    : layout_(layout), places_(kSignalCount), slips_(layout.sync0, layout.cycle_time) {
   const auto per_slave = std::max(layout.slaves == 0 ? 0 : layout.cycle_capacity / layout.slaves, kLeastReadings);
   for (const auto& signal : signals()) {
     auto& first = places_[static_cast<std::size_t>(signal.id)];
@@ -33,6 +34,7 @@ SampleStore::SampleStore(const Layout& layout) : layout_(layout), places_(kSigna
     const auto count = of_slaves ? layout.slaves : 1;
     switch (signal.form) {
       case Form::kCell:
+      case Form::kDerived:
         break;
       case Form::kCycles:
         first = of_cycles_.size();
@@ -52,6 +54,11 @@ SampleStore::SampleStore(const Layout& layout) : layout_(layout), places_(kSigna
         break;
     }
   }
+  arrivals_.emplace(axis(), layout.sync0, layout.cycle_time, layout.sync_grid);
+}
+
+Sync0Slave SampleStore::sync0(std::size_t slave) const {
+  return slave < layout_.sync0.size() ? layout_.sync0[slave] : Sync0Slave{};
 }
 
 std::size_t SampleStore::place(Signal signal, std::size_t slave) const {
@@ -66,6 +73,8 @@ const MinMaxSeries& SampleStore::series(Signal signal, std::size_t slave) const 
       return of_readings_.at(place(signal, slave));
     case Form::kHeld:
       return of_held_.at(place(signal, slave)).series();
+    case Form::kDerived:
+      return arrivals_->phase(slave, series(Signal::kPropagationDelay, slave));
     default:
       return of_cycles_.at(place(signal, slave));
   }
@@ -113,6 +122,7 @@ std::size_t SampleStore::memory_bytes() const {
   for (const auto& series : of_cycles_) bytes += series.memory_bytes();
   for (const auto& series : of_readings_) bytes += series.memory_bytes();
   for (const auto& held : of_held_) bytes += held.series().memory_bytes();
+  bytes += arrivals_->memory_bytes();
   return bytes;
 }
 
@@ -136,6 +146,9 @@ void SampleStore::reserve(std::size_t cycles) {
 /// One gap sample keeps the lines from being joined across what is missing.
 void SampleStore::leave_gap(Nanoseconds time) {
   for (auto& series : of_cycles_) series.append(time, kGap);
+  arrivals_->leave_gap(time);
+  slips_.begin_anew();
+  hear_slips(time);
   for (const auto* signal : held_) of_held_[place(signal->id, 0)].lose(time);
 }
 
@@ -180,6 +193,18 @@ void SampleStore::append_cycles(std::span<const CycleSample> run) {
     cycle_values(cycles_[i]->id)(run.subspan(from), values.data());
     of_cycles_[i].append(times, values);
   }
+  arrivals_->append(run.subspan(from), times);
+}
+
+void SampleStore::hear_slips(Nanoseconds time) {
+  for (std::size_t slave = 0; slave < std::min(layout_.slaves, layout_.sync0.size()); ++slave) {
+    auto& held = of_held_[place(Signal::kSetpointSlips, slave)];
+    if (const auto count = slips_.count(slave)) {
+      held.hear(time, static_cast<float>(count->total()));
+    } else {
+      held.lose(time);
+    }
+  }
 }
 
 void SampleStore::append_slaves(const CycleSample& sample) {
@@ -198,7 +223,11 @@ void SampleStore::append_slaves(const CycleSample& sample) {
   const bool lost = (sample.flags & CycleSample::kFrameLost) != 0;
   lost_in_a_row_ = lost ? lost_in_a_row_ + 1 : 0;
   const bool outage = lost_in_a_row_ == kOutage;
-  if (!outage && time < next_look_) return;
+  if (outage) slips_.begin_anew();
+  const bool slipped = slips_.observe(sample);
+  const bool look = outage || time >= next_look_;
+  if (slipped || look) hear_slips(time);
+  if (!look) return;
   next_look_ = time + kLookEvery;
   for (const auto* signal : held_by_slave_) {
     for (std::size_t slave = 0; slave < layout_.slaves; ++slave) {
@@ -215,6 +244,7 @@ void SampleStore::append_slaves(const CycleSample& sample) {
 void SampleStore::restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times,
                           std::span<const float> values, Nanoseconds until) {
   if (info(signal).form != Form::kHeld) return;
+  if (signal == Signal::kPropagationDelay) arrivals_->forget_made();
   auto& held = of_held_.at(place(signal, slave));
   held.clear();
   for (std::size_t i = 0; i < std::min(times.size(), values.size()); ++i) {
@@ -233,6 +263,7 @@ void SampleStore::append(const Snapshot& snapshot) {
     if (const auto value = signal->of_bus(snapshot))
       of_held_[place(signal->id, 0)].hear(snapshot.time, static_cast<float>(*value));
   }
+  if (slips_.observe(snapshot)) hear_slips(snapshot.time);
   const auto count = std::min(layout_.slaves, snapshot.slaves.size());
   for (const auto* signal : held_by_slave_) {
     if (signal->of_slave == nullptr) continue;

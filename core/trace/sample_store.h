@@ -9,8 +9,10 @@
 
 #include "channels/cycle_sample.h"
 #include "channels/snapshot.h"
+#include "trace/arrival_series.h"
 #include "trace/held_series.h"
 #include "trace/min_max_series.h"
+#include "trace/setpoint_slips.h"
 #include "trace/signals.h"
 
 namespace syncline {
@@ -25,6 +27,8 @@ class SampleStore {
     Nanoseconds cycle_time = kMillisecond;
     std::size_t cycle_capacity = 1U << 20;       // cycles that are kept
     std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
+    std::vector<Sync0Slave> sync0{};             // by position; what is not there has no arrival phase and no slips
+    Nanoseconds sync_grid = 0;                   // see sync_grid(); 0: not known
   };
   /// Readings of single slaves are kept `cycle_capacity` divided by the number of slaves, at least 8192 each.
   explicit SampleStore(const Layout& layout);
@@ -40,7 +44,8 @@ class SampleStore {
   void restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times, std::span<const float> values,
                Nanoseconds until);
 
-  /// Of a signal that is drawn (not SignalInfo::Form::kCell), of the bus or of one slave.
+  /// Of a signal that is drawn (not SignalInfo::Form::kCell), of the bus or of one slave. What is derived is made now,
+  /// and stays for as long as ArrivalSeries says.
   [[nodiscard]] const MinMaxSeries& series(Signal signal) const;
   [[nodiscard]] const MinMaxSeries& series(Signal signal, std::size_t slave) const;
   /// The same of a held signal, with how long its last value holds; null for the others.
@@ -55,6 +60,8 @@ class SampleStore {
   [[nodiscard]] std::optional<MinMaxSeries::Reading> value(Signal signal, std::size_t slave, Nanoseconds time) const;
 
   [[nodiscard]] std::size_t slave_count() const { return layout_.slaves; }
+  /// Empty where its arrivals are not known.
+  [[nodiscard]] Sync0Slave sync0(std::size_t slave) const;
   [[nodiscard]] bool empty() const { return axis().empty(); }
   [[nodiscard]] Nanoseconds first_time() const { return axis().first_time(); }
   [[nodiscard]] Nanoseconds last_time() const { return axis().last_time(); }
@@ -69,6 +76,8 @@ class SampleStore {
   void append_run(std::span<const CycleSample> run);
   void append_cycles(std::span<const CycleSample> run);
   void append_slaves(const CycleSample& sample);
+  /// The counts of setpoint slips as they are at `time`.
+  void hear_slips(Nanoseconds time);
   void leave_gap(Nanoseconds time);
   /// Every cycle has a value of it.
   [[nodiscard]] const MinMaxSeries& axis() const { return of_cycles_[axis_]; }
@@ -80,6 +89,8 @@ class SampleStore {
   std::vector<const SignalInfo*> cycles_, readings_, held_, held_by_slave_;
   std::vector<MinMaxSeries> of_cycles_, of_readings_;
   std::vector<HeldSeries> of_held_;
+  mutable std::optional<ArrivalSeries> arrivals_;  // always there; makes series when they are asked for
+  SetpointSlips slips_;
   std::vector<Nanoseconds> run_times_;  // room for one run
   std::vector<float> run_values_;
   /// Last cycles of stretches in which none is missing, behind which some are; without that of the newest one.

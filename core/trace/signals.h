@@ -76,10 +76,17 @@ enum class Signal : std::uint8_t {
   kProcessingUnitErrors,
   kPdiErrors,
   kPortErrors,  // first of sixteen: four kinds for each port, see port_signal()
+  // behind them, by the order in which they came: the numbers are those of the series in recordings
+  kSyncBase = kPortErrors + 16,  // of the bus, in every cycle
+  kPropagationDelay,             // of each slave
+  kArrivalPhase,
+  kSetpointSlips,
 };
 enum class PortSignal : std::uint8_t { kInvalidFrames, kReceiveErrors, kForwardedErrors, kLostLinks };
 inline constexpr std::size_t kPorts = 4, kPortSignals = 4;
-inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kPortErrors) + kPorts * kPortSignals;
+static_assert(static_cast<std::size_t>(Signal::kSyncBase) ==
+              static_cast<std::size_t>(Signal::kPortErrors) + kPorts * kPortSignals);
+inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kSetpointSlips) + 1;
 [[nodiscard]] constexpr Signal port_signal(std::size_t port, PortSignal kind) {
   return static_cast<Signal>(static_cast<std::size_t>(Signal::kPortErrors) + port * kPortSignals +
                              static_cast<std::size_t>(kind));
@@ -101,6 +108,7 @@ struct SignalInfo {
     kCycles,    // another value in every cycle
     kReadings,  // read now and then; between two readings nothing is known
     kHeld,      // a count or a state: holds from one reading to the next
+    kDerived,   // of a slave, another value in every cycle; made of the bus's when somebody looks at it
   };
   enum class Scale : std::uint8_t { kLinear, kSignedLog, kLog, kBand };
 
@@ -113,7 +121,8 @@ struct SignalInfo {
   Scope scope;
   Form form;
   Scale scale;
-  /// Exactly one of the three, by scope and form; empty where the cycle or the slave has none.
+  /// At most one of the three, by scope and form (readings of single slaves and what is derived have none); empty where
+  /// the cycle or the slave has none.
   std::optional<SignalNumber> (*of_cycle)(const CycleSample&);
   std::optional<double> (*of_bus)(const Snapshot&);
   /// `speed_counter_start`: register 0x0930, to which 0x0932 relates.

@@ -56,6 +56,10 @@ Reading al_state(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16
   return slave.al_status != 0 ? Reading({snapshot.time, static_cast<double>(slave.al_status)}) : std::nullopt;
 }
 
+Reading propagation_delay(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16_t) {
+  return slave.dc_enabled ? Reading({snapshot.time, static_cast<double>(slave.propagation_delay_ns)}) : std::nullopt;
+}
+
 template <auto Count>
 Reading port_count(const SlaveStatus& slave, std::size_t port) {
   const auto& evidence = slave.evidence;
@@ -77,6 +81,7 @@ constexpr SignalInfo momentary(Signal id, std::string_view key, std::string_view
   return {id, key, name, unit, source, "", SignalInfo::Scope::kSlave, Form::kHeld, scale, nullptr, nullptr, of_slave};
 }
 
+constexpr std::string_view kSinceKnown = "OP, the last gap, or the last change of state, base or delay";
 constexpr std::string_view kSinceOp = "the slave being in OP first";
 
 constexpr std::array kSlaveRows{
@@ -114,6 +119,13 @@ constexpr std::array kSlaveRows{
           }),
     count(Signal::kPdiErrors, "pdi_errors", "PDI errors", "register 0x030D",
           [](const Snapshot&, const SlaveStatus& s, std::uint16_t) { return counted(s.evidence.pdi_errors); }),
+    momentary(Signal::kPropagationDelay, "propagation_delay_ns", "Propagation delay", "ns", "register 0x0928",
+              Scale::kLinear, propagation_delay),
+    SignalInfo{Signal::kArrivalPhase, "arrival_phase_ns", "Arrival phase", "ns",
+               "end of the frame with the outputs, behind SYNC0 in system time", "", SignalInfo::Scope::kSlave,
+               Form::kDerived, Scale::kLinear, nullptr, nullptr, nullptr},
+    count(Signal::kSetpointSlips, "setpoint_slips", "Setpoint slips",
+          "SYNC0 periods into which no frame came, or more than are due", nullptr, kSinceKnown),
 };
 
 template <std::size_t Port>

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip_panels.h"
 #include "ui/panels/live_strip_toolbar.h"
@@ -55,6 +56,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   stack_->addWidget(stability_);
   slaves_ = new SlavesView(&view_, &cursors_);
   stack_->addWidget(slaves_);
+  cycle_ = new CycleView(&view_);
+  stack_->addWidget(cycle_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);
@@ -75,6 +78,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
           [this](bool on) { showBody(on ? Body::kStability : Body::kPlots); });
   connect(toolbar_, &LiveStripToolbar::slavesToggled, this,
           [this](bool on) { showBody(on ? Body::kSlaves : Body::kPlots); });
+  connect(toolbar_, &LiveStripToolbar::cycleToggled, this,
+          [this](bool on) { showBody(on ? Body::kCycle : Body::kPlots); });
   connect(slaves_, &SlavesView::menuRequested, this, &LiveStrip::openMenu);
   connect(slaves_, &SlavesView::momentChosen, this, [this](int slave, Nanoseconds time) {
     setPickedSlave(slave);
@@ -104,6 +109,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   distribution_->setRecord(record_);
   stability_->setRecord(record_);
   slaves_->setRecord(record_);
+  cycle_->setRecord(record_);
   cursors_.clear();
   view_.reset();
   view_.setFollowable(!recorded);
@@ -118,6 +124,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
 void LiveStrip::setPickedSlave(int position) {
   for (auto* panel : panels_) panel->setPickedSlave(position);
   slaves_->select(position);
+  cycle_->select(position);
 }
 
 void LiveStrip::goTo(Nanoseconds time) {
@@ -192,6 +199,7 @@ void LiveStrip::tick() {
   if (body_ == Body::kDistribution && isVisible()) return distribution_->refresh();
   if (body_ == Body::kStability && isVisible()) return stability_->refresh();
   if (body_ == Body::kSlaves && isVisible()) return slaves_->refresh();
+  if (body_ == Body::kCycle && isVisible()) return cycle_->refresh();
   for (auto* panel : panels_) panel->plot()->refresh();
 }
 
@@ -203,13 +211,14 @@ void LiveStrip::showState() {
 }
 
 QWidget* LiveStrip::body() const {
-  QWidget* const bodies[] = {plots_, distribution_, stability_, slaves_};
+  QWidget* const bodies[] = {plots_, distribution_, stability_, slaves_, cycle_};
   return bodies[static_cast<std::size_t>(body_)];
 }
 
 void LiveStrip::showBody(Body body) {
   if (body == std::exchange(body_, body)) return;
-  toolbar_->setWanted(body == Body::kDistribution, body == Body::kStability, body == Body::kSlaves);
+  toolbar_->setWanted(body == Body::kDistribution, body == Body::kStability, body == Body::kSlaves,
+                      body == Body::kCycle);
   showState();
   for (auto* panel : panels_) panel->plot()->markDirty();
   refresh();

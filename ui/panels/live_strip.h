@@ -18,6 +18,7 @@ class QStackedLayout;
 
 namespace syncline::ui {
 
+class CycleView;
 class DistributionView;
 class LiveStripToolbar;
 class SlavesView;
@@ -62,11 +63,14 @@ class LiveStrip : public QWidget {
   [[nodiscard]] DistributionView* distribution() const { return distribution_; }
   [[nodiscard]] StabilityView* stability() const { return stability_; }
   [[nodiscard]] SlavesView* slaves() const { return slaves_; }
-  /// The plots over time, or in their place histograms, curves over observation times and spectra, or all slaves.
-  enum class Body : std::uint8_t { kPlots, kDistribution, kStability, kSlaves };
+  [[nodiscard]] CycleView* cycle() const { return cycle_; }
+  /// The plots over time, or in their place histograms, curves over observation times and spectra, all slaves, or the
+  /// SYNC0 period of one.
+  enum class Body : std::uint8_t { kPlots, kDistribution, kStability, kSlaves, kCycle };
   void showBody(Body body);
-  /// The bins of the distribution, the figures of the stability or the cells of the slaves where they are shown; else
-  /// the stretch that is shown as a table: times in ns since the run began and in UTC, one column a series; C locale.
+  /// The bins of the distribution, the figures of the stability, the cells of the slaves or the arrivals of the cycle
+  /// where they are shown; else the stretch that is shown as a table: times in ns since the run began and in UTC, one
+  /// column a series; C locale.
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
   /// The three plots with a caption, in light colours whatever the theme is.
@@ -110,6 +114,7 @@ class LiveStrip : public QWidget {
   DistributionView* distribution_;
   StabilityView* stability_;
   SlavesView* slaves_;
+  CycleView* cycle_;
   std::array<TracePanel*, 3> panels_{};
   QTimer tick_;
   unsigned ticks_ = 0;

@@ -11,6 +11,7 @@
 #include <QPainter>
 
 #include "support/whole_file.h"
+#include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/slaves_view.h"
@@ -40,6 +41,7 @@ std::string LiveStrip::csv() const {
   if (body_ == Body::kDistribution) return distribution_->csv();
   if (body_ == Body::kStability) return stability_->csv();
   if (body_ == Body::kSlaves) return slaves_->csv();
+  if (body_ == Body::kCycle) return cycle_->csv();
   return csv(view_.begin(), view_.end());
 }
 
@@ -48,7 +50,8 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
   if (record_ == nullptr) return series_csv(columns, 0, 0, 0);
   const auto& samples = record_->samples();
   for (const auto& signal : signals()) {
-    if (signal.form == SignalInfo::Form::kCell) continue;
+    // Made for all slaves at once it would take as much room as everything else; the distribution saves it.
+    if (signal.form == SignalInfo::Form::kCell || signal.form == SignalInfo::Form::kDerived) continue;
     const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
     for (std::size_t slave = 0; slave < (of_slaves ? samples.slave_count() : 1); ++slave) {
       const auto& series = samples.series(signal.id, slave);
@@ -76,6 +79,7 @@ QImage LiveStrip::picture(double scale) {
   if (body_ == Body::kDistribution) distribution_->refresh();
   if (body_ == Body::kStability) stability_->refresh();
   if (body_ == Body::kSlaves) slaves_->refresh();
+  if (body_ == Body::kCycle) cycle_->refresh();
   shown->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
   painter.setPen(printPalette().color(QPalette::Text));
   painter.setFont(font());

@@ -58,6 +58,10 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
                       tr("The deviations of all slaves as a heat map, and their figures, instead of the plots"));
   slaves_->setCheckable(true);
   connect(slaves_, &QToolButton::clicked, this, &LiveStripToolbar::slavesToggled);
+  cycle_ = addButton(layout, "cycleButton", tr("Cycle"),
+                     tr("Where in the SYNC0 period of a slave its outputs come, instead of the plots"));
+  cycle_->setCheckable(true);
+  connect(cycle_, &QToolButton::clicked, this, &LiveStripToolbar::cycleToggled);
   auto* trigger = addButton(layout, "triggerButton", tr("Trigger"),
                             tr("Stops or moves the plots where a signal or an event does what you wait for"));
   connect(trigger, &QToolButton::clicked, this, &LiveStripToolbar::triggerWanted);
@@ -87,10 +91,11 @@ QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, 
   return button;
 }
 
-void LiveStripToolbar::setWanted(bool distribution, bool stability, bool slaves) {
+void LiveStripToolbar::setWanted(bool distribution, bool stability, bool slaves, bool cycle) {
   distribution_->setChecked(distribution);
   stability_->setChecked(stability);
   slaves_->setChecked(slaves);
+  cycle_->setChecked(cycle);
 }
 
 void LiveStripToolbar::showState() {

@@ -24,12 +24,13 @@ class LiveStripToolbar final : public QWidget {
   void showState();
 
   /// What stands in place of the plots: one of them at most.
-  void setWanted(bool distribution, bool stability, bool slaves);
+  void setWanted(bool distribution, bool stability, bool slaves, bool cycle);
 
  Q_SIGNALS:
   void distributionToggled(bool on);
   void stabilityToggled(bool on);
   void slavesToggled(bool on);
+  void cycleToggled(bool on);
   void fitRequested();
   void triggerWanted();
   void cursorsToggled(bool on);
@@ -45,7 +46,7 @@ class LiveStripToolbar final : public QWidget {
     Nanoseconds span;
   };
   std::vector<Length> lengths_;
-  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_, *slaves_;
+  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_, *slaves_, *cycle_;
   ValueLabel *state_, *delta_;
 };
 

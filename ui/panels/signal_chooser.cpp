@@ -53,10 +53,16 @@ void SignalChooser::fill() {
     if (!text.isEmpty() && row.scope == SignalInfo::Scope::kBus && suits_(row)) offer(*menu(), text, {row.id, 0});
   }
   auto* slaves = menu()->addMenu(tr("Deviation of a slave"));
+  auto* phases = suits_(info(Signal::kArrivalPhase)) ? menu()->addMenu(tr("Arrival phase of a slave")) : nullptr;
   for (std::size_t slave = 0; slave < record_->samples().slave_count(); ++slave) {
-    const SignalSource source{Signal::kSlaveDeviation, slave};
-    if (!seriesOf(*record_, source).empty()) offer(*slaves, nameOf(*record_, source), source);
+    const SignalSource deviation{Signal::kSlaveDeviation, slave};
+    if (!seriesOf(*record_, deviation).empty()) offer(*slaves, nameOf(*record_, deviation), deviation);
+    // Not asked for its series, which would be made now.
+    const SignalSource phase{Signal::kArrivalPhase, slave};
+    if (phases != nullptr && record_->samples().sync0(slave).period > 0) offer(*phases, nameOf(*record_, phase), phase);
   }
+  // Where no slave has SYNC0 it would open nothing.
+  if (phases != nullptr) phases->menuAction()->setVisible(!phases->isEmpty());
 }
 
 }  // namespace syncline::ui

@@ -11,7 +11,7 @@ class QMenu;
 namespace syncline::ui {
 
 /// A menu from which up to four signals are chosen: those that have a value of their own in every cycle or reading, and
-/// the deviation of each slave.
+/// the deviation and the arrival phase of each slave.
 class SignalChooser final : public QToolButton {
   Q_OBJECT
 

@@ -36,6 +36,8 @@ enum EpisodeColumn : std::uint8_t { kTimeColumn, kCycleColumn, kCauseColumn, kSl
 QString triggerSignal(Signal signal) {
   if (signal == Signal::kSm2Missed) return TriggerPanel::tr("SM2 events missed");
   if (signal == Signal::kFramesLost) return TriggerPanel::tr("Frames lost in a cycle");
+  if (signal == Signal::kArrivalPhase) return TriggerPanel::tr("Arrival phase of a slave");
+  if (signal == Signal::kSetpointSlips) return TriggerPanel::tr("Setpoint slips of a slave");
   if (signal == Signal::kSlaveDeviation) return TriggerPanel::tr("Deviation of a slave");
   return signalText(signal);
 }

@@ -19,7 +19,9 @@ const MinMaxSeries& seriesOf(const RunRecord& record, const SignalSource& source
 
 QString nameOf(const RunRecord& record, const SignalSource& source) {
   if (!isOfSlave(source.signal)) return signalText(source.signal);
-  return u'#' + QString::number(source.slave) + u' ' + QString::fromStdString(record.slave_name(source.slave));
+  const auto slave =
+      u'#' + QString::number(source.slave) + u' ' + QString::fromStdString(record.slave_name(source.slave));
+  return source.signal == Signal::kArrivalPhase ? slave + QStringLiteral(": ") + signalText(source.signal) : slave;
 }
 
 std::string keyOf(const SignalSource& source) {

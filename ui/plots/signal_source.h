@@ -17,7 +17,7 @@ struct SignalSource {
 
 /// The run must have it.
 [[nodiscard]] const MinMaxSeries& seriesOf(const RunRecord& record, const SignalSource& source);
-/// "Largest deviation", "#1 Servo".
+/// "Largest deviation", "#1 Servo" (its deviation), "#1 Servo: Arrival phase".
 [[nodiscard]] QString nameOf(const RunRecord& record, const SignalSource& source);
 /// Head of a CSV column: "deviation_ns", "deviation_ns #1".
 [[nodiscard]] std::string keyOf(const SignalSource& source);

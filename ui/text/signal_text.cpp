@@ -33,6 +33,8 @@ QString signalText(Signal signal) {
       return QCoreApplication::translate("DistributionView", "Frame late by");
     case Signal::kSlaveDeviation:
       return QCoreApplication::translate("DistributionView", "Deviation");
+    case Signal::kArrivalPhase:
+      return QCoreApplication::translate("DistributionView", "Arrival phase");
     default:
       return {};
   }

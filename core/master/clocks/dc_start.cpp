@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "config/sync_grid.h"
 #include "dc/clock_registers.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
@@ -15,7 +15,6 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kLongestGrid = 60 * kSecond;
 /// Start time, activation and their retries each take a cycle before the time must not have passed.
 constexpr int kCyclesUntilActive = 6;
 /// A step that has to be repeated, because a frame got lost.
@@ -25,22 +24,7 @@ constexpr unsigned kMostDoublings = 6;
 
 }  // namespace
 
-Nanoseconds dc_start_grid(const NetworkConfig& config) {
-  Nanoseconds grid = config.cycle_time();
-  const auto include = [&](Nanoseconds cycle) {
-    if (cycle > 0 && grid <= kLongestGrid) grid = std::lcm(grid, cycle);
-  };
-  include(config.dc.start_time_grid);
-  for (const auto& slave : config.slaves) {
-    if (!slave.dc) continue;
-    include(slave.dc->cycle_time0);
-    if (!AssignActivate{slave.dc->assign_activate}.sync1() || slave.dc->cycle_time0 <= 0) continue;
-    // 0x09A4 is a delay after SYNC0; SYNC1 comes with every so many SYNC0 pulses.
-    const auto every = slave.dc->cycle_time1 / slave.dc->cycle_time0 + 1;
-    include(every * slave.dc->cycle_time0);
-  }
-  return grid <= kLongestGrid ? grid : config.cycle_time();
-}
+Nanoseconds dc_start_grid(const NetworkConfig& config) { return sync_grid(config).value_or(config.cycle_time()); }
 
 bool writes_dc_start_time(const InitCmd& command) {
   return command.ado == reg::kStartTimeCyclicOperation && command.length() >= 4 && !is_logical(command.command) &&

@@ -122,6 +122,8 @@ std::optional<Nanoseconds> SyncWatch::reference_write(Nanoseconds send_time, Nan
 
 Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, CycleSample& sample) {
   if (!controller_) return 0;
+  sample.sync_base = base_;
+  sample.flags |= CycleSample::kSyncBaseValid;
   if (observation.reference_time) {
     last_host_ = observation.send_time;
     last_reference_ = *observation.reference_time;

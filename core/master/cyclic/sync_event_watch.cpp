@@ -65,7 +65,7 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
     return;
   }
   slave.in_op_since = time;
-  if (!slave.account) slave.account.emplace(slave.period, sync_.base() + slave.shift);
+  if (!slave.account) slave.account.emplace(dc::Sync0Grid{sync_.base() + slave.shift, slave.period});
   slave.account->set_limit(slave.limit);
   slave.before = slave.account;
   slave.account->entered_op();
@@ -106,8 +106,9 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
   Together together;
   together.changes = run_.slave_changes();
   for (auto& slave : slaves_) {
-    const auto delay = slave.wire + static_cast<Nanoseconds>(run_.snapshot.slaves[slave.position].propagation_delay_ns);
-    const auto came = outputs.passed + delay;
+    const auto came =
+        dc::outputs_arrival(outputs.passed, run_.snapshot.slaves[slave.position].propagation_delay_ns, slave.wire);
+    const auto delay = came - outputs.passed;
     if (outputs.regular() && slave.next && observe_regular(slave, came)) {
       if (together.period == 0) together.period = slave.period;
       all_regular = all_regular && slave.period == together.period;

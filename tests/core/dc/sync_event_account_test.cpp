@@ -45,7 +45,7 @@ class Bench {
     if (!fallen) account.confirm_op();
   }
 
-  SyncEventAccount account{kPeriod, kFirst};
+  SyncEventAccount account{{kFirst, kPeriod}};
   std::uint32_t counter = 0, integrator = 0, highest = 0;
   bool fallen = false;
 
@@ -160,7 +160,7 @@ TEST(SyncEventAccount, TakesTheCounterOfASlaveThatKeepsItBehindTheFall) {
 }
 
 TEST(SyncEventAccount, CountsPeriodsNotFramesWhereSync0IsSlower) {
-  SyncEventAccount account(4 * kPeriod, kFirst);
+  SyncEventAccount account({kFirst, 4 * kPeriod});
   for (int i = 0; i < 40; ++i) account.observe({i * kPeriod, i % 4 != 2, 0});
   account.read(0);
   EXPECT_EQ(account.missed(), 0U) << "three of four frames are enough";
@@ -168,7 +168,7 @@ TEST(SyncEventAccount, CountsPeriodsNotFramesWhereSync0IsSlower) {
 }
 
 TEST(SyncEventAccount, ComputesForASlaveWithoutACounter) {
-  SyncEventAccount account(kPeriod, kFirst);
+  SyncEventAccount account({kFirst, kPeriod});
   for (int i = 0; i < 10; ++i) account.observe({i * kPeriod, i != 4, 0});
   EXPECT_EQ(account.missed(), 1U);
   EXPECT_EQ(account.computed(), 1U);
@@ -224,7 +224,7 @@ TEST(SyncEventAccount, FollowsADriveThroughAnyDisturbance) {
 
 TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
   EXPECT_TRUE(rc::check([] {
-    SyncEventAccount each{kPeriod, kFirst}, at_once{kPeriod, kFirst};
+    SyncEventAccount each{{kFirst, kPeriod}}, at_once{{kFirst, kPeriod}};
     for (auto* account : {&each, &at_once}) account->set_limit(9);
     Nanoseconds time = 0;
     constexpr Nanoseconds kNone = -1;

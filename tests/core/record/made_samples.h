@@ -38,7 +38,8 @@ class MadeSamples {
     s.master_state = 8;
     s.slaves_sync = static_cast<SyncState>(random_.next() % kSyncStates);
     s.master_sync = static_cast<SyncState>(random_.next() % kSyncStates);
-    s.flags = CycleSample::kDcmActive;
+    s.flags = CycleSample::kDcmActive | CycleSample::kSyncBaseValid;
+    s.sync_base = 250'000;
     s.dcm_adjust_ns = static_cast<std::int32_t>(about(50));
     s.dcm_output_sum_ns = static_cast<float>(about(1000)) / 8;
     s.dcm_output_total_ns = about(1'000'000'000'000);

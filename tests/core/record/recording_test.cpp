@@ -49,11 +49,29 @@ Snapshot snapshot(Nanoseconds time, std::uint32_t missed) {
     slave.present = true;
     slave.al_status = 8;
   }
+  s.slaves[2].dc_enabled = true;
+  s.slaves[2].propagation_delay_ns = 1'300;
   s.slaves[2].sm2_missed.known = true;
   s.slaves[2].sm2_missed.missed = missed;
   s.slaves[1].evidence.ports[0].lost_links = missed / 3;
   s.slaves[1].evidence.ports_time = time;
   return s;
+}
+
+/// The servo has SYNC0 and outputs.
+NetworkConfig with_sync0() {
+  CyclicCmd command;
+  command.command = Command::kLrw;
+  command.data_length = 64;
+  NetworkConfig config;
+  config.cyclic.resize(1);
+  config.cyclic[0].cycle_time = kMillisecond;
+  config.cyclic[0].frames.resize(1);
+  config.cyclic[0].frames[0].commands = {command};
+  config.slaves.resize(3);
+  config.slaves[2].dc = SlaveDcConfig{true, false, kMillisecond, 0, 40 * kMicrosecond, 0x0300};
+  config.slaves[2].send = ImageRange{0, 64};
+  return config;
 }
 
 std::string csv(std::span<const CycleSample> samples) {
@@ -66,7 +84,7 @@ class RecordingFile : public testing::Test {
  protected:
   [[nodiscard]] std::string path(const std::string& name = "run.slrec") const { return folder_.file(name); }
   std::unique_ptr<Recorder> start(const Recorder::Options& options = {}, const std::string& name = "run.slrec") {
-    auto recorder = Recorder::start(path(name), machine(), options, [this](const Recorder::Stop& stop) {
+    auto recorder = Recorder::start(path(name), about_, options, [this](const Recorder::Stop& stop) {
       stop_ = stop;
       ++stops_;
     });
@@ -94,6 +112,7 @@ class RecordingFile : public testing::Test {
     return text;
   }
 
+  RecordingAbout about_ = machine();
   test::TemporaryFolder folder_;
   std::vector<CycleSample> samples_;
   Recorder::Stop stop_;
@@ -171,8 +190,8 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
 
 /// Replayed, each series of the store has the samples that it had while the run went on, bit for bit.
 TEST_F(RecordingFile, ReplaysWhatWasDrawn) {
-  NetworkConfig config;
-  config.slaves.resize(3);
+  auto config = with_sync0();
+  about_.sync0 = sync0_slaves(config);
   RunRecord live(config);
   auto recorder = start();
   test::MadeSamples made(11);
@@ -207,8 +226,33 @@ TEST_F(RecordingFile, ReplaysWhatWasDrawn) {
       EXPECT_TRUE(was == is) << signal.key << " of " << slave << ": " << was.size() << " and " << is.size();
     }
   }
+  EXPECT_FALSE(live.samples().series(Signal::kArrivalPhase, 2).empty());
+  EXPECT_GT(live.samples().series(Signal::kSetpointSlips, 2).size(), 10U);
   config.slaves.resize(2);
   EXPECT_FALSE(replay_run(*reader, config));
+}
+
+/// Version 2 has neither the base of the SYNC grid nor delays: what is made of them is not known.
+TEST_F(RecordingFile, OfVersionTwoTellsNoArrivals) {
+  const auto config = with_sync0();
+  auto recorder = start({.by_clock = false});
+  test::MadeSamples made(1);
+  auto samples = made.next(500);
+  for (auto& sample : samples) {
+    sample.sync_base = 0;
+    sample.flags &= static_cast<std::uint16_t>(~CycleSample::kSyncBaseValid);
+  }
+  recorder->add(samples);
+  ASSERT_TRUE(recorder->finish());
+  ASSERT_TRUE(SqlDatabase::open(path())->execute("PRAGMA user_version = 2"));
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader) << reader.error().detail;
+  const auto replayed = replay_run(*reader, config);
+  ASSERT_TRUE(replayed) << replayed.error().detail;
+  const auto& store = replayed->record->samples();
+  EXPECT_FALSE(store.series(Signal::kArrivalPhase, 2).extent(INT64_MIN, INT64_MAX));
+  EXPECT_TRUE(store.series(Signal::kSetpointSlips, 2).empty());
+  EXPECT_FALSE(store.series(Signal::kDcmError).empty());
 }
 
 /// Events, figures, faults and findings are those that the run had.
