@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "findings/reason_row.h"
 #include "findings/reason_words.h"
 
 namespace syncline {
@@ -46,6 +47,16 @@ std::size_t own_size(const Reason& reason) {
 }
 
 }  // namespace
+
+std::string fill_reason(std::string_view words, std::span<const std::string> given) {
+  std::string text;
+  for (const auto& one : given) {
+    const auto open = words.find('{');
+    text.append(words.substr(0, open)).append(one);
+    words.remove_prefix(words.find('}', open) + 1);
+  }
+  return text.append(words);
+}
 
 std::optional<Reason> find_reason(std::string_view text) {
   std::optional<Reason> best;

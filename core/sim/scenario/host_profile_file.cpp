@@ -64,8 +64,8 @@ class Reader {
       }
       if (!points.empty() && next->part <= points.back().part) fail_in(node, "the parts must rise");
       if (!points.empty() && next->value < points.back().value) {
-        fail_in(node, fmt::format("{} of all are not above {} ns, so {} of all cannot be below {} ns",
-                                  points.back().part, points.back().value, next->part, next->value));
+        fail_in(node, "{part} of all are not above {time} ns, so {other} of all cannot be below {least} ns",
+                points.back().part, points.back().value, next->part, next->value);
       }
       points.push_back(*next);
     }
@@ -83,9 +83,10 @@ class Reader {
     }
   }
 
-  void fail_in(const toml::node& node, std::string detail) {
+  template <class... Given>
+  void fail_in(const toml::node& node, ScenarioReason<Given...> reason, const Given&... given) {
     if (error_) return;
-    error_ = Error{ErrorCode::kScenarioKey, std::string(kQuantiles), std::move(detail), path_,
+    error_ = Error{ErrorCode::kScenarioKey, std::string(kQuantiles), reason.text(given...), path_,
                    static_cast<int>(node.source().begin.line)};
   }
 

@@ -25,7 +25,7 @@ const FaultRule* find_rule(Table& table) {
   if (rule != rules.end()) return &*rule;
   std::vector<std::string_view> names;
   for (const auto& one : rules) names.push_back(one.name);
-  table.fail_at("kind", fmt::format("must be one of {}", fmt::join(names, ", ")));
+  table.fail_at("kind", "must be one of {names}", fmt::format("{}", fmt::join(names, ", ")));
   return nullptr;
 }
 
@@ -33,9 +33,8 @@ const FaultRule* find_rule(Table& table) {
 void check_keys(Table& table, const FaultRule& rule) {
   for (const auto key : kKeys) {
     const auto name = name_of(key);
-    if ((rule.keys & key) == 0 && table.has(name)) table.fail_at(name, fmt::format("does not go with {}", rule.name));
-    if ((rule.required & key) != 0 && !table.has(name))
-      table.fail_at(name, fmt::format("is missing: {} needs it", rule.name));
+    if ((rule.keys & key) == 0 && table.has(name)) table.fail_at(name, "does not go with {fault}", rule.name);
+    if ((rule.required & key) != 0 && !table.has(name)) table.fail_at(name, "is missing: {fault} needs it", rule.name);
   }
   if (table.has("count") && table.has("probability"))
     table.fail_at("count", "goes without probability: one of the two");
@@ -97,7 +96,7 @@ void ScenarioFaults::read(const toml::table& node) {
   read_values(table, *rule, fault);
   fault.slave = -1;
   if (rule->subject == R::Subject::kHost) {
-    if (table.has("slave")) table.fail_at("slave", fmt::format("does not go with {}: it is no slave's", rule->name));
+    if (table.has("slave")) table.fail_at("slave", "does not go with {fault}: it is no slave's", rule->name);
   } else if (rule->subject == R::Subject::kSlave || table.has("slave")) {
     fault.slave = static_cast<int>(table.integer("slave", -1, 0, static_cast<std::int64_t>(slaves_.size()) - 1));
     if (fault.slave < 0) table.fail_at("slave", "must be the position of a slave of this scenario");
@@ -166,9 +165,8 @@ void ScenarioFaults::check_port(Table& table, const FaultConfig& fault) {
 
 void ScenarioFaults::check_time(Table& table, const FaultConfig& fault) {
   if (fault.until != 0 && fault.until <= fault.at) {
-    return table.fail_at("until_ms",
-                         fmt::format("the fault would end before it begins, at {} ms; 0 or no until_ms: for good",
-                                     static_cast<double>(fault.at) / 1e6));
+    return table.fail_at("until_ms", "the fault would end before it begins, at {time} ms; 0 or no until_ms: for good",
+                         static_cast<double>(fault.at) / 1e6);
   }
   const bool of_frames = fault.kind == FaultKind::kLoseFrames || fault.kind == FaultKind::kBitErrors;
   if (of_frames && fault.until != 0 && table.has("count")) {
@@ -185,8 +183,8 @@ void ScenarioFaults::check_time(Table& table, const FaultConfig& fault) {
     return other.kind == fault.kind && same_place && lasts(other, rule) && overlap(other, fault);
   });
   if (same == faults_.end()) return;
-  table.fail_at("at_ms", fmt::format("the {} of the same slave that begins at {} ms is not over then", rule.name,
-                                     static_cast<double>(same->at) / 1e6));
+  table.fail_at("at_ms", "the {fault} of the same slave that begins at {time} ms is not over then", rule.name,
+                static_cast<double>(same->at) / 1e6);
 }
 
 }  // namespace syncline::sim

@@ -62,7 +62,7 @@ void read_delays(Table& table, SimSlaveConfig& slave) {
       slave.forwarding_delay_ns = known->forwarding_delay_ns;
       slave.esc_type = known->type_register;
     } else {
-      table.fail_at("esc", "must be one of " + esc_type_names());
+      table.fail_at("esc", "must be one of {names}", esc_type_names());
     }
   }
   for (const auto* key : {"processing_delay_ns", "forwarding_delay_ns", "tdiff_ns"}) {
@@ -127,15 +127,14 @@ void ScenarioSlaves::read(const toml::table& node) {
 void ScenarioSlaves::check_count(Table& table, const SimSlaveConfig& slave, std::int64_t count) {
   const auto before = static_cast<std::int64_t>(slaves_.size());
   if (before + count > kMostSlaves) {
-    table.fail_at("count", fmt::format("makes {} slaves where a segment has {} at most", before + count, kMostSlaves));
+    table.fail_at("count", "makes {count} slaves where a segment has {most} at most", before + count, kMostSlaves);
   }
   if (count == 1) return;
   const auto counts_beyond = [count](std::int64_t first, std::int64_t most) {
     return first != 0 && first + count - 1 > most;
   };
   if (counts_beyond(slave.alias, UINT16_MAX)) {
-    table.fail_at(table.has("alias") ? "alias" : "count",
-                  fmt::format("counts up to {}, beyond 65535", slave.alias + count - 1));
+    table.fail_at(table.has("alias") ? "alias" : "count", "counts up to {last}, beyond 65535", slave.alias + count - 1);
   }
   if (counts_beyond(slave.serial_no, UINT32_MAX)) {
     table.fail_at(table.has("serial_no") ? "serial_no" : "count", "counts up beyond 4294967295");
@@ -156,15 +155,15 @@ void ScenarioSlaves::read_place(Table& table, SimSlaveConfig& slave) {
     const auto other = std::ranges::find_if(
         slaves_, [&](const auto& one) { return one.parent == slave.parent && one.parent_port == slave.parent_port; });
     if (other != slaves_.end()) {
-      table.fail_at("port",
-                    fmt::format("this port of slave {} has slave {} already", *slave.parent, other - slaves_.begin()));
+      table.fail_at("port", "this port of slave {slave} has slave {other} already", *slave.parent,
+                    other - slaves_.begin());
     }
   }
   slave.cable_m = table.number("cable_m", 1.0, 0, kMostCable);
   slave.asymmetry_ns =
       table.number("asymmetry_ns", 0, -2 * kMostCable * kCableNsPerMetre, 2 * kMostCable * kCableNsPerMetre);
   if (std::abs(slave.asymmetry_ns) > 2 * slave.cable_m * kCableNsPerMetre) {
-    table.fail_at("asymmetry_ns", fmt::format("is more than there and back over {} m together", slave.cable_m));
+    table.fail_at("asymmetry_ns", "is more than there and back over {length} m together", slave.cable_m);
   }
 }
 
@@ -175,15 +174,14 @@ void ScenarioSlaves::check_wiring() {
     const auto& slave = slaves_[i];
     Table table(*nodes_[i], file_, error_);
     if (!slave.parent) {
-      if (first)
-        table.fail_at("parent", fmt::format("is needed: slave {} is the one that is wired to the master", *first));
+      if (first) table.fail_at("parent", "is needed: slave {slave} is the one that is wired to the master", *first);
       first = i;
     } else if (*slave.parent >= slaves_.size()) {
-      table.fail_at("parent", fmt::format("must be the number of a slave; there are {}", slaves_.size()));
+      table.fail_at("parent", "must be the number of a slave; there are {count}", slaves_.size());
     } else if (slaves_[*slave.parent].entry_port == slave.parent_port) {
-      table.fail_at(
-          table.has("port") ? "port" : "parent",
-          fmt::format("{:c} is where slave {} is wired to the one before it", 'A' + slave.parent_port, *slave.parent));
+      table.fail_at(table.has("port") ? "port" : "parent",
+                    "{port} is where slave {slave} is wired to the one before it",
+                    static_cast<char>('A' + slave.parent_port), *slave.parent);
     }
   }
 }

@@ -55,10 +55,12 @@ std::int64_t Table::integer(std::string_view key, std::int64_t fallback, std::in
   if (node == nullptr) return fallback;
   const auto value = node->value_exact<std::int64_t>();
   if (value && *value >= low && *value <= high) return *value;
-  if (high == INT64_MAX) {
-    fail_at(key, low == INT64_MIN ? "must be a whole number" : fmt::format("must be a whole number from {} on", low));
+  if (high < INT64_MAX) {
+    fail_at(key, "must be a whole number from {low} to {high}", low, high);
+  } else if (low > INT64_MIN) {
+    fail_at(key, "must be a whole number from {low} on", low);
   } else {
-    fail_at(key, fmt::format("must be a whole number from {} to {}", low, high));
+    fail_at(key, "must be a whole number");
   }
   return fallback;
 }
@@ -68,7 +70,7 @@ double Table::number(std::string_view key, double fallback, double low, double h
   if (node == nullptr) return fallback;
   const auto value = node->value<double>();
   if (value && node->is_number() && *value >= low && *value <= high) return *value;  // false for what is no number, too
-  fail_at(key, fmt::format("must be a number from {} to {}", low, high));
+  fail_at(key, "must be a number from {low} to {high}", low, high);
   return fallback;
 }
 
@@ -79,7 +81,7 @@ Nanoseconds Table::time_ms(std::string_view key, double fallback) {
 
 const toml::table* Table::table(std::string_view key) {
   const auto* node = ask(key);
-  if (node != nullptr && !node->is_table()) fail_at(key, fmt::format("must be written as [{}]", key));
+  if (node != nullptr && !node->is_table()) fail_at(key, "must be written as [{key}]", key);
   return node == nullptr ? nullptr : node->as_table();
 }
 
@@ -87,7 +89,7 @@ const toml::array* Table::tables(std::string_view key) {
   const auto* node = ask(key);
   if (node == nullptr) return nullptr;
   if (!node->is_array_of_tables()) {
-    fail_at(key, fmt::format("must be written as [[{}]]", key));
+    fail_at(key, "must be written as [[{key}]]", key);
     return nullptr;
   }
   return node->as_array();
@@ -99,16 +101,15 @@ const toml::array* Table::array(std::string_view key) {
   return node == nullptr ? nullptr : node->as_array();
 }
 
-void Table::fail_at(std::string_view key, std::string detail) {
-  if (error_) return;
+void Table::set_error(std::string_view key, std::string detail) {
   const auto* node = table_.get(key);
   const auto line = node != nullptr ? node->source().begin.line : table_.source().begin.line;
   error_ = Error{ErrorCode::kScenarioKey, std::string(key), std::move(detail), file_, static_cast<int>(line)};
 }
 
-void Table::reject_unknown_keys(std::string_view where) {
+void Table::reject_unknown_keys(ScenarioReason<> where) {
   for (const auto& [key, node] : table_) {
-    if (!asked_.contains(key.str())) fail_at(key.str(), fmt::format("is not a key that {} has here", where));
+    if (!asked_.contains(key.str())) fail_at(key.str(), "is not a key that {reason} has here", where.words());
   }
 }
 

@@ -9,7 +9,10 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
+#include "findings/reason_row.h"
+#include "findings/scenario_reason_words.h"
 #include "support/result.h"
 #include "support/types.h"
 
@@ -17,6 +20,10 @@ namespace syncline::sim {
 
 /// Beyond, it is no clock.
 inline constexpr double kMostPpm = 10'000;
+
+/// Why a scenario's key is refused: a row of kScenarioReasons, found while compiling.
+template <class... Given>
+using ScenarioReason = std::type_identity_t<ReasonRow<words::kScenarioReasons, Given...>>;
 
 /// Reads one table of a TOML file: every key that is asked for is remembered, the others are errors. The first error of
 /// a file stands, with file, line and key; after it the values are of no use.
@@ -48,12 +55,16 @@ class Table {
   [[nodiscard]] const toml::array* array(std::string_view key);
 
   /// At the key's line; at the table's where it is not there.
-  void fail_at(std::string_view key, std::string detail);
-  void reject_unknown_keys(std::string_view where = "a scenario");
+  template <class... Given>
+  void fail_at(std::string_view key, ScenarioReason<Given...> reason, const Given&... given) {
+    if (!error_) set_error(key, reason.text(given...));
+  }
+  void reject_unknown_keys(ScenarioReason<> where = "a scenario");
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   [[nodiscard]] int line() const { return static_cast<int>(table_.source().begin.line); }
 
  private:
+  void set_error(std::string_view key, std::string detail);
   [[nodiscard]] const toml::node* ask(std::string_view key);
 
   const toml::table& table_;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "findings/finding.h"
+#include "findings/reason_row.h"
 #include "findings/reason_words.h"
 #include "support/whole_file.h"
 #include "tests/support/source_dir.h"
@@ -41,6 +42,17 @@ TEST(Reasons, TheTextsOfOthersAreLeftAlone) {
   EXPECT_EQ(find_reason(""), std::nullopt);
   EXPECT_EQ(find_reason("Axis X"), std::nullopt);
   EXPECT_EQ(find_reason("0x1a00 0x1a01"), std::nullopt);
+}
+
+TEST(Reasons, ARowTakesWhatIsGivenInItsOrder) {
+  const ReasonRow<words::kScenarioReasons, int, std::string_view> row(
+      "this port of slave {slave} has slave {other} already");
+  EXPECT_EQ(row.text(3, "{4}"), "this port of slave 3 has slave {4} already");
+  const ReasonRow<words::kScenarioReasons, double> single("is more than there and back over {length} m together");
+  EXPECT_EQ(single.text(0.5), "is more than there and back over 0.5 m together");
+  const ReasonRow<words::kScenarioReasons> plain("needs a slave");
+  EXPECT_EQ(plain.text(), "needs a slave");
+  EXPECT_EQ(plain.words().data(), std::ranges::find(words::kScenarioReasons, plain.words())->data());
 }
 
 /// With {} for each placeholder and format; one for several behind each other.
