@@ -1123,6 +1123,14 @@
             <source>The deviations of all slaves as a heat map, and their figures, instead of the plots</source>
             <translation>Die Abweichungen aller Slaves als Heatmap und ihre Kennzahlen, anstelle der Kurven</translation>
         </message>
+        <message>
+            <source>View</source>
+            <translation>Ansicht</translation>
+        </message>
+        <message>
+            <source>What is shown instead of the plots over time</source>
+            <translation>Was anstelle der Kurven über der Zeit gezeigt wird</translation>
+        </message>
 </context>
 <context>
     <name>MainWindow</name>

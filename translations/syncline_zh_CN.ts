@@ -1121,6 +1121,14 @@
             <source>The deviations of all slaves as a heat map, and their figures, instead of the plots</source>
             <translation>以热图显示所有从站的偏差及其数值，代替曲线</translation>
         </message>
+        <message>
+            <source>View</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>What is shown instead of the plots over time</source>
+            <translation>代替时间曲线显示的内容</translation>
+        </message>
 </context>
 <context>
     <name>MainWindow</name>

@@ -3,7 +3,10 @@
 
 #include <QHBoxLayout>
 #include <QLocale>
+#include <QMenu>
 #include <QToolButton>
+#include <algorithm>
+#include <utility>
 
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
@@ -62,6 +65,7 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
                      tr("Where in the SYNC0 period of a slave its outputs come, instead of the plots"));
   cycle_->setCheckable(true);
   connect(cycle_, &QToolButton::clicked, this, &LiveStripToolbar::cycleToggled);
+  buildViews(layout);
   auto* trigger = addButton(layout, "triggerButton", tr("Trigger"),
                             tr("Stops or moves the plots where a signal or an event does what you wait for"));
   connect(trigger, &QToolButton::clicked, this, &LiveStripToolbar::triggerWanted);
@@ -91,11 +95,65 @@ QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, 
   return button;
 }
 
+/// In place of the buttons of the views where there is no room for all of them.
+void LiveStripToolbar::buildViews(QHBoxLayout* layout) {
+  views_ = addButton(layout, "viewsButton", tr("View"), tr("What is shown instead of the plots over time"));
+  views_->setPopupMode(QToolButton::InstantPopup);
+  views_->setCheckable(true);
+  views_->hide();
+  auto* menu = new QMenu(views_);
+  menu->setObjectName(QStringLiteral("viewsMenu"));
+  views_->setMenu(menu);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    for (auto* button : viewButtons()) {
+      auto* action = menu->addAction(button->text(), button, &QToolButton::click);
+      action->setCheckable(true);
+      action->setChecked(button->isChecked());
+    }
+  });
+  connect(menu, &QMenu::aboutToHide, this, &LiveStripToolbar::showViews);
+}
+
+std::array<QToolButton*, 4> LiveStripToolbar::viewButtons() const {
+  return {distribution_, stability_, slaves_, cycle_};
+}
+
+void LiveStripToolbar::showViews() {
+  const auto buttons = viewButtons();
+  const auto shown = std::ranges::find_if(buttons, &QToolButton::isChecked);
+  views_->setChecked(shown != buttons.end());
+  views_->setText(shown != buttons.end() ? (*shown)->text() : tr("View"));
+}
+
+/// Of the buttons that make room for one, more than that one.
+int LiveStripToolbar::spare() const {
+  int width = -views_->sizeHint().width();
+  for (const auto* button : viewButtons()) width += button->sizeHint().width() + layout()->spacing();
+  return width - layout()->spacing();
+}
+
+QSize LiveStripToolbar::minimumSizeHint() const {
+  auto size = layout()->minimumSize();
+  if (!narrow_) size.rwidth() -= spare();
+  return size;
+}
+
+void LiveStripToolbar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool narrow = width() < minimumSizeHint().width() + spare();
+  if (narrow == std::exchange(narrow_, narrow)) return;
+  for (auto* button : viewButtons()) button->setVisible(!narrow);
+  views_->setVisible(narrow);
+  showViews();
+}
+
 void LiveStripToolbar::setWanted(bool distribution, bool stability, bool slaves, bool cycle) {
   distribution_->setChecked(distribution);
   stability_->setChecked(stability);
   slaves_->setChecked(slaves);
   cycle_->setChecked(cycle);
+  showViews();
 }
 
 void LiveStripToolbar::showState() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <vector>
 
 #include "ui/plots/cursor_item.h"
@@ -25,6 +26,7 @@ class LiveStripToolbar final : public QWidget {
 
   /// What stands in place of the plots: one of them at most.
   void setWanted(bool distribution, bool stability, bool slaves, bool cycle);
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   void distributionToggled(bool on);
@@ -36,8 +38,15 @@ class LiveStripToolbar final : public QWidget {
   void cursorsToggled(bool on);
   void menuRequested(const QPoint& global);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QToolButton* addButton(QHBoxLayout* layout, const char* name, const QString& text, const QString& tip);
+  void buildViews(QHBoxLayout* layout);
+  [[nodiscard]] std::array<QToolButton*, 4> viewButtons() const;
+  void showViews();
+  [[nodiscard]] int spare() const;
 
   TimeView* view_;
   CursorSet* cursors_;
@@ -46,7 +55,8 @@ class LiveStripToolbar final : public QWidget {
     Nanoseconds span;
   };
   std::vector<Length> lengths_;
-  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_, *slaves_, *cycle_;
+  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_, *slaves_, *cycle_, *views_;
+  bool narrow_ = false;  // the views stand in one menu
   ValueLabel *state_, *delta_;
 };
 
