@@ -51,7 +51,7 @@ class SlippingMachine {
   void make_late(Nanoseconds behind) {
     const auto came = dc::outputs_arrival(last_.reference_time, snapshot_.slaves[kSlippingDrive].propagation_delay_ns,
                                           sync0_slaves(config_)[kSlippingDrive].wire);
-    const auto& drive = sync0_slaves(config_)[kSlippingDrive];
+    const auto drive = sync0_slaves(config_)[kSlippingDrive];
     const auto margin = dc::sync0_arrival({last_.sync_base + drive.shift, drive.period}, came).margin;
     const auto begin = last_.send_time + 20 * config_.cycle_time() - 50 * kMicrosecond;
     clock_.add_standstill(begin, 50 * kMicrosecond + margin + behind);
