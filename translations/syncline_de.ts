@@ -8985,10 +8985,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Ausgänge</translation>
         </message>
         <message>
-            <source>Not known: its slave does not exchange process data.</source>
-            <translation>Nicht bekannt: Ihr Slave tauscht keine Prozessdaten aus.</translation>
-        </message>
-        <message>
             <source>Place</source>
             <translation>Lage</translation>
         </message>
@@ -9007,6 +9003,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>forced</source>
             <translation>erzwungen</translation>
+        </message>
+        <message>
+            <source>Not known: it does not come back, or its slave does not exchange process data.</source>
+            <translation>Nicht bekannt: Sie kommt nicht zurück, oder ihr Slave tauscht keine Prozessdaten aus.</translation>
         </message>
 </context>
 <context>
@@ -9080,10 +9080,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Name, Typ oder Lage</translation>
         </message>
         <message>
-            <source>No inputs have come back yet.</source>
-            <translation>Es sind noch keine Eingänge zurückgekommen.</translation>
-        </message>
-        <message>
             <source>No slave that runs has this station address and identity.</source>
             <translation>Kein Slave, der läuft, hat diese Stationsadresse und Identität.</translation>
         </message>
@@ -9106,10 +9102,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Selected variable</source>
             <translation>Ausgewählte Variable</translation>
-        </message>
-        <message>
-            <source>Since %1 not all inputs came back.</source>
-            <translation>Seit %1 kamen nicht alle Eingänge zurück.</translation>
         </message>
         <message>
             <source>The project cannot be compiled: the messages say why.</source>
@@ -9146,6 +9138,13 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Which variables are shown</source>
             <translation>Welche Variablen gezeigt werden</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n input(s) not known: they do not come back, or their slaves exchange none</source>
+            <translation>
+                <numerusform>%n Eingang nicht bekannt: Er kommt nicht zurück, oder sein Slave tauscht keine aus</numerusform>
+                <numerusform>%n Eingänge nicht bekannt: Sie kommen nicht zurück, oder ihre Slaves tauschen keine aus</numerusform>
+            </translation>
         </message>
 </context>
 <context>

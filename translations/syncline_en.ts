@@ -470,4 +470,14 @@
             </translation>
         </message>
 </context>
+<context>
+    <name>VariablesPage</name>
+        <message numerus="yes">
+            <source>%n input(s) not known: they do not come back, or their slaves exchange none</source>
+            <translation>
+                <numerusform>%n input not known: it does not come back, or its slave exchanges none</numerusform>
+                <numerusform>%n inputs not known: they do not come back, or their slaves exchange none</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -8937,10 +8937,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>输出</translation>
         </message>
         <message>
-            <source>Not known: its slave does not exchange process data.</source>
-            <translation>未知：其从站未交换过程数据。</translation>
-        </message>
-        <message>
             <source>Place</source>
             <translation>位置</translation>
         </message>
@@ -8959,6 +8955,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>forced</source>
             <translation>已强制</translation>
+        </message>
+        <message>
+            <source>Not known: it does not come back, or its slave does not exchange process data.</source>
+            <translation>未知：未返回，或其从站未交换过程数据。</translation>
         </message>
 </context>
 <context>
@@ -9032,10 +9032,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>名称、类型或位置</translation>
         </message>
         <message>
-            <source>No inputs have come back yet.</source>
-            <translation>尚未收到任何输入。</translation>
-        </message>
-        <message>
             <source>No slave that runs has this station address and identity.</source>
             <translation>运行中的从站都没有此站地址和标识。</translation>
         </message>
@@ -9058,10 +9054,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Selected variable</source>
             <translation>选中的变量</translation>
-        </message>
-        <message>
-            <source>Since %1 not all inputs came back.</source>
-            <translation>已有 %1 未收到全部输入。</translation>
         </message>
         <message>
             <source>The project cannot be compiled: the messages say why.</source>
@@ -9098,6 +9090,12 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Which variables are shown</source>
             <translation>显示哪些变量</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n input(s) not known: they do not come back, or their slaves exchange none</source>
+            <translation>
+                <numerusform>%n 个输入未知：未返回，或其从站未交换数据</numerusform>
+            </translation>
         </message>
 </context>
 <context>

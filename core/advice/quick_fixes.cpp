@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "compile/compile.h"
+#include "compile/incremental.h"
 
 namespace syncline {
 namespace {
@@ -89,14 +89,14 @@ class Candidates {
   std::vector<Value> values_;
 };
 
-/// Compiled with the value at all places.
-std::optional<std::vector<Finding>> findings_with(const Project& project, const QuickFix& fix) {
-  Project changed = project;
-  for (const auto& place : fix.places) {
-    if (!settings::set_value(*fix.setting, changed, place, fix.value)) return std::nullopt;
+/// What the places of a fix belong to.
+void restore(Project& changed, const Project& project, const QuickFix& fix) {
+  if (!fix.setting->of_slave()) {
+    changed.name = project.name;
+    changed.master = project.master;
+    return;
   }
-  auto compiled = compile(changed);
-  return compiled ? std::optional(std::move(compiled->findings)) : std::nullopt;
+  for (const auto& place : fix.places) changed.slaves[place.slave] = project.slaves[place.slave];
 }
 
 }  // namespace
@@ -104,8 +104,15 @@ std::optional<std::vector<Finding>> findings_with(const Project& project, const 
 std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding, std::span<const int> slaves,
                                   std::size_t most) {
   const auto found = settings::find(project, finding.place.key, false);
-  const auto compiled = compile(project);
-  if (!found || !compiled) return {};
+  if (!found) return {};
+  Project changed = project;
+  IncrementalCompiler compiler;  // of a large machine only what a value touches is done again
+  std::vector<Finding> before;
+  if (const auto compiled = compiler.update(changed)) {
+    before = (*compiled)->findings;
+  } else {
+    return {};
+  }
   QuickFix fix{found->setting, {found->place}, {}};
   for (const int slave : slaves) {
     const auto at = static_cast<std::size_t>(slave);
@@ -117,16 +124,21 @@ std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding
       if (one.code == finding.code && one.place.key == finding.place.key) return true;
       const bool there = std::ranges::any_of(slaves, [&](int slave) { return slave == one.place.slave; });
       if (one.code == finding.code && there) return true;
-      return one.severity >= finding.severity && !contains(compiled->findings, one);
+      return one.severity >= finding.severity && !contains(before, one);
     });
   };
   std::vector<QuickFix> fixes;
   const Candidates candidates(*found->setting, project, found->place);
   for (const auto& value : candidates.values()) {
     fix.value = value;
-    const auto after = findings_with(project, fix);
-    if (!after || !gone(*after)) continue;
-    fixes.push_back(fix);
+    // A value may bring others with it, like an operation mode its PDOs: each begins with the project as it is.
+    restore(changed, project, fix);
+    const bool taken = std::ranges::all_of(fix.places, [&](const settings::Place& place) {
+      return settings::set_value(*fix.setting, changed, place, value).has_value();
+    });
+    if (!taken) continue;
+    const auto after = compiler.update(changed);
+    if (after && gone((*after)->findings)) fixes.push_back(fix);
     if (fixes.size() == most) break;
   }
   return fixes;

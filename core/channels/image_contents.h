@@ -11,23 +11,27 @@
 
 namespace syncline {
 
-/// What stands in the process image of the running bus: one byte for each of the configuration's (struct ProcessImage).
-struct ImageContents {
+/// What stands in the process image of the running bus: one byte for each of the configuration's (ProcessImage).
+class ImageContents {
+ public:
   std::uint64_t cycle = 0;      // the outputs go out with this one; counts from going online
-  Nanoseconds time = 0;         // its send time, host clock
-  Nanoseconds inputs_time = 0;  // of the cycle in which all inputs came back last with the expected working counter; 0
-                                // = not yet. Where a counter is wrong, the inputs of its datagram keep what they were.
-  std::size_t input_bytes = 0;
-  std::vector<std::uint8_t>
-      bytes;  // inputs, outputs as they are sent, and a 1 for each bit of the outputs that is forced
+  Nanoseconds time = 0;         // its send time, host clock; 0: no cycle yet
+  std::size_t input_bytes = 0;  // of the two parts of `bytes` that are of inputs
+  /// Inputs; a 1 for each of their bits that came back lately with the expected working counter (the others keep what
+  /// they were); outputs as they are sent; a 1 for each of their bits that is forced.
+  std::vector<std::uint8_t> bytes;
 
-  [[nodiscard]] std::size_t output_bytes() const { return (bytes.size() - input_bytes) / 2; }
-  [[nodiscard]] std::span<const std::uint8_t> inputs() const { return std::span(bytes).first(input_bytes); }
-  [[nodiscard]] std::span<const std::uint8_t> outputs() const {
-    return std::span(bytes).subspan(input_bytes, output_bytes());
-  }
+  [[nodiscard]] std::size_t output_bytes() const { return bytes.size() / 2 - input_bytes; }
+  [[nodiscard]] std::span<const std::uint8_t> inputs() const { return part(0, input_bytes); }
+  [[nodiscard]] std::span<const std::uint8_t> known() const { return part(input_bytes, input_bytes); }
+  [[nodiscard]] std::span<const std::uint8_t> outputs() const { return part(2 * input_bytes, output_bytes()); }
   [[nodiscard]] std::span<const std::uint8_t> forced() const {
-    return std::span(bytes).subspan(input_bytes + output_bytes());
+    return part(2 * input_bytes + output_bytes(), output_bytes());
+  }
+
+ private:
+  [[nodiscard]] std::span<const std::uint8_t> part(std::size_t first, std::size_t count) const {
+    return std::span(bytes).subspan(first, count);
   }
 };
 

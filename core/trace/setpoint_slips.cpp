@@ -55,7 +55,7 @@ bool SetpointSlips::observe(const CycleSample& sample) {
 bool SetpointSlips::arrive(Slave& slave, Nanoseconds time) {
   const auto period = slave.grid.period;
   if (!slave.count) {
-    slave.count.emplace();
+    slave.count = Count{};
     slave.end = time - dc::sync0_arrival(slave.grid, time).phase + period;
     slave.frames = 1;
     return true;

@@ -10,6 +10,7 @@
 #include "support/running_window.h"
 #include "ui/dialogs/network_commands.h"
 #include "ui/editors/choice_edit.h"
+#include "ui/session/comparison.h"
 #include "ui/session/project_document.h"
 
 namespace syncline::ui {
@@ -101,6 +102,27 @@ TEST(Networks, ComeAndGo) {
   document.take(twoNetworks(), {});
   EXPECT_FALSE(document.isModified());
   EXPECT_EQ(document.network(), 0);
+}
+
+/// The network in work beside its file is beside itself, not beside the file's first one.
+TEST(Networks, AreComparedWithTheOneOfTheirName) {
+  const QTemporaryDir folder;
+  const auto path = folder.filePath(QStringLiteral("two.syncline"));
+  auto machine = twoNetworks();
+  ASSERT_TRUE(eni::save_machine(machine, path.toStdString()));
+  Comparison comparison({});
+  const auto compare = [&](const Project& project) {
+    comparison.start({ComparedSide::Kind::kProject}, {ComparedSide::Kind::kFile, path}, project, {});
+    EXPECT_TRUE(test::waitFor([&] { return !comparison.isRunning(); }));
+  };
+  compare(machine.networks[1]);
+  ASSERT_TRUE(comparison.result());
+  EXPECT_TRUE(comparison.result()->network.empty());
+  machine.networks[1].name = "Unheard of";
+  compare(machine.networks[1]);
+  EXPECT_FALSE(comparison.result());
+  ASSERT_TRUE(comparison.failure()) << "which names the file's networks";
+  EXPECT_NE(comparison.failure()->detail.find("Press"), std::string::npos) << comparison.failure()->detail;
 }
 
 class NetworksInTheWindow : public test::RunningWindow {

@@ -39,11 +39,11 @@ NetworkConfig imageConfig() {
 ImageContents imageContents() {
   ImageContents image;
   image.cycle = 7;
-  image.time = image.inputs_time = kSecond;
+  image.time = kSecond;
   image.input_bytes = 10;
-  image.bytes = {0xFE, 0xFF, 0xFF, 0xFF, 0b1011, 0, 0x00, 0x00, 0x20, 0x40,  // -2, ready, 5, 2.5
-                 0x58, 0x12,                                                 // lamp, 0x125
-                 0x08, 0x00};                                                // the lamp is forced
+  image.bytes = {0xFE, 0xFF, 0xFF, 0xFF, 0b1011, 0, 0x00, 0x00, 0x20, 0x40};  // -2, ready, 5, 2.5
+  image.bytes.resize(20, 0xFF);                                               // all of them are known
+  for (const int byte : {0x58, 0x12, 0x08, 0x00}) image.bytes.push_back(static_cast<std::uint8_t>(byte));
   return image;
 }
 
@@ -80,10 +80,13 @@ TEST_F(VariableRows, NoInputIsShownThatIsNotKnownNow) {
   model_.setImage(&image, {false, true});
   EXPECT_EQ(cell(0, VariableModel::kValue), QStringLiteral("\u2013")) << "its slave is silent";
   EXPECT_EQ(cell(4, VariableModel::kValue), QStringLiteral("1")) << "outputs are the master's own";
-  image.inputs_time = 0;
+  EXPECT_EQ(model_.unknownInputs(), 4);
+  image.bytes[10 + 4] = 0;
   image.cycle = 8;
   model_.setImage(&image, {false, false});
-  EXPECT_EQ(cell(0, VariableModel::kValue), QStringLiteral("\u2013")) << "none has come back";
+  EXPECT_EQ(cell(0, VariableModel::kValue), QStringLiteral("-2"));
+  EXPECT_EQ(cell(1, VariableModel::kValue), QStringLiteral("\u2013")) << "its byte does not come back";
+  EXPECT_EQ(model_.unknownInputs(), 2);
   model_.setImage(nullptr, {});
   EXPECT_EQ(cell(4, VariableModel::kValue), QStringLiteral("\u2013"));
   EXPECT_EQ(cell(4, VariableModel::kForced), QString());

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <utility>
 
 #include "ui/dialogs/error_dialog.h"
@@ -164,7 +165,14 @@ bool FileCommands::saveTo(const QString& path) {
 }
 
 void FileCommands::exportEni() {
-  auto path = QFileDialog::getSaveFileName(&window_, tr("Export ENI"), proposedName(QStringLiteral(".eni.xml")),
+  // An ENI is of one network: those of the others are not to be proposed for replacing.
+  const auto networks = workspace_.document().networks();
+  auto suffix = QStringLiteral(".eni.xml");
+  if (networks.size() > 1) {
+    static const QRegularExpression kOdd(QStringLiteral("[^\\w-]+"), QRegularExpression::UseUnicodePropertiesOption);
+    suffix.prepend(u'.' + QString(networks[workspace_.document().network()]).replace(kOdd, QStringLiteral("_")));
+  }
+  auto path = QFileDialog::getSaveFileName(&window_, tr("Export ENI"), proposedName(suffix),
                                            tr("EtherCAT network information (*.xml)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".xml");

@@ -9,6 +9,7 @@
 
 #include "config/image_owners.h"
 #include "protocol/coe_data_type.h"
+#include "support/bits.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 
@@ -31,10 +32,7 @@ VariableModel::Row rowOf(const Variable& variable, bool output, std::optional<st
 std::vector<std::uint8_t> bitsOf(std::span<const std::uint8_t> image, std::uint32_t offset, std::uint32_t count) {
   if ((std::uint64_t{offset} + count + 7) / 8 > image.size()) return {};
   std::vector<std::uint8_t> bytes((count + 7) / 8);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const auto bit = image[(offset + i) / 8] >> ((offset + i) % 8) & 1;
-    bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | bit << (i % 8));
-  }
+  copy_bits(bytes, 0, image, offset, count);
   return bytes;
 }
 
@@ -83,12 +81,14 @@ const VariableModel::Row* VariableModel::row(int row) const {
   return row >= 0 && row < rowCount() ? &rows_[static_cast<std::size_t>(row)] : nullptr;
 }
 
-/// Outputs are the master's own. Inputs of a slave that is silent are what they were when it was heard last.
+/// Outputs are the master's own. Inputs that do not come back, and those of a slave that is silent, are what they were
+/// when they were read last.
 bool VariableModel::known(const Row& row) const {
   if (!image_) return false;
   if (row.output) return true;
-  if (image_->inputs_time == 0) return false;
-  return !row.slave || *row.slave >= silent_.size() || !silent_[*row.slave];
+  if (row.slave && *row.slave < silent_.size() && silent_[*row.slave]) return false;
+  const auto marks = bitsOf(image_->known(), row.bit_offset / 8 * 8, row.bit_offset % 8 + row.entry.bits);
+  return !marks.empty() && std::ranges::all_of(marks, [](std::uint8_t byte) { return byte != 0; });
 }
 
 std::vector<std::uint8_t> VariableModel::value(int row) const {
@@ -102,6 +102,10 @@ bool VariableModel::forced(int row) const {
   if (!one.output || !image_) return false;
   return std::ranges::any_of(bitsOf(image_->forced(), one.bit_offset, one.entry.bits),
                              [](std::uint8_t bits) { return bits != 0; });
+}
+
+int VariableModel::unknownInputs() const {
+  return static_cast<int>(std::ranges::count_if(rows_, [this](const Row& row) { return !row.output && !known(row); }));
 }
 
 int VariableModel::rowCount(const QModelIndex& parent) const {
@@ -152,7 +156,8 @@ QString VariableModel::toolTip(int row) const {
                .arg(one.bit_offset / 8)
                .arg(one.bit_offset % 8)
                .arg(one.output ? tr("outputs") : tr("inputs"));
-  if (image_ && !known(one)) lines << tr("Not known: its slave does not exchange process data.");
+  if (image_ && !known(one))
+    lines << tr("Not known: it does not come back, or its slave does not exchange process data.");
   return lines.join(u'\n');
 }
 

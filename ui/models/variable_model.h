@@ -44,6 +44,8 @@ class VariableModel final : public QAbstractTableModel {
   /// As it stands in the image; empty: not known.
   [[nodiscard]] std::vector<std::uint8_t> value(int row) const;
   [[nodiscard]] bool forced(int row) const;
+  /// How many inputs have no present value.
+  [[nodiscard]] int unknownInputs() const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -98,7 +98,8 @@ void FramesPage::showEvent(QShowEvent* event) {
 void FramesPage::refresh() {
   if (!isVisible()) return;
   const auto* config = workspace().configuration().config();
-  if (config == nullptr || config->slaves.size() != project().slaves.size()) {
+  if (config != nullptr && config->slaves.size() != project().slaves.size()) return;  // is compiled in a moment
+  if (config == nullptr) {
     for (auto* model : {frames_, datagrams_, slaves_, movable_}) model->setLines({});
     summary_->setText(tr("The project cannot be compiled: the messages say why."));
   } else {

@@ -24,8 +24,6 @@ namespace {
 
 /// Faster than this nobody reads numbers.
 constexpr Nanoseconds kReadable = 100 * kMillisecond;
-/// Inputs that are older are no present ones.
-constexpr Nanoseconds kOldInputs = 500 * kMillisecond;
 
 enum VariableKind : int { kAllVariables, kInputVariables, kOutputVariables, kForcedVariables };
 
@@ -191,10 +189,12 @@ void VariablesPage::showHint(const Snapshot& snapshot, const ImageContents* imag
     return hint_->setText(tr("%1 inputs, %2 outputs. Values are shown while the machine runs.")
                               .arg(bitsText(8 * shown->image.input_bytes), bitsText(8 * shown->image.output_bytes)));
   }
-  if (image->inputs_time == 0) return hint_->setText(tr("No inputs have come back yet."));
-  const auto age = snapshot.time - image->inputs_time;
-  if (age > kOldInputs) return hint_->setText(tr("Since %1 not all inputs came back.").arg(timeText(age)));
-  hint_->setText(tr("Cycle %1").arg(countText(image->cycle)));
+  const auto cycle = tr("Cycle %1").arg(countText(image->cycle));
+  const int unknown = model_->unknownInputs();
+  if (unknown == 0) return hint_->setText(cycle);
+  const auto missing =
+      tr("%n input(s) not known: they do not come back, or their slaves exchange none", nullptr, unknown);
+  hint_->setText(QStringLiteral("%1 \u00B7 %2").arg(cycle, missing));
 }
 
 int VariablesPage::current() const {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <QComboBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -14,6 +12,7 @@
 #include <utility>
 
 #include "families/families.h"
+#include "ui/editors/choice_edit.h"
 #include "ui/plots/signal_source.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -37,15 +36,12 @@ std::optional<Nanoseconds> calcAndCopy(const RunRecord& record, std::size_t slav
 CycleView::CycleView(const TimeView* view, QWidget* parent)
     : QWidget(parent),
       view_(view),
-      slaves_(named(new QComboBox, "cycleSlave", tr("Slave whose SYNC0 period is shown"))),
+      slaves_(named(new ChoiceEdit, "cycleSlave", tr("Slave whose SYNC0 period is shown"))),
       figures_(named(new ValueLabel, "cycleFigures", tr("Margins and setpoint slips"))),
       plot_(named(new CyclePlot, "cyclePlot", tr("Arrivals in the SYNC0 period"))) {
   setObjectName(QStringLiteral("cycleView"));
   setAccessibleName(tr("Cycle"));
   figures_->setLeastCharacters(4);
-  slaves_->setFocusPolicy(Qt::StrongFocus);
-  slaves_->installEventFilter(this);
-  slaves_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   slaves_->setMinimumContentsLength(18);
   auto* head = new QHBoxLayout;
   head->setSpacing(12);
@@ -56,7 +52,7 @@ CycleView::CycleView(const TimeView* view, QWidget* parent)
   layout->setSpacing(2);
   layout->addLayout(head);
   layout->addWidget(plot_, 1);
-  connect(slaves_, &QComboBox::currentIndexChanged, this, [this] {
+  connect(slaves_, &ChoiceEdit::currentIndexChanged, this, [this] {
     ticks_ = 0;
     if (isVisible()) refresh();
   });
@@ -77,13 +73,6 @@ void CycleView::setRecord(const RunRecord* record) {
   }
   slaves_->setEnabled(slaves_->count() > 0);
   if (slaves_->count() == 0) figures_->setText(tr("No slave with SYNC0 whose outputs can be followed"));
-}
-
-/// The wheel without the focus changes nothing.
-bool CycleView::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::Wheel || slaves_->hasFocus()) return QWidget::eventFilter(watched, event);
-  event->ignore();
-  return true;
 }
 
 void CycleView::select(int slave) {

@@ -9,10 +9,9 @@
 #include "ui/plots/cycle_plot.h"
 #include "ui/plots/time_view.h"
 
-class QComboBox;
-
 namespace syncline::ui {
 
+class ChoiceEdit;
 class ValueLabel;
 
 /// Where in the SYNC0 period of a slave its outputs come, over the range that the plots show; margins and setpoint
@@ -34,15 +33,12 @@ class CycleView final : public QWidget {
   /// The bins: their range since SYNC0 in ns and the count of arrivals; C locale.
   [[nodiscard]] std::string csv() const;
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   [[nodiscard]] QString figuresText() const;
 
   const TimeView* view_;
   const RunRecord* record_ = nullptr;
-  QComboBox* slaves_;
+  ChoiceEdit* slaves_;
   ValueLabel* figures_;
   CyclePlot* plot_;
   unsigned ticks_ = 0;

@@ -130,7 +130,6 @@ Segments* ExplorerPanel::buildViews() {
 ChoiceEdit* ExplorerPanel::buildNetworks() {
   auto* networks = named(new ChoiceEdit, "networkChoice", tr("Network of the machine"));
   networks->setToolTip(tr("Which network of the machine is in work (Ctrl+F6: the next one)"));
-  networks->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   connect(networks, &QComboBox::activated, this, [this](int network) {
     Q_EMIT networkWanted(network);
     showNetworks();  // also where it was refused

@@ -24,18 +24,21 @@ Result<SideContent> compiledSide(const Project& project) {
   return SideContent{project, std::move(compiled->config)};
 }
 
-Result<SideContent> loadedSide(const QString& path) {
+/// Of a file with several networks the one that `project` is: by its name.
+Result<SideContent> loadedSide(const QString& path, const Project& project) {
   if (fileKind(path) == FileKind::kEni) {
     auto config = eni::read_eni(path.toStdString());
     if (!config) return tl::unexpected(config.error());
     return SideContent{std::nullopt, std::move(*config)};
   }
-  const auto project = eni::load_project(path.toStdString());
-  return project ? compiledSide(*project) : tl::unexpected(project.error());
+  const auto machine = eni::load_machine(path.toStdString());
+  if (!machine) return tl::unexpected(machine.error());
+  const auto network = eni::find_network(*machine, machine->networks.size() > 1 ? project.name : std::string());
+  return network ? compiledSide(machine->networks[*network]) : tl::unexpected(network.error());
 }
 
 Result<SideContent> contentOf(const ComparedSide& side, const Project& project, const Project& running) {
-  if (side.kind == ComparedSide::Kind::kFile) return loadedSide(side.path);
+  if (side.kind == ComparedSide::Kind::kFile) return loadedSide(side.path, project);
   return compiledSide(side.kind == ComparedSide::Kind::kRunning ? running : project);
 }
 

@@ -5,20 +5,18 @@
 
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "support/bits.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
-bool test_bit(std::span<const std::uint8_t> bytes, std::uint32_t bit) {
-  return bit / 8 < bytes.size() && ((bytes[bit / 8] >> (bit % 8)) & 1U) != 0;
-}
+/// Inputs of a datagram that did not come back for so long are no present ones.
+constexpr Nanoseconds kOldInputs = 100 * kMillisecond;
 
-void set_bit(std::span<std::uint8_t> bytes, std::uint32_t bit, bool value) {
-  if (bit / 8 >= bytes.size()) return;
-  const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
-  auto& byte = bytes[bit / 8];
-  byte = static_cast<std::uint8_t>(value ? byte | mask : byte & ~mask);
+/// How many bits of the image there are from `bit` on.
+std::size_t bits_from(std::span<const std::uint8_t> image, std::uint32_t bit) {
+  return image.size() * 8 > bit ? image.size() * 8 - bit : 0;
 }
 
 }  // namespace
@@ -117,6 +115,7 @@ void CyclicFrameSet::add_task(const CyclicTask& task, Nanoseconds base_cycle) {
       entry.role = role_of(command);
       entry.frame = frames_.size();
       entry.divider = static_cast<std::uint64_t>(divider);
+      entry.period = divider * base_cycle;
       // This master latches by itself (DelayCompensation); a latch in every cycle would spoil what it is reading.
       const bool latches = command.command == Command::kBwr && command.ado == reg::kReceiveTimePort0;
       entry.datagram.command = latches ? Command::kNop : command.command;
@@ -180,8 +179,10 @@ void CyclicFrameSet::correct_by_link() {
 }
 
 void CyclicFrameSet::select(AlState state) {
-  for (auto& entry : entries_)
+  for (auto& entry : entries_) {
     entry.selected = std::ranges::find(entry.command->states, state) != entry.command->states.end();
+    if (!entry.selected) entry.read = false;
+  }
 }
 
 bool CyclicFrameSet::reads_deviation() const {
@@ -235,18 +236,19 @@ void CyclicFrameSet::fill_time(Entry& entry, Nanoseconds time) {
 
 CyclicFrameSet::Reading CyclicFrameSet::evaluate() {
   Reading reading;
-  for (const auto& entry : entries_) {
+  for (auto& entry : entries_) {
     if (!entry.sent) continue;
     if (entry.role == Role::kProcessData) {
       reading.wkc_expected = static_cast<std::uint16_t>(reading.wkc_expected + entry.command->expected_wkc.value_or(0) -
                                                         entry.wkc_without);
     }
+    ++entry.unread;
     if (entry.datagram.answered) read(entry, reading);
   }
   return reading;
 }
 
-void CyclicFrameSet::read(const Entry& entry, Reading& reading) {
+void CyclicFrameSet::read(Entry& entry, Reading& reading) {
   const auto& datagram = entry.datagram;
   switch (entry.role) {
     case Role::kProcessData:
@@ -273,8 +275,20 @@ void CyclicFrameSet::read(const Entry& entry, Reading& reading) {
     case Role::kOther:
       break;
   }
+  entry.read = true;
+  entry.unread = 0;
   store_inputs(entry);
   copy_slave_to_slave(entry);
+}
+
+void CyclicFrameSet::mark_known_inputs(std::span<std::uint8_t> known) const {
+  std::ranges::fill(known, std::uint8_t{0});
+  for (const auto& entry : entries_) {
+    if (entry.command->command == Command::kLwr || !entry.read) continue;
+    if (static_cast<Nanoseconds>(entry.unread) * entry.period > kOldInputs) continue;
+    const auto begin = known.begin() + entry.command->input_offset + data_offset_;
+    std::fill_n(begin, entry.data.size(), std::uint8_t{0xFF});
+  }
 }
 
 void CyclicFrameSet::store_inputs(const Entry& entry) {
@@ -284,9 +298,9 @@ void CyclicFrameSet::store_inputs(const Entry& entry) {
 
 void CyclicFrameSet::copy_slave_to_slave(const Entry& entry) {
   for (const auto& copy : entry.command->copy_infos) {
-    for (std::uint32_t bit = 0; bit < copy.bit_size; ++bit) {
-      set_bit(outputs_, copy.destination_bit + bit, test_bit(inputs_, copy.source_bit + bit));
-    }
+    const auto bits = std::min<std::size_t>(
+        {copy.bit_size, bits_from(inputs_, copy.source_bit), bits_from(outputs_, copy.destination_bit)});
+    copy_bits(outputs_, copy.destination_bit, inputs_, copy.source_bit, bits);
   }
 }
 

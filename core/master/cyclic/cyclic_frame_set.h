@@ -77,6 +77,9 @@ class CyclicFrameSet {
   /// expected; nothing when it did not.
   [[nodiscard]] std::span<const std::uint8_t> read_logical(std::size_t entry) const;
 
+  /// Ones for the bytes of inputs() that came back lately with the expected working counter (0.1 s, or the last time
+  /// that a slower task read them); zeros for the others, which keep what they were. As long as inputs().
+  void mark_known_inputs(std::span<std::uint8_t> known) const;
   [[nodiscard]] std::span<std::uint8_t> outputs() { return outputs_; }
   [[nodiscard]] std::span<const std::uint8_t> inputs() const { return inputs_; }
 
@@ -89,6 +92,9 @@ class CyclicFrameSet {
     std::uint64_t divider = 1;  // sent every so many base cycles
     bool selected = false;
     bool sent = false;
+    Nanoseconds period = 0;         // between two times that it is sent
+    bool read = false;              // its answer was taken since it was selected
+    std::uint32_t unread = 0;       // times that it was sent without, since then
     std::uint16_t wkc_without = 0;  // part of the expected counter that does not come now
     std::vector<std::uint8_t> data;
     Datagram datagram;
@@ -107,7 +113,7 @@ class CyclicFrameSet {
   void address_leader(Entry& entry);
   void fill(Entry& entry, bool steer);
   static void fill_time(Entry& entry, Nanoseconds time);
-  void read(const Entry& entry, Reading& reading);
+  void read(Entry& entry, Reading& reading);
   void store_inputs(const Entry& entry);
   void copy_slave_to_slave(const Entry& entry);
 

@@ -41,7 +41,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       standstill_(clock) {
   in_flight_.reserve(64);
   image_.input_bytes = frames_.inputs().size();
-  image_.bytes.resize(image_.input_bytes + 2 * frames_.outputs().size());
+  image_.bytes.resize(2 * (image_.input_bytes + frames_.outputs().size()));
   run.channels().image.publish_first(image_);
   if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
   if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
@@ -94,10 +94,11 @@ void CyclicTaskRunner::publish_image(std::uint64_t cycle) {
   if (send_time_ - image_.time < (box.taken() ? kImagePeriod : kUnreadImagePeriod)) return;
   image_.cycle = cycle;
   image_.time = send_time_;
-  image_.inputs_time = inputs_time_;
-  const auto outputs = std::ranges::copy(frames_.inputs(), image_.bytes.begin()).out;
-  const auto mask = std::ranges::copy(frames_.outputs(), outputs).out;
-  std::ranges::copy(forces_.mask(), mask);
+  const auto known = std::ranges::copy(frames_.inputs(), image_.bytes.begin()).out;
+  frames_.mark_known_inputs({known, image_.input_bytes});
+  const auto outputs = known + static_cast<std::ptrdiff_t>(image_.input_bytes);
+  const auto forced = std::ranges::copy(frames_.outputs(), outputs).out;
+  std::ranges::copy(forces_.mask(), forced);
   box.publish(image_);
 }
 
@@ -279,7 +280,6 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   } else {
     working_counter_.pause();
   }
-  if (reading.wkc_expected != 0 && reading.wkc_received == reading.wkc_expected) inputs_time_ = send_time_;
   if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
   const auto all = slaves_.take(send_time_, sample);
   slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);

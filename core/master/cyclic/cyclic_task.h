@@ -84,7 +84,6 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   CyclicFrameSet frames_;
   OutputForces forces_;
   ImageContents image_;  // published last
-  Nanoseconds inputs_time_ = 0;
   SlaveWatch slaves_;
   MailboxBits mailbox_bits_;
   SyncEventWatch sync_events_;

@@ -72,7 +72,7 @@ class ObjectDictionary {
   [[nodiscard]] std::string object_name(std::uint16_t index) const;
   void set_object_name(std::uint16_t index, std::string name) { names_[index] = std::move(name); }
   /// Where nobody has named it.
-  void suggest_object_name(std::uint16_t index, std::string name) { names_.try_emplace(index, std::move(name)); }
+  void suggest_object_name(std::uint16_t index, const std::string& name) { names_.try_emplace(index, name); }
 
   template <std::unsigned_integral T>
   [[nodiscard]] T get(std::uint16_t index, std::uint8_t sub_index, T missing = 0) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/registers/short_copy.h"
+#include "support/bits.h"
 
 namespace syncline::sim {
 namespace {
@@ -41,12 +42,7 @@ void copy_bits(std::span<std::uint8_t> to, std::size_t to_bit, std::span<const s
     short_copy(from.subspan(from_bit / 8, bits / 8), to.subspan(to_bit / 8));
     return;
   }
-  for (std::size_t i = 0; i < bits; ++i) {
-    const bool value = ((from[(from_bit + i) / 8] >> ((from_bit + i) % 8)) & 1) != 0;
-    const auto mask = static_cast<std::uint8_t>(1U << ((to_bit + i) % 8));
-    auto& byte = to[(to_bit + i) / 8];
-    byte = static_cast<std::uint8_t>(value ? byte | mask : byte & ~mask);
-  }
+  syncline::copy_bits(to, to_bit, from, from_bit, bits);
 }
 
 PdoObjects::PdoObjects(const DeviceDescription& device, ObjectDictionary& dictionary, unsigned max_objects)

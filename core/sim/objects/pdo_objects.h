@@ -53,7 +53,7 @@ class PdoObjects {
   std::vector<Assignment> assignments_;
 };
 
-/// Copies `bits` bits between bit offsets of byte arrays.
+/// As syncline::copy_bits(), quicker where whole bytes are meant.
 void copy_bits(std::span<std::uint8_t> to, std::size_t to_bit, std::span<const std::uint8_t> from, std::size_t from_bit,
                std::size_t bits);
 

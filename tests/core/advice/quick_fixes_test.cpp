@@ -76,6 +76,22 @@ TEST(QuickFixes, OfferNothingWhereNoSingleValueDoesIt) {
   EXPECT_TRUE(quick_fixes(project, unknown).empty()) << "names no setting";
 }
 
+/// An operation mode brings PDOs with it: what one trial set is gone in the next, and nothing but the value is offered.
+TEST(QuickFixes, TryEachValueOnTheProjectAsItIs) {
+  auto project = test::two_axes().project;
+  auto& slave = project.slaves[1];
+  slave.dc.op_mode = "no such mode";
+  const auto findings = findings_of(project);
+  const auto* finding = find(findings, "operation-mode-missing");
+  ASSERT_NE(finding, nullptr);
+  for (const auto& fix : quick_fixes(project, *finding, {}, 24)) {
+    auto changed = project;
+    apply(changed, fix);
+    EXPECT_EQ(find(findings_of(changed), "operation-mode-missing"), nullptr);
+  }
+  EXPECT_FALSE(quick_fixes(project, *finding, {}, 24).empty());
+}
+
 TEST(QuickFixes, AreNoMoreThanWanted) {
   auto project = test::two_axes().project;
   project.slaves[2].station_address = project.slaves[1].station_address;

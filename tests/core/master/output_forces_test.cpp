@@ -168,10 +168,37 @@ TEST_F(ForcedDrive, RefusesBitsThatTheImageHasNot) {
   EXPECT_EQ(snapshot.forced_bits, 0U);
 }
 
-TEST_F(ForcedDrive, SaysHowOldItsInputsAre) {
-  EXPECT_LE(snapshot.time - image.inputs_time, 20 * kMillisecond) << "of the cycle before";
+TEST_F(ForcedDrive, ShowsAllOfTheImage) {
+  EXPECT_FALSE(config.image.inputs.empty());
+  for (const auto& variable : config.image.inputs) {
+    EXPECT_EQ(image.known()[variable.bit_offset / 8], 0xFF) << variable.name << " of a machine in OP";
+  }
   EXPECT_EQ(image.inputs().size(), config.image.input_bytes);
   EXPECT_EQ(image.outputs().size(), config.image.output_bytes);
+}
+
+/// Frames that carry inputs are lost: what the image keeps of them is no present value.
+TEST(ImageOfARun, KnowsWhichInputsAreOld) {
+  auto network = test::two_axes();
+  network.sim.faults.push_back(
+      {.kind = FaultKind::kCableBreak, .slave = 0, .at = 6 * kSecond, .until = 6300 * kMillisecond});
+  VirtualClock clock;
+  MasterService service(network.link(clock), clock);
+  auto& channels = service.channels();
+  channels.commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
+  const auto begin = clock.now();
+  const auto known_at = [&](Nanoseconds time) {
+    ImageContents image;
+    service.run_for(begin + time - 110 * kMillisecond - clock.now());
+    (void)channels.image.read(image);
+    service.run_for(110 * kMillisecond);
+    EXPECT_TRUE(channels.image.read(image));
+    return std::ranges::count_if(image.known(), [](std::uint8_t bits) { return bits != 0; });
+  };
+  const auto all = known_at(5900 * kMillisecond);
+  EXPECT_GT(all, 0);
+  EXPECT_EQ(known_at(6250 * kMillisecond), 0) << "for a quarter of a second nothing came back";
+  EXPECT_EQ(known_at(12 * kSecond), all);
 }
 
 }  // namespace
