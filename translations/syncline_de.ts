@@ -3118,22 +3118,6 @@ Einstellung %2</translation>
 <context>
     <name>StatusPanel</name>
         <message>
-            <source>Offline</source>
-            <translation>Offline</translation>
-        </message>
-        <message>
-            <source>Starting</source>
-            <translation>Startet</translation>
-        </message>
-        <message>
-            <source>Stopping</source>
-            <translation>Hält an</translation>
-        </message>
-        <message>
-            <source>Online</source>
-            <translation>Online</translation>
-        </message>
-        <message>
             <source>Connection</source>
             <translation>Verbindung</translation>
         </message>
@@ -3274,6 +3258,21 @@ Einstellung %2</translation>
         <message>
             <source>Outputs that somebody holds at a value by hand: the page Variables releases them</source>
             <translation>Ausgänge, die jemand von Hand auf einem Wert hält: Die Seite Variablen gibt sie frei</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n other network(s) online</source>
+            <translation>
+                <numerusform>%n weiteres Netzwerk online</numerusform>
+                <numerusform>%n weitere Netzwerke online</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Networks that run beside the one in work:</source>
+            <translation>Netzwerke, die neben dem bearbeiteten laufen:</translation>
+        </message>
+        <message>
+            <source>Other networks</source>
+            <translation>Andere Netzwerke</translation>
         </message>
 </context>
 <context>
@@ -3521,6 +3520,10 @@ Einstellung %2</translation>
         <message>
             <source>Unsaved work is not kept</source>
             <translation>Ungesicherte Arbeit wird nicht aufbewahrt</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
 </context>
 <context>
@@ -4701,6 +4704,10 @@ Einstellung %2</translation>
         <message>
             <source>Go Offline</source>
             <translation>Offline gehen</translation>
+        </message>
+        <message>
+            <source>Take %1 offline?</source>
+            <translation>%1 offline nehmen?</translation>
         </message>
 </context>
 <context>
@@ -9391,6 +9398,26 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>Remove</source>
             <translation>Entfernen</translation>
         </message>
+        <message>
+            <source>A bus is being scanned: wait for its slaves, or cancel the scan.</source>
+            <translation>Ein Bus wird gescannt: Warten Sie auf seine Slaves, oder brechen Sie den Scan ab.</translation>
+        </message>
+        <message>
+            <source>A recording is shown: close it first (File, Close Recording).</source>
+            <translation>Eine Aufzeichnung wird gezeigt: Schließen Sie sie zuerst (Datei, Aufzeichnung schließen).</translation>
+        </message>
+        <message>
+            <source>A slave is being written to: wait until it has been.</source>
+            <translation>In einen Slave wird geschrieben: Warten Sie, bis es geschehen ist.</translation>
+        </message>
+        <message>
+            <source>All Net&amp;works Offline</source>
+            <translation>Alle Netzwer&amp;ke offline</translation>
+        </message>
+        <message>
+            <source>Take all networks of the machine that run offline</source>
+            <translation>Alle laufenden Netzwerke der Maschine offline nehmen</translation>
+        </message>
 </context>
 <context>
     <name>FindingFixes</name>
@@ -9420,6 +9447,37 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>No single value of this setting mends it</source>
             <translation>Kein einzelner Wert dieser Einstellung behebt es</translation>
+        </message>
+</context>
+<context>
+    <name>RunState</name>
+        <message>
+            <source>DC: %1</source>
+            <translation>DC: %1</translation>
+        </message>
+        <message>
+            <source>DCM: %1</source>
+            <translation>DCM: %1</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>Offline</translation>
+        </message>
+        <message>
+            <source>Online</source>
+            <translation>Online</translation>
+        </message>
+        <message>
+            <source>Starting</source>
+            <translation>Startet</translation>
+        </message>
+        <message>
+            <source>Stopping</source>
+            <translation>Hält an</translation>
+        </message>
+        <message>
+            <source>no link</source>
+            <translation>kein Link</translation>
         </message>
 </context>
 </TS>

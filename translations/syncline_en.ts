@@ -48,6 +48,13 @@
                 <numerusform>%n bits forced</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n other network(s) online</source>
+            <translation>
+                <numerusform>%n other network online</numerusform>
+                <numerusform>%n other networks online</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
     <name>Units</name>

@@ -3108,22 +3108,6 @@ Setting %2</source>
 <context>
     <name>StatusPanel</name>
         <message>
-            <source>Offline</source>
-            <translation>离线</translation>
-        </message>
-        <message>
-            <source>Starting</source>
-            <translation>正在启动</translation>
-        </message>
-        <message>
-            <source>Stopping</source>
-            <translation>正在停止</translation>
-        </message>
-        <message>
-            <source>Online</source>
-            <translation>在线</translation>
-        </message>
-        <message>
             <source>Connection</source>
             <translation>连接</translation>
         </message>
@@ -3262,6 +3246,20 @@ Setting %2</source>
         <message>
             <source>Outputs that somebody holds at a value by hand: the page Variables releases them</source>
             <translation>被人手动保持在某个值的输出：在“变量”页面释放</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n other network(s) online</source>
+            <translation>
+                <numerusform>另有 %n 个网络在线</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Networks that run beside the one in work:</source>
+            <translation>与当前网络同时运行的网络：</translation>
+        </message>
+        <message>
+            <source>Other networks</source>
+            <translation>其他网络</translation>
         </message>
 </context>
 <context>
@@ -3504,6 +3502,10 @@ Setting %2</source>
         <message>
             <source>Unsaved work is not kept</source>
             <translation>未保存的工作不会保留</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
         </message>
 </context>
 <context>
@@ -4684,6 +4686,10 @@ Setting %2</source>
         <message>
             <source>Go Offline</source>
             <translation>下线</translation>
+        </message>
+        <message>
+            <source>Take %1 offline?</source>
+            <translation>要使%1离线吗？</translation>
         </message>
 </context>
 <context>
@@ -9338,6 +9344,26 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>Remove</source>
             <translation>移除</translation>
         </message>
+        <message>
+            <source>A bus is being scanned: wait for its slaves, or cancel the scan.</source>
+            <translation>正在扫描总线：请等待其从站，或取消扫描。</translation>
+        </message>
+        <message>
+            <source>A recording is shown: close it first (File, Close Recording).</source>
+            <translation>正在显示记录：请先关闭它（文件，关闭记录）。</translation>
+        </message>
+        <message>
+            <source>A slave is being written to: wait until it has been.</source>
+            <translation>正在写入从站：请等待写入完成。</translation>
+        </message>
+        <message>
+            <source>All Net&amp;works Offline</source>
+            <translation>所有网络离线(&amp;W)</translation>
+        </message>
+        <message>
+            <source>Take all networks of the machine that run offline</source>
+            <translation>使机器中所有正在运行的网络离线</translation>
+        </message>
 </context>
 <context>
     <name>FindingFixes</name>
@@ -9366,6 +9392,37 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>No single value of this setting mends it</source>
             <translation>该设置的任何单个值都无法修复</translation>
+        </message>
+</context>
+<context>
+    <name>RunState</name>
+        <message>
+            <source>DC: %1</source>
+            <translation>DC：%1</translation>
+        </message>
+        <message>
+            <source>DCM: %1</source>
+            <translation>DCM：%1</translation>
+        </message>
+        <message>
+            <source>Offline</source>
+            <translation>离线</translation>
+        </message>
+        <message>
+            <source>Online</source>
+            <translation>在线</translation>
+        </message>
+        <message>
+            <source>Starting</source>
+            <translation>正在启动</translation>
+        </message>
+        <message>
+            <source>Stopping</source>
+            <translation>正在停止</translation>
+        </message>
+        <message>
+            <source>no link</source>
+            <translation>无连接</translation>
         </message>
 </context>
 </TS>

@@ -116,7 +116,7 @@ void MainWindow::connectDocks() {
   findings_ = &docks_->findings();
   building_->tieTo(*explorer_);
   auto* messages = messages_;
-  connect(messages, &MessagesPanel::momentActivated, strip_, &LiveStrip::goTo);
+  connect(messages, &MessagesPanel::activated, this, &MainWindow::goToMessage);
   auto* findings = findings_;
   connect(findings, &FindingsPanel::momentActivated, strip_, &LiveStrip::goTo);
   const auto go_to_shown = [this](int position, const QString& key) {
@@ -135,13 +135,14 @@ void MainWindow::connectDocks() {
     selectNode(slave);
     editor_->showPage("slaveCountersPage");
   });
-  connect(messages, &MessagesPanel::placeActivated, this, &MainWindow::goTo);
   auto* fixes = new FindingFixes(
       workspace_, [this] { return commitFields(); }, this);
   connect(messages, &MessagesPanel::menuOpens, fixes, &FindingFixes::fill);
   connect(fixes, &FindingFixes::placeWanted, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
   connect(explorer_, &ExplorerPanel::networkWanted, networks_, &NetworkCommands::choose);
+  connect(networks_, &NetworkCommands::refused, this,
+          [this](const QString& why) { statusBar()->showMessage(why, 10'000); });
   connect(explorer_, &ExplorerPanel::menuOpens, this, [this](QMenu& menu, int slave) {
     menu.addSeparator();
     editor_->states().addTo(menu, slave);
@@ -261,17 +262,20 @@ void MainWindow::connectSession() {
   connect(&live, &LiveSession::phaseChanged, overview_, [this] {
     const auto phase = workspace_.live().phase();
     overview_->setLive(phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting);
-    if (phase == LiveSession::Phase::kOnline) showOverview(true);
+  });
+  connect(&workspace_.runs(), &NetworkRuns::phaseChanged, this, [this](int network) {
+    if (network == workspace_.document().network() && workspace_.live().phase() == LiveSession::Phase::kOnline)
+      showOverview(true);
   });
   connect(&live, &LiveSession::recordChanged, this, &MainWindow::showRun);
-  connect(&workspace_.runFindings(), &RunFindings::findingsChanged, overview_,
+  connect(&workspace_.runs(), &NetworkRuns::findingsChanged, overview_,
           [this] { overview_->setFindings(workspace_.shownFindings()); });
   connect(&workspace_.recording(), &OpenedRecording::changed, this, [this] {
     showRun();
     updateActions();
     updateTitle();
   });
-  connect(&workspace_.disk(), &DiskRecording::changed, this, &MainWindow::updateRecordingActions);
+  connect(&workspace_.runs(), &NetworkRuns::diskChanged, this, &MainWindow::updateRecordingActions);
   connect(&workspace_.scan(), &ScanController::started, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::finished, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::failed, this, &MainWindow::updateActions);
@@ -300,6 +304,19 @@ void MainWindow::goToMoment(qint64 moment) {
   strip_->goTo(moment);
   messages_->selectMoment(moment);
   findings_->selectMoment(moment);
+}
+
+/// An event of a run is where its network is; what was before in that network has no curves any more.
+void MainWindow::goToMessage(const Message& message) {
+  if (message.run > 0) {
+    const int network = workspace_.runs().networkOf(message.run);
+    if (network < 0) return;
+    if (network != workspace_.document().network()) networks_->choose(network);
+    if (network != workspace_.document().network()) return;
+  }
+  if (message.moment != 0 && (message.run <= 0 || message.run == workspace_.runs().current().number))
+    strip_->goTo(message.moment);
+  goTo(message.slave, message.key);
 }
 
 void MainWindow::showComparison(const ComparedSide& left, const ComparedSide& right) {
@@ -387,8 +404,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (!files_->mayDiscard()) return event->ignore();
   workspace_.autosave().forget();
   workspace_.scan().cancel();
-  workspace_.live().shutDown();
-  workspace_.disk().finish();
+  workspace_.runs().shutDown();
+  workspace_.runs().finish();
   event->accept();
 }
 

@@ -16,6 +16,7 @@ class ExplorerPanel;
 class FileCommands;
 class LiveStrip;
 class FindingsPanel;
+struct Message;
 class MessagesPanel;
 class OverviewPanel;
 class RecordingCommands;
@@ -66,6 +67,7 @@ class MainWindow final : public QMainWindow {
   void showRun();
   void showOverview(bool overview);
   void goToMoment(qint64 moment);
+  void goToMessage(const Message& message);
   void updateTheme();
   void goTo(int slave, const QString& key);
   void showComparison(const ComparedSide& left, const ComparedSide& right);

@@ -29,7 +29,7 @@ WindowDocks::WindowDocks(Workspace& workspace, QMainWindow& window, QDockWidget&
   trigger_dock_ = dock("triggerDock", MainWindow::tr("Trigger"), *trigger_, Qt::BottomDockWidgetArea);
   window.tabifyDockWidget(findings_dock_, trigger_dock_);
   messages_dock_->raise();
-  connect(&workspace.runFindings(), &RunFindings::findingsChanged, this, &WindowDocks::showFindingCount);
+  connect(&workspace.runs(), &NetworkRuns::findingsChanged, this, &WindowDocks::showFindingCount);
   connect(&workspace.recording(), &OpenedRecording::changed, this, &WindowDocks::showRecording);
   showRecording();
 }

@@ -244,6 +244,6 @@ int main(int argc, char* argv[]) {
   if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
   settings.setValue(kExpertSetting, workspace.expert());
   window.panels().remember();
-  workspace.live().shutDown();
+  workspace.runs().shutDown();
   return result;
 }

@@ -213,6 +213,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     "no slaves",
     "no unsaved work of Syncline",
     "a recording is shown: close it first (File, Close Recording)",
+    "the network \"{name}\" runs on it: choose another link or take that one offline",
     "no machine runs: go online first",
     "no cycle has run yet: go online first",
     "another stretch is being written; try again in a moment",

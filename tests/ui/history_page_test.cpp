@@ -103,7 +103,7 @@ class HistoryOfASlave : public ::testing::Test {
       slave.al_status = 2;
     }
     snapshot_.online = true;
-    ASSERT_TRUE(workspace_.live().goOnline(QStringLiteral("sim:patient"), config));
+    ASSERT_TRUE(workspace_.live().goOnline(QStringLiteral("sim:patient"), {{}, {}, config}));
     tick(kSecond);
     page_.setNode(1);
     page_.show();

@@ -34,7 +34,7 @@ namespace {
 TEST(Languages, ReachTheClasses) {
   for (const auto& code : test::translatedLanguages()) {
     const test::Speak speak(code);
-    EXPECT_NE(StatusPanel::tr("Starting"), QStringLiteral("Starting")) << qPrintable(code);
+    EXPECT_NE(StatusPanel::tr("No link chosen"), QStringLiteral("No link chosen")) << qPrintable(code);
     EXPECT_NE(errorText(Error{ErrorCode::kCancelled}), QStringLiteral("Cancelled.")) << qPrintable(code);
     EXPECT_TRUE(bitsText(8).startsWith(u'1')) << qPrintable(code);
     EXPECT_FALSE(bitsText(16).contains(QStringLiteral("(s)"))) << qPrintable(code);
@@ -44,7 +44,7 @@ TEST(Languages, ReachTheClasses) {
 TEST(Languages, ChineseIsFoundUnderItsShortName) {
   for (const char* code : {"zh", "zh_CN", "zh-Hans"}) {
     const test::Speak speak(QString::fromLatin1(code));
-    EXPECT_EQ(StatusPanel::tr("Starting"), QStringLiteral("正在启动")) << code;
+    EXPECT_EQ(StatusPanel::tr("No link chosen"), QStringLiteral("未选择链路")) << code;
   }
 }
 

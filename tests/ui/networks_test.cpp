@@ -8,7 +8,6 @@
 
 #include "eni/project/project_file.h"
 #include "support/running_window.h"
-#include "ui/dialogs/network_commands.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/session/comparison.h"
 #include "ui/session/project_document.h"
@@ -162,16 +161,6 @@ TEST_F(NetworksInTheWindow, OnesThatHoldSlavesAreRemovedAfterAQuestion) {
   EXPECT_TRUE(choice().isVisible());
   action("actionRemoveNetwork").trigger();
   EXPECT_EQ(workspace_.document().networks().size(), 1) << "an empty one goes without a question";
-}
-
-TEST_F(NetworksInTheWindow, StayWhileOneRuns) {
-  goOnline();
-  action("actionAddNetwork").trigger();
-  EXPECT_EQ(workspace_.document().networks().size(), 2);
-  EXPECT_FALSE(choice().isEnabled());
-  window_.findChild<NetworkCommands*>()->choose(1);
-  EXPECT_EQ(workspace_.document().network(), 0);
-  EXPECT_FALSE(action("actionAddNetwork").isEnabled());
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ class PagesOfASlave : public ::testing::Test {
     }
     snapshot_.online = true;
     snapshot_.state = snapshot_.requested = AlState::kPreop;
-    ASSERT_TRUE(workspace_.live().goOnline(QStringLiteral("sim:patient"), config));
+    ASSERT_TRUE(workspace_.live().goOnline(QStringLiteral("sim:patient"), {{}, {}, config}));
     tick(kSecond);
   }
   void tick(Nanoseconds time) {

@@ -266,7 +266,9 @@ TEST_F(RecordingWindow, WhatARecordingTellsDoesNotLeadIntoTheProject) {
   for (int row = 0; row < messages.rowCount(); ++row)
     EXPECT_FALSE(messages.index(row, 0).data(MessageModel::kFindingRole).toBool()) << "of the project";
   EXPECT_FALSE(action("actionGoTo")->isEnabled());
-  Q_EMIT window_.findChild<MessagesPanel*>()->placeActivated(3, QString());
+  Message message;
+  message.slave = 3;
+  Q_EMIT window_.findChild<MessagesPanel*>()->activated(message);
   EXPECT_EQ(strip.panels()[0]->pickedSlave(), 3);
   EXPECT_EQ(window_.explorer().selected(), 2);
   EXPECT_TRUE(window_.findChild<OverviewPanel*>()->isVisible());

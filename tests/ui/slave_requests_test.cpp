@@ -19,11 +19,12 @@ using requests::RegisterRead;
 class RequestsOfTheWindow : public ::testing::Test {
  protected:
   RequestsOfTheWindow()
-      : live_([this](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+      : run_([this](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
           auto master = std::make_unique<test::PatientMaster>();
           master_ = master.get();
           return master;
         }),
+        live_(run_),
         requests_(live_) {}
   ~RequestsOfTheWindow() override { live_.shutDown(); }
 
@@ -45,6 +46,7 @@ class RequestsOfTheWindow : public ::testing::Test {
   }
 
   test::PatientMaster* master_ = nullptr;
+  NetworkRun run_;
   LiveSession live_;
   SlaveRequests requests_;
   QObject page_;
@@ -152,6 +154,30 @@ TEST_F(RequestsOfTheWindow, WhoDropsOrGoesHearsNothing) {
   live_.advance(kMillisecond);
   EXPECT_TRUE(told_.empty());
   EXPECT_EQ(heard, 0);
+}
+
+/// The answer is of the slave that was asked, whichever network is in work when it comes.
+TEST_F(RequestsOfTheWindow, AreAnsweredAlsoWhenAnotherRunIsShown) {
+  goOnline();
+  ask(3, 1);
+  EXPECT_FALSE(requests_.writing());
+  requests_.post(requests::RegisterWrite{3, 2, {1}}, page_, [](const RequestOutcome&) {});
+  EXPECT_TRUE(requests_.writing());
+  NetworkRun other([](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+    return std::make_unique<test::PatientMaster>();
+  });
+  live_.show(other);
+  EXPECT_FALSE(requests_.possible());
+  for (auto* ticket : taken()) answer(*ticket);
+  run_.advance(kMillisecond);
+  ASSERT_EQ(told_.size(), 1U);
+  EXPECT_TRUE(told_.front().second.ok());
+  EXPECT_FALSE(requests_.writing());
+  ask(3, 4);
+  QCoreApplication::processEvents();
+  ASSERT_EQ(told_.size(), 2U);
+  EXPECT_EQ(told_.back().second.state, RequestState::kGone) << "the one that is shown now is offline";
+  live_.show(run_);
 }
 
 TEST_F(RequestsOfTheWindow, TheEndOfTheBusEndsThem) {

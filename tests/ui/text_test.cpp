@@ -71,7 +71,7 @@ TEST(Translations, WordsInsideSentencesAreGerman) {
 /// German is complete, and the window's classes find it.
 TEST(Translations, GermanReachesTheClasses) {
   ASSERT_TRUE(installTranslation(QStringLiteral("de")));
-  EXPECT_EQ(StatusPanel::tr("Starting"), QStringLiteral("Startet"));
+  EXPECT_EQ(StatusPanel::tr("No link chosen"), QStringLiteral("Kein Link gewählt"));
   EXPECT_EQ(errorText(Error{ErrorCode::kCancelled}), QStringLiteral("Abgebrochen."));
   EXPECT_EQ(bitsText(8), QStringLiteral("1 Byte"));
   for (auto* translator : QCoreApplication::instance()->findChildren<QTranslator*>()) delete translator;

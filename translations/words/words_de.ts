@@ -8092,5 +8092,9 @@
         <source>the process image has no such bits</source>
         <translation>das Prozessabbild hat keine solchen Bits</translation>
     </message>
+    <message>
+        <source>the network "{name}" runs on it: choose another link or take that one offline</source>
+        <translation>Das Netzwerk „{name}“ läuft darauf: einen anderen Link wählen oder jenes offline nehmen</translation>
+    </message>
 </context>
 </TS>

@@ -8092,5 +8092,9 @@
         <source>the process image has no such bits</source>
         <translation>过程映像没有这些位</translation>
     </message>
+    <message>
+        <source>the network "{name}" runs on it: choose another link or take that one offline</source>
+        <translation>网络“{name}”正在使用它：请选择其他连接，或使该网络离线</translation>
+    </message>
 </context>
 </TS>

@@ -31,6 +31,10 @@ void BusCommands::scan() {
 
 void BusCommands::scanLink(const QString& link) {
   if (link.isEmpty()) return;
+  if (const auto free = workspace_.mayUse(link); !free) {
+    demo_ = false;
+    return showError(&window_, tr("The bus could not be scanned."), free.error());
+  }
   if (!mayGoOffline(window_, workspace_, tr("A scan needs the bus for itself."))) {
     demo_ = false;
     return;

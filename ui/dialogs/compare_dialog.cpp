@@ -92,8 +92,7 @@ CompareDialog::CompareDialog(Workspace& workspace, QWidget* parent)
   connect(&edited_, &QTimer::timeout, this, &CompareDialog::restart);
   connect(&workspace.document(), &ProjectDocument::projectChanged, this,
           [this] { onChange(ComparedSide::Kind::kProject); });
-  connect(&workspace.runDifference(), &RunDifference::applied, this,
-          [this] { onChange(ComparedSide::Kind::kRunning); });
+  connect(&workspace.live(), &LiveSession::applied, this, [this] { onChange(ComparedSide::Kind::kRunning); });
 }
 
 /// What is shown is of the machines as they are. A bus is not scanned again unasked.

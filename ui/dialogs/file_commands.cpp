@@ -22,15 +22,15 @@ FileCommands::FileCommands(Workspace& workspace, QWidget& window)
     : QObject(&window), workspace_(workspace), window_(window), imports_(new ImportCommands(workspace, window)) {}
 
 void FileCommands::create() {
-  if (!mayDiscard() || !mayGoOffline(window_, workspace_, tr("A new project begins without a machine."))) return;
-  workspace_.live().shutDown();
+  if (!mayDiscard() || !mayEndAll(window_, workspace_, tr("A new project begins without a machine."))) return;
+  workspace_.runs().shutDown();
   workspace_.document().reset();
 }
 
 bool FileCommands::takeNew(Machine machine) {
-  if (!mayDiscard() || !mayGoOffline(window_, workspace_, tr("A new machine takes the place of the present one.")))
+  if (!mayDiscard() || !mayEndAll(window_, workspace_, tr("A new machine takes the place of the present one.")))
     return false;
-  workspace_.live().shutDown();
+  workspace_.runs().shutDown();
   workspace_.recording().close();
   workspace_.document().take(std::move(machine), {}, false);
   return true;
@@ -56,7 +56,7 @@ void FileCommands::openAny(const QString& path) {
       return;
     case FileKind::kEni:
       return imports_->importEni(
-          path, [this] { return mayDiscard() && mayGoOffline(window_, workspace_, tr("Another project is opened.")); });
+          path, [this] { return mayDiscard() && mayEndAll(window_, workspace_, tr("Another project is opened.")); });
     case FileKind::kEsi:
       return imports_->addEsiFolder(path);
     case FileKind::kRecording:
@@ -99,8 +99,8 @@ bool FileCommands::openFile(const QString& path) {
     return false;
   }
   if (!mayDiscard() || !mayOpenBeside(path)) return false;
-  if (!mayGoOffline(window_, workspace_, tr("Another project is opened."))) return false;
-  workspace_.live().shutDown();
+  if (!mayEndAll(window_, workspace_, tr("Another project is opened."))) return false;
+  workspace_.runs().shutDown();
   workspace_.recording().close();
   workspace_.document().take(std::move(*machine), path);
   workspace_.inform(tr("Project"), tr("Opened %1").arg(path));

@@ -29,7 +29,7 @@ void ImportCommands::importEni(const QString& path, const std::function<bool()>&
 }
 
 void ImportCommands::take(const QString& path, RecoveredProject recovered) {
-  workspace_.live().shutDown();
+  workspace_.runs().shutDown();
   workspace_.recording().close();
   workspace_.document().take(Machine{{}, {std::move(recovered.project)}}, {}, false);
   for (const auto& finding : recovered.findings)

@@ -28,20 +28,38 @@ NetworkCommands::NetworkCommands(Workspace& workspace, QWidget& window, std::fun
               [this] { add(); });
   remove_ = make("actionRemoveNetwork", tr("Re&move Network…"), tr("Take the network in work out of the machine"),
                  [this] { remove(); });
+  all_offline_ =
+      make("actionAllOffline", tr("All Net&works Offline"), tr("Take all networks of the machine that run offline"),
+           [this] { workspace_.runs().goOffline(); });
   connect(&workspace.document(), &ProjectDocument::networksChanged, this, &NetworkCommands::update);
+  connect(&workspace.runs(), &NetworkRuns::phaseChanged, this, &NetworkCommands::update);
+  connect(&workspace.recording(), &OpenedRecording::changed, this, &NetworkCommands::update);
   connect(&workspace, &Workspace::mayEditSlavesChanged, this, &NetworkCommands::update);
   update();
 }
 
 void NetworkCommands::update() {
   const bool several = workspace_.document().networks().size() > 1;
-  const bool free = workspace_.mayEditSlaves();
-  next_->setEnabled(several && free);
-  remove_->setEnabled(several && free);
-  add_->setEnabled(free);
+  const bool recorded = workspace_.recording().isOpen();
+  next_->setEnabled(several && !recorded);
+  remove_->setEnabled(several && workspace_.mayEditSlaves());
+  add_->setEnabled(!recorded);
+  all_offline_->setEnabled(workspace_.runs().any());
 }
 
-bool NetworkCommands::may() { return workspace_.mayEditSlaves() && commit_(); }
+/// What runs goes on; what belongs to the network in work alone must have come to its end.
+QString NetworkCommands::whyNot() const {
+  if (workspace_.recording().isOpen()) return tr("A recording is shown: close it first (File, Close Recording).");
+  if (workspace_.scan().isRunning()) return tr("A bus is being scanned: wait for its slaves, or cancel the scan.");
+  if (workspace_.requests().writing()) return tr("A slave is being written to: wait until it has been.");
+  return {};
+}
+
+bool NetworkCommands::may() {
+  const auto why = whyNot();
+  if (!why.isEmpty()) Q_EMIT refused(why);
+  return why.isEmpty() && commit_();
+}
 
 void NetworkCommands::choose(int network) {
   if (may()) workspace_.document().chooseNetwork(network);
@@ -55,7 +73,7 @@ void NetworkCommands::add() {
 }
 
 void NetworkCommands::remove() {
-  if (!may()) return;
+  if (!workspace_.mayEditSlaves() || !may()) return;
   auto& document = workspace_.document();
   const auto name = document.networks().value(document.network());
   if (!document.project().slaves.empty() &&

@@ -21,12 +21,17 @@ class NetworkCommands final : public QObject {
   NetworkCommands(Workspace& workspace, QWidget& window, std::function<bool()> commit);
 
   /// For the menu.
-  [[nodiscard]] QList<QAction*> all() const { return {next_, add_, remove_}; }
-  /// Refused, with a reason in the status bar, while a machine runs or a recording is shown.
+  [[nodiscard]] QList<QAction*> all() const { return {next_, add_, remove_, all_offline_}; }
+  /// Also while networks run; refused while a recording is shown, a bus is scanned or a slave is being written to.
   void choose(int network);
+
+ Q_SIGNALS:
+  /// Why what was wanted is not done now, a sentence.
+  void refused(const QString& why);
 
  private:
   void update();
+  [[nodiscard]] QString whyNot() const;
   [[nodiscard]] bool may();
   void add();
   void remove();
@@ -34,7 +39,7 @@ class NetworkCommands final : public QObject {
   Workspace& workspace_;
   QWidget& window_;
   std::function<bool()> commit_;
-  QAction *next_, *add_, *remove_;
+  QAction *next_, *add_, *remove_, *all_offline_;
 };
 
 }  // namespace syncline::ui

@@ -2,6 +2,7 @@
 #include "ui/dialogs/questions.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -18,6 +19,20 @@ bool ask(QWidget& window, const char* object_name, const QString& text, const QS
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == go;
+}
+
+bool mayEndAll(QWidget& window, Workspace& workspace, const QString& why) {
+  QStringList running;
+  const auto names = workspace.document().networks();
+  for (int i = 0; i < names.size(); ++i) {
+    if (workspace.runs().of(i).run.phase() != NetworkRun::Phase::kOffline) running << names[i];
+  }
+  if (running.isEmpty()) return true;
+  if (names.size() == 1) return mayGoOffline(window, workspace, why);
+  return ask(window, "offlineQuestion",
+             QCoreApplication::translate("Questions", "Take %1 offline?").arg(QLocale().createSeparatedList(running)),
+             why + QLatin1Char(' ') + QCoreApplication::translate("Questions", "All slaves go to INIT."),
+             QCoreApplication::translate("Questions", "Go Offline"));
 }
 
 bool mayGoOffline(QWidget& window, Workspace& workspace, const QString& why) {

@@ -12,6 +12,8 @@ class Workspace;
 /// Asks before a running machine is taken offline; true when it may, or when nothing runs. Takes nothing offline.
 /// `why`: what needs it, a sentence.
 [[nodiscard]] bool mayGoOffline(QWidget& window, Workspace& workspace, const QString& why);
+/// The same, for what ends the runs of all networks.
+[[nodiscard]] bool mayEndAll(QWidget& window, Workspace& workspace, const QString& why);
 
 /// A question with one way on and a way back, which is the default. True: on.
 [[nodiscard]] bool ask(QWidget& window, const char* object_name, const QString& text, const QString& more,

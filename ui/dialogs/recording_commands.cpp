@@ -23,8 +23,8 @@ RecordingCommands::RecordingCommands(Workspace& workspace, QWidget& window)
   });
   connect(&recording, &OpenedRecording::finished, this, &RecordingCommands::onRead);
   connect(&recording, &OpenedRecording::failed, this, &RecordingCommands::onFailed);
-  connect(&workspace.disk(), &DiskRecording::ended, this, &RecordingCommands::onEnded);
-  connect(&workspace.disk(), &DiskRecording::saved, this, &RecordingCommands::onSaved);
+  connect(&workspace.runs(), &NetworkRuns::recordingEnded, this, &RecordingCommands::onEnded);
+  connect(&workspace.runs(), &NetworkRuns::stretchSaved, this, &RecordingCommands::onSaved);
 }
 
 void RecordingCommands::open(const QString& path) {
@@ -43,9 +43,8 @@ void RecordingCommands::open(const QString& path) {
 
 void RecordingCommands::onRead(const QString& path) {
   if (progress_) progress_->deleteLater();
-  if (!mayGoOffline(window_, workspace_, tr("A recording is shown in its place.")))
-    return workspace_.recording().drop();
-  workspace_.live().shutDown();
+  if (!mayEndAll(window_, workspace_, tr("A recording is shown in its place."))) return workspace_.recording().drop();
+  workspace_.runs().shutDown();
   workspace_.memory().remember(path);
   workspace_.recording().show();
 }

@@ -12,6 +12,7 @@
 #include "ui/editors/choice_edit.h"
 #include "ui/panels/explorer_tree.h"
 #include "ui/panels/node_delegate.h"
+#include "ui/panels/run_state.h"
 #include "ui/panels/topology_view.h"
 #include "ui/session/workspace.h"
 #include "ui/widgets/named.h"
@@ -135,16 +136,26 @@ ChoiceEdit* ExplorerPanel::buildNetworks() {
     showNetworks();  // also where it was refused
   });
   connect(&workspace_.document(), &ProjectDocument::networksChanged, this, &ExplorerPanel::showNetworks);
-  connect(&workspace_, &Workspace::mayEditSlavesChanged, this, &ExplorerPanel::showNetworks);
+  connect(&workspace_.recording(), &OpenedRecording::changed, this, &ExplorerPanel::showNetworks);
+  connect(&workspace_.runs(), &NetworkRuns::phaseChanged, this, &ExplorerPanel::showStates);
+  connect(&workspace_.runs(), &NetworkRuns::snapshotChanged, this, &ExplorerPanel::showStates);
   return networks;
+}
+
+/// The states alone: a list that is open stays as it is otherwise.
+void ExplorerPanel::showStates(int network) {
+  if (network < 0 || network >= networks_->count()) return;
+  const auto text = networkText(networks_->itemData(network).toString(), workspace_.runs().of(network).run);
+  if (text != networks_->itemText(network)) networks_->setItemText(network, text);
 }
 
 void ExplorerPanel::showNetworks() {
   const auto names = workspace_.document().networks();
   networks_->clear();
-  networks_->addItems(names);
+  for (int i = 0; i < names.size(); ++i)
+    networks_->addItem(networkText(names[i], workspace_.runs().of(i).run), names[i]);
   networks_->setCurrentIndex(workspace_.document().network());
-  networks_->setEnabled(workspace_.mayEditSlaves());
+  networks_->setEnabled(!workspace_.recording().isOpen());
   networks_->setVisible(names.size() > 1);
 }
 

@@ -51,6 +51,7 @@ class ExplorerPanel final : public QWidget {
   [[nodiscard]] Segments* buildViews();
   [[nodiscard]] ChoiceEdit* buildNetworks();
   void showNetworks();
+  void showStates(int network);
   void keepSelection();
 
   Workspace& workspace_;

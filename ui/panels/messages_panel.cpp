@@ -82,9 +82,9 @@ MessagesPanel::MessagesPanel(MessageModel& model, QWidget* parent) : QWidget(par
   table_->setColumnWidth(MessageModel::kSource, 150);
   stretchColumn(*table_, MessageModel::kText);
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    if (const auto moment = index.data(MessageModel::kMomentRole).toLongLong(); moment != 0)
-      Q_EMIT momentActivated(moment);
-    Q_EMIT placeActivated(index.data(MessageModel::kSlaveRole).toInt(), index.data(MessageModel::kKeyRole).toString());
+    // A copy: another network may come in work, and then the rows are others.
+    const auto message = model_.message(filter_->mapToSource(index).row());
+    Q_EMIT activated(message);
   });
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(table_, &QWidget::customContextMenuRequested, this, &MessagesPanel::openMenu);

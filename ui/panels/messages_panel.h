@@ -27,10 +27,8 @@ class MessagesPanel final : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:
-  /// `key`: of the setting that the line is about; may be empty.
-  void placeActivated(int slave, const QString& key);
-  /// The line is about this moment of the run (host clock, ns).
-  void momentActivated(qint64 moment);
+  /// What the line is about is wanted: its slave or setting, and its moment where it has one.
+  void activated(const syncline::ui::Message& message);
   /// The menu of a line is about to be shown: what can be done about it is added here.
   void menuOpens(QMenu& menu, const syncline::ui::Message& message);
 

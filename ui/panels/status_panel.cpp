@@ -8,6 +8,7 @@
 #include <QStorageInfo>
 #include <algorithm>
 
+#include "ui/panels/run_state.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/link_text.h"
@@ -23,21 +24,6 @@ namespace {
 
 constexpr int kLeastCharacters = 10;  // of the long fields in a narrow window; the others are whole
 
-StateText phaseText(const LiveSession& live, bool recorded) {
-  if (recorded) return {theme::Tone::kBusy, StatusPanel::tr("Recording")};
-  switch (live.phase()) {
-    case LiveSession::Phase::kOffline:
-      return {theme::Tone::kNeutral, StatusPanel::tr("Offline")};
-    case LiveSession::Phase::kStarting:
-      return {theme::Tone::kBusy, StatusPanel::tr("Starting")};
-    case LiveSession::Phase::kStopping:
-      return {theme::Tone::kBusy, StatusPanel::tr("Stopping")};
-    case LiveSession::Phase::kOnline:
-      break;
-  }
-  return {live.snapshot().link_up ? theme::Tone::kGood : theme::Tone::kBad, StatusPanel::tr("Online")};
-}
-
 }  // namespace
 
 StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar), workspace_(workspace) {
@@ -49,6 +35,7 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   recording_ = addState(bar, "statusRecording", tr("Recording"), {});
   forced_ = addState(bar, "statusForced", tr("Forced outputs"),
                      tr("Outputs that somebody holds at a value by hand: the page Variables releases them"));
+  others_ = addState(bar, "statusOthers", tr("Other networks"), {});
   auto* gap = new QLabel;
   bar.addWidget(gap, 1);
   dc_ = addState(bar, "statusDc", tr("Slaves in sync"),
@@ -63,11 +50,15 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   for (auto* label : {link_, losses_}) static_cast<ValueLabel*>(label)->setLeastCharacters(kLeastCharacters);
   connect(&workspace.live(), &LiveSession::snapshotChanged, this, &StatusPanel::refresh);
   connect(&workspace.live(), &LiveSession::phaseChanged, this, &StatusPanel::refresh);
+  connect(&workspace.runs(), &NetworkRuns::phaseChanged, this, &StatusPanel::showOthers);
+  connect(&workspace.runs(), &NetworkRuns::snapshotChanged, this, &StatusPanel::showOthers);
+  connect(&workspace.document(), &ProjectDocument::networksChanged, this, &StatusPanel::showOthers);
   connect(&workspace.recording(), &OpenedRecording::changed, this, &StatusPanel::refresh);
-  connect(&workspace.disk(), &DiskRecording::changed, this, &StatusPanel::refresh);
-  connect(&workspace, &Workspace::linkChanged, this, &StatusPanel::refresh);
+  connect(&workspace.runs(), &NetworkRuns::diskChanged, this, &StatusPanel::refresh);
+  connect(&workspace.runs(), &NetworkRuns::linkChanged, this, &StatusPanel::refresh);
   connect(&workspace.document(), &ProjectDocument::projectChanged, this, &StatusPanel::refresh);
   refresh();
+  showOthers();
 }
 
 QLabel* StatusPanel::addField(QStatusBar& bar, const char* object_name, const QString& accessible,
@@ -92,7 +83,8 @@ void StatusPanel::refresh() {
   const auto& live = workspace_.live();
   const auto& snapshot = live.snapshot();
   const auto& project = workspace_.document().project();
-  const auto phase = phaseText(live, workspace_.recording().isOpen());
+  const bool recorded = workspace_.recording().isOpen();
+  const auto phase = recorded ? StateText{theme::Tone::kBusy, tr("Recording")} : phaseText(workspace_.live().run());
   phase_->setState(phase.tone, phase.text);
   const auto link = workspace_.link();
   link_->setText(link.isEmpty() ? tr("No link chosen") : linkName(link, workspace_.environment().demo_link));
@@ -122,6 +114,23 @@ void StatusPanel::refresh() {
   forced_->setVisible(snapshot.forced_bits > 0);
   forced_->setState(theme::Tone::kWarning, tr("%n bit(s) forced", nullptr, static_cast<int>(snapshot.forced_bits)));
   showRecording();
+}
+
+/// What goes on where nobody looks: with one network its state, with more how many and the gravest tone.
+void StatusPanel::showOthers() {
+  const auto names = workspace_.document().networks();
+  QStringList lines;
+  auto tone = theme::Tone::kNeutral;
+  for (int i = 0; i < names.size() && i < workspace_.runs().count(); ++i) {
+    const auto& run = workspace_.runs().of(i).run;
+    if (i == workspace_.document().network() || run.phase() == NetworkRun::Phase::kOffline) continue;
+    lines << networkText(names[i], run);
+    tone = std::max(tone, runState(run).tone);
+  }
+  others_->setVisible(!lines.isEmpty());
+  if (lines.isEmpty()) return;
+  others_->setState(tone, lines.size() == 1 ? lines.front() : tr("%n other network(s) online", nullptr, lines.size()));
+  others_->setToolTip(tr("Networks that run beside the one in work:") + u'\n' + lines.join(u'\n'));
 }
 
 /// While a file is written: for how long, its size, and what the disk has left.

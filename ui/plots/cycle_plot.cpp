@@ -16,7 +16,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr double kLeastStrength = 0.2;  // of the oldest
-constexpr double kSide = 34, kTop = 20, kFoot = 20;
+constexpr double kCycleSide = 34, kCycleTop = 20, kCycleFoot = 20;
 constexpr int kMarks = 8;
 
 }  // namespace
@@ -35,7 +35,7 @@ void CyclePlot::setPicture(Picture picture) {
   update();
 }
 
-QRectF CyclePlot::area() const { return QRectF(rect()).adjusted(kSide, kTop, -kSide, -kFoot); }
+QRectF CyclePlot::area() const { return QRectF(rect()).adjusted(kCycleSide, kCycleTop, -kCycleSide, -kCycleFoot); }
 
 double CyclePlot::xOf(Nanoseconds phase) const {
   return area().left() + area().width() * static_cast<double>(phase) / static_cast<double>(picture_.period);
@@ -59,8 +59,8 @@ void CyclePlot::drawAxis(QPainter& painter) const {
     painter.setPen(QPen(plot_colors::grid(palette()), 0));
     painter.drawLine(QPointF(xOf(phase), box.top()), QPointF(xOf(phase), box.bottom()));
     painter.setPen(theme::mutedText(palette()));
-    painter.drawText(QRectF(xOf(phase) - kSide, box.bottom() + 2, 2 * kSide, kFoot), Qt::AlignHCenter | Qt::AlignTop,
-                     cycleText(phase));
+    painter.drawText(QRectF(xOf(phase) - kCycleSide, box.bottom() + 2, 2 * kCycleSide, kCycleFoot),
+                     Qt::AlignHCenter | Qt::AlignTop, cycleText(phase));
   }
 }
 
@@ -95,7 +95,7 @@ void CyclePlot::drawSync0(QPainter& painter) const {
   for (const double x : {box.left(), box.right()}) {
     painter.setPen(QPen(palette().color(QPalette::Text), 2));
     painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
-    painter.drawText(QRectF(x - kSide, 0, 2 * kSide, kTop), Qt::AlignCenter, QStringLiteral("SYNC0"));
+    painter.drawText(QRectF(x - kCycleSide, 0, 2 * kCycleSide, kCycleTop), Qt::AlignCenter, QStringLiteral("SYNC0"));
   }
 }
 

@@ -9,71 +9,65 @@
 
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
-#include "ui/session/live_session.h"
-#include "ui/session/run_difference.h"
+#include "ui/session/network_run.h"
 #include "ui/session/run_findings.h"
 
 namespace syncline::ui {
 
-DiskRecording::DiskRecording(LiveSession& live, const RunFindings& findings, const RunDifference& running,
-                             const Environment& environment, QObject* parent)
-    : QObject(parent),
-      live_(live),
-      findings_(findings),
-      running_(running),
-      environment_(environment),
-      recent_(kMemoryBudget) {
+DiskRecording::DiskRecording(NetworkRun& run, const RunFindings& findings, const Environment& environment,
+                             QObject* parent)
+    : QObject(parent), run_(run), findings_(findings), environment_(environment), recent_(kMemoryBudget) {
   connectRun();
 }
 
 DiskRecording::~DiskRecording() { finish(); }
 
 void DiskRecording::connectRun() {
-  connect(&live_, &LiveSession::recordChanged, this, [this] { recent_.clear(); });
-  connect(&live_, &LiveSession::samplesArrived, this, [this](const std::vector<CycleSample>& samples) {
+  connect(&run_, &NetworkRun::recordChanged, this, [this] { recent_.clear(); });
+  connect(&run_, &NetworkRun::samplesArrived, this, [this](const std::vector<CycleSample>& samples) {
     recent_.add(samples);
     if (!recorder_) return;
     recorder_->add(samples);
     tellStanding();
   });
-  connect(&live_, &LiveSession::snapshotChanged, this, [this] {
-    if (recorder_) recorder_->add(live_.snapshot());
+  connect(&run_, &NetworkRun::snapshotChanged, this, [this] {
+    if (recorder_) recorder_->add(run_.snapshot());
   });
-  connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
+  connect(&run_, &NetworkRun::eventArrived, this, [this](const Event& event) {
     if (!recorder_ || !environment_.record_event) return;
     if (auto recorded = environment_.record_event(event)) recorder_->add(std::move(*recorded));
   });
   connect(&findings_, &RunFindings::findingsChanged, this, [this] {
     if (recorder_) recorder_->tell(recorded(findings_.findings()));
   });
-  connect(&running_, &RunDifference::applied, this, [this] {
+  connect(&run_, &NetworkRun::applied, this, [this] {
     if (recorder_) recorder_->tell(project());
   });
-  connect(&live_, &LiveSession::phaseChanged, this, [this] {
-    if (live_.phase() == LiveSession::Phase::kOffline) stop();
+  connect(&run_, &NetworkRun::phaseChanged, this, [this] {
+    if (run_.phase() == NetworkRun::Phase::kOffline) stop();
     Q_EMIT changed();
   });
 }
 
 /// What runs, with what was applied to it since.
 RecordedDocument DiskRecording::project() const {
-  const auto& path = running_.runningPath();
+  const auto& [project, path, config] = run_.origin();
   return {"project", path.isEmpty() ? "project.syncline" : QFileInfo(path).fileName().toStdString(),
-          eni::write_project(running_.running())};
+          eni::write_project(project)};
 }
 
 RecordingAbout DiskRecording::about() const {
-  const auto& run = *live_.record();
+  const auto& run = *run_.record();
   auto result = about_run(run);
   result.program = "syncline " + environment_.version.toStdString();
-  result.link = live_.link().toStdString();
+  result.link = run_.link().toStdString();
   result.documents.push_back(project());
   result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(run.config())});
   return result;
 }
 
 void DiskRecording::tellStanding() {
-  const auto standing = live_.record()->standing();
+  const auto standing = run_.record()->standing();
   if (standing == told_) return;
   told_ = standing;
   recorder_->tell(standing);
@@ -81,13 +75,13 @@ void DiskRecording::tellStanding() {
 
 Status DiskRecording::start(const QString& path) {
   if (recorder_ != nullptr) return {};
-  const auto phase = live_.phase();
-  if (phase != LiveSession::Phase::kStarting && phase != LiveSession::Phase::kOnline)
+  const auto phase = run_.phase();
+  if (phase != NetworkRun::Phase::kStarting && phase != NetworkRun::Phase::kOnline)
     return fail(ErrorCode::kFileNotWritable, {}, "no machine runs: go online first");
   const int number = number_ + 1;
   Recorder::Options options;
-  options.by_clock = !live_.isVirtual();
-  options.wait_for_disk = live_.isVirtual();
+  options.by_clock = !run_.isVirtual();
+  options.wait_for_disk = run_.isVirtual();
   auto recorder = Recorder::start(path.toStdString(), about(), options, [this, number](const Recorder::Stop& stop) {
     QMetaObject::invokeMethod(
         this, [this, number, stop] { onStopped(number, stop); }, Qt::QueuedConnection);
@@ -96,8 +90,8 @@ Status DiskRecording::start(const QString& path) {
   recorder_ = std::move(*recorder);
   number_ = number;
   path_ = path;
-  begun_ = live_.record()->samples().empty() ? 0 : live_.record()->samples().last_time();
-  told_ = live_.record()->standing();
+  begun_ = run_.record()->samples().empty() ? 0 : run_.record()->samples().last_time();
+  told_ = run_.record()->standing();
   recorder_->tell(recorded(findings_.findings()));
   Q_EMIT changed();
   return {};
@@ -112,12 +106,12 @@ void DiskRecording::onStopped(int number, const Recorder::Stop& stop) {
 void DiskRecording::stop() {
   if (recorder_ == nullptr) return;
   tellStanding();
-  const bool ended = live_.phase() == LiveSession::Phase::kOffline;
+  const bool ended = run_.phase() == NetworkRun::Phase::kOffline;
   auto& ending = ending_[number_];
   ending.path = path_;
   ending.thread =
       std::thread([this, number = number_, ended, recorder = std::shared_ptr<Recorder>(std::move(recorder_)),
-                   findings = recorded(live_.record()->findings())] {
+                   findings = recorded(run_.record()->findings())] {
         const auto status = recorder->finish(ended ? "end of the run" : "stopped by the user", findings);
         QMetaObject::invokeMethod(
             this, [this, number, status] { onFinished(number, status); }, Qt::QueuedConnection);
@@ -147,8 +141,8 @@ void DiskRecording::finish() {
 }
 
 Nanoseconds DiskRecording::duration() const {
-  if (recorder_ == nullptr || live_.record() == nullptr || live_.record()->samples().empty()) return 0;
-  const auto& samples = live_.record()->samples();
+  if (recorder_ == nullptr || run_.record() == nullptr || run_.record()->samples().empty()) return 0;
+  const auto& samples = run_.record()->samples();
   return samples.last_time() - std::max(begun_, samples.first_time());
 }
 
@@ -157,12 +151,12 @@ qint64 DiskRecording::bytes() const {
 }
 
 Nanoseconds DiskRecording::memoryReach() const {
-  return live_.record() == nullptr ? 0 : recent_.reach(live_.record()->limits().cycle_time);
+  return run_.record() == nullptr ? 0 : recent_.reach(run_.record()->limits().cycle_time);
 }
 
 Status DiskRecording::saveLast(Nanoseconds duration, const QString& path) {
   if (recent_.span() == 0) return fail(ErrorCode::kFileNotWritable, {}, "no cycle has run yet: go online first");
-  return saveRange(live_.record()->samples().last_time() - duration, INT64_MAX - 1, path);
+  return saveRange(run_.record()->samples().last_time() - duration, INT64_MAX - 1, path);
 }
 
 Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString& path) {
@@ -170,7 +164,7 @@ Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString&
     return fail(ErrorCode::kFileNotWritable, {}, "no cycle of it is in memory any more");
   if (saving_) return fail(ErrorCode::kFileNotWritable, {}, "another stretch is being written; try again in a moment");
   if (saver_.joinable()) saver_.join();
-  const auto& record = *live_.record();
+  const auto& record = *run_.record();
   auto run = std::make_shared<RecentRun>();
   run->about = about();
   run->from = std::max(from, recent_.begin());

@@ -15,8 +15,7 @@
 
 namespace syncline::ui {
 
-class LiveSession;
-class RunDifference;
+class NetworkRun;
 class RunFindings;
 
 /// The running machine to a file: from now on until it is stopped, or the last stretch out of memory, where every cycle
@@ -27,8 +26,8 @@ class DiskRecording final : public QObject {
  public:
   static constexpr std::size_t kMemoryBudget = std::size_t{256} << 20;  // bytes
 
-  DiskRecording(LiveSession& live, const RunFindings& findings, const RunDifference& running,
-                const Environment& environment, QObject* parent = nullptr);
+  DiskRecording(NetworkRun& run, const RunFindings& findings, const Environment& environment,
+                QObject* parent = nullptr);
   ~DiskRecording() override;
 
   /// From now on; kFileNotWritable, also when there is a file of this name or nothing runs. One that was stopped may
@@ -40,6 +39,8 @@ class DiskRecording final : public QObject {
   void finish();
   [[nodiscard]] bool isRecording() const { return recorder_ != nullptr; }
   [[nodiscard]] const QString& path() const { return path_; }
+  /// Something is on its way to the disk, also after stop().
+  [[nodiscard]] bool isWriting() const { return isRecording() || saving_ || !ending_.empty(); }
   /// Of the run, in the file.
   [[nodiscard]] Nanoseconds duration() const;
   [[nodiscard]] qint64 bytes() const;
@@ -75,9 +76,8 @@ class DiskRecording final : public QObject {
   void onStopped(int number, const Recorder::Stop& stop);
   void onFinished(int number, const Status& status);
 
-  LiveSession& live_;
+  NetworkRun& run_;
   const RunFindings& findings_;
-  const RunDifference& running_;
   const Environment& environment_;
   RecentSamples recent_;
   QString path_;

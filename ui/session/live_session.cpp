@@ -1,159 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/live_session.h"
 
-#include <chrono>
-#include <thread>
-#include <utility>
-
 namespace syncline::ui {
-namespace {
 
-constexpr std::chrono::milliseconds kTickInterval{33};
-constexpr qint64 kStopTimeoutMs = 3000;
+LiveSession::LiveSession(NetworkRun& run, QObject* parent) : QObject(parent), run_(&run) { listen(); }
 
-}  // namespace
-
-LiveSession::LiveSession(MasterOpener opener, QObject* parent) : QObject(parent), opener_(std::move(opener)) {
-  tick_.setInterval(kTickInterval);
-  tick_.setTimerType(Qt::PreciseTimer);
-  connect(&tick_, &QTimer::timeout, this, &LiveSession::tick);
+void LiveSession::listen() {
+  connect(run_, &NetworkRun::phaseChanged, this, &LiveSession::phaseChanged);
+  connect(run_, &NetworkRun::recordChanged, this, &LiveSession::recordChanged);
+  connect(run_, &NetworkRun::applied, this, &LiveSession::applied);
+  connect(run_, &NetworkRun::snapshotChanged, this, &LiveSession::snapshotChanged);
+  connect(run_, &NetworkRun::samplesArrived, this, &LiveSession::samplesArrived);
+  connect(run_, &NetworkRun::eventArrived, this, &LiveSession::eventArrived);
+  connect(run_, &NetworkRun::drained, this, &LiveSession::drained);
 }
 
-bool LiveSession::isVirtual() const { return master_ && master_->is_virtual(); }
+void LiveSession::show(NetworkRun& run) {
+  if (run_ == &run) return;
+  disconnect(run_, nullptr, this, nullptr);
+  run_ = &run;
+  run_->setAutoAdvance(auto_advance_);
+  listen();
+}
 
-std::uint64_t LiveSession::droppedSamples() const { return master_ ? master_->channels().samples.overruns() : 0; }
-
-RequestDesk* LiveSession::requests() const { return master_ ? &master_->channels().requests : nullptr; }
-
-Status LiveSession::goOnline(const QString& link, NetworkConfig config) {
-  if (phase_ != Phase::kOffline) shutDown();
-  auto master = opener_(link);
-  if (!master) return tl::unexpected(master.error());
-  master_ = std::move(*master);
-  link_ = link;
-  const auto before = std::exchange(record_, std::make_unique<RunRecord>(std::move(config)));
+void LiveSession::tellShown() {
   Q_EMIT recordChanged();
-  snapshot_ = Snapshot{};
-  image_ = ImageContents{};
-  send(GoOnlineCommand{record_->config(), AlState::kOp});
-  setPhase(Phase::kStarting);
-  if (!master_->is_virtual() || auto_advance_) master_->start();
-  tick_.start();
-  return {};
-}
-
-void LiveSession::goOffline() {
-  if (phase_ == Phase::kOffline || phase_ == Phase::kStopping) return;
-  if (phase_ == Phase::kStarting) master_->channels().cancel.store(true);
-  send(GoOfflineCommand{});
-  stopping_since_.start();
-  setPhase(Phase::kStopping);
-  if (!master_->started()) {
-    while (master_->step() && master_->online()) {
-    }
-    drain();
-    if (phase_ == Phase::kStopping) close();
-  }
-}
-
-void LiveSession::shutDown() {
-  if (phase_ == Phase::kOffline) return;
-  goOffline();
-  if (phase_ == Phase::kOffline) return;
-  while (phase_ == Phase::kStopping && stopping_since_.elapsed() < kStopTimeoutMs) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    drain();
-  }
-  if (phase_ != Phase::kOffline) close();
-}
-
-void LiveSession::requestState(AlState state) {
-  if (master_ && phase_ == Phase::kOnline) send(RequestStateCommand{state});
-}
-
-void LiveSession::clearStatistics() {
-  if (master_) send(ClearStatisticsCommand{});
-}
-
-void LiveSession::arm() {
-  if (record_) record_->arm();
-}
-
-void LiveSession::configureDcm(const DcmSettings& settings) {
-  if (master_) send(ConfigureDcmCommand{settings});
-}
-
-const ImageContents* LiveSession::image() {
-  if (!master_) return nullptr;
-  (void)master_->channels().image.read(image_);
-  return image_.time == 0 ? nullptr : &image_;
-}
-
-void LiveSession::forceOutput(std::uint32_t bit_offset, std::uint32_t bit_size, std::uint64_t value) {
-  if (master_) send(ForceOutputCommand{bit_offset, bit_size, value});
-}
-
-void LiveSession::releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size) {
-  if (master_) send(ReleaseOutputCommand{bit_offset, bit_size});
-}
-
-void LiveSession::releaseAllOutputs() {
-  if (master_) send(ReleaseAllOutputsCommand{});
-}
-
-/// A master that has stopped listening is told like whatever else goes wrong with it.
-void LiveSession::send(MasterCommand command) {
-  if (master_->channels().commands.push(std::move(command))) return;
-  Q_EMIT eventArrived({snapshot_.time, -1, events::Failure{Error{ErrorCode::kTimeout, "master"}}});
-}
-
-void LiveSession::advance(Nanoseconds duration) {
-  if (!isVirtual() || master_->started()) return;
-  master_->run_for(duration);
-  drain();
-}
-
-void LiveSession::tick() {
-  drain();
-  if (phase_ == Phase::kStopping && stopping_since_.elapsed() > kStopTimeoutMs) close();
-}
-
-void LiveSession::drain() {
-  auto& channels = master_->channels();
-  const auto events = channels.events.drain();
-  samples_.clear();
-  channels.samples.pop(samples_);
-  const bool fresh = channels.snapshot.read(snapshot_);
-  record_->add(samples_);
-  if (fresh) record_->add(snapshot_);
-  if (!samples_.empty()) Q_EMIT samplesArrived(samples_);
-  if (fresh) Q_EMIT snapshotChanged();
-  for (const auto& event : events) {
-    handle(event);
-    if (!master_) return;  // the event ended the session
-  }
-  Q_EMIT drained();
-}
-
-void LiveSession::handle(const Event& event) {
-  record_->add(event);
-  Q_EMIT eventArrived(event);
-  if (event.is<events::Online>() && phase_ == Phase::kStarting) setPhase(Phase::kOnline);
-  if (event.is<events::Offline>()) close();
-}
-
-void LiveSession::close() {
-  tick_.stop();
-  master_.reset();
-  snapshot_ = Snapshot{};
-  setPhase(Phase::kOffline);
+  Q_EMIT phaseChanged();
   Q_EMIT snapshotChanged();
 }
 
-void LiveSession::setPhase(Phase phase) {
-  if (phase_ == phase) return;
-  phase_ = phase;
-  Q_EMIT phaseChanged();
+void LiveSession::setAutoAdvance(bool on) {
+  auto_advance_ = on;
+  run_->setAutoAdvance(on);
 }
 
 }  // namespace syncline::ui

@@ -1,100 +1,69 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
-#include <QString>
-#include <QTimer>
-#include <memory>
 #include <vector>
 
-#include "channels/command.h"
-#include "channels/cycle_sample.h"
-#include "channels/event.h"
-#include "channels/image_contents.h"
-#include "channels/snapshot.h"
-#include "config/network_config.h"
-#include "record/run_record.h"
-#include "support/result.h"
-#include "ui/session/bus_connection.h"
+#include "ui/session/network_run.h"
 
 namespace syncline::ui {
 
-/// The running master as the window sees it: commands go in, and on one tick the channels are
-/// drained into the run's record and into signals. A thread of the master's runs the cycles; on a virtual clock a test
-/// may, too, by advance().
+/// The run of the network in work: whoever shows the running machine looks here, and hears of that one alone. When
+/// another network comes in work everything is another: record, phase and snapshot are told as changed.
 class LiveSession final : public QObject {
   Q_OBJECT
 
  public:
-  enum class Phase { kOffline, kStarting, kOnline, kStopping };
-  Q_ENUM(Phase)
+  using Phase = NetworkRun::Phase;
 
-  explicit LiveSession(MasterOpener opener, QObject* parent = nullptr);
+  /// `run` must live until another one is shown.
+  explicit LiveSession(NetworkRun& run, QObject* parent = nullptr);
 
-  /// Opens the link and brings the bus to OP in the background.
-  Status goOnline(const QString& link, NetworkConfig config);
-  void goOffline();
-  /// Ends at once and waits for the thread: for closing the window.
-  void shutDown();
-  void requestState(AlState state);
-  void clearStatistics();
-  /// Figures and faults of the overview begin anew.
-  void arm();
-  /// Other parameters for the running master synchronisation; what it refuses comes as an event.
-  void configureDcm(const DcmSettings& settings);
+  /// Another one in its place; tellShown() says so to all.
+  void show(NetworkRun& run);
+  void tellShown();
+  [[nodiscard]] NetworkRun& run() { return *run_; }
 
-  /// What stands in the process image now, at most 0.1 s old; null when nothing runs. Valid until the next call.
-  [[nodiscard]] const ImageContents* image();
-  /// Holds 1 to 64 bits of the outputs at a value; what became of it comes as an event.
-  void forceOutput(std::uint32_t bit_offset, std::uint32_t bit_size, std::uint64_t value);
-  void releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size);
-  void releaseAllOutputs();
-
-  /// Runs `duration` of machine time at once and drains the channels; virtual clock only.
-  void advance(Nanoseconds duration);
-  /// Whether a virtual clock runs by itself; tests switch it off before going online and call advance().
-  void setAutoAdvance(bool on) { auto_advance_ = on; }
-
-  [[nodiscard]] Phase phase() const { return phase_; }
-  [[nodiscard]] bool isVirtual() const;
-  [[nodiscard]] const QString& link() const { return link_; }
-  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
-  /// The run that goes on, or was the last one; null before the first.
-  [[nodiscard]] const RunRecord* record() const { return record_.get(); }
-  [[nodiscard]] std::uint64_t droppedSamples() const;
-  /// Where requests on single slaves go in; null when offline. Use SlaveRequests.
-  [[nodiscard]] RequestDesk* requests() const;
+  // As NetworkRun has them.
+  Status goOnline(const QString& link, RunOrigin origin) { return run_->goOnline(link, std::move(origin)); }
+  void goOffline() { run_->goOffline(); }
+  void shutDown() { run_->shutDown(); }
+  void requestState(AlState state) { run_->requestState(state); }
+  void clearStatistics() { run_->clearStatistics(); }
+  void arm() { run_->arm(); }
+  void configureDcm(const DcmSettings& settings) { run_->configureDcm(settings); }
+  [[nodiscard]] const ImageContents* image() { return run_->image(); }
+  void forceOutput(std::uint32_t bit_offset, std::uint32_t bit_size, std::uint64_t value) {
+    run_->forceOutput(bit_offset, bit_size, value);
+  }
+  void releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size) { run_->releaseOutput(bit_offset, bit_size); }
+  void releaseAllOutputs() { run_->releaseAllOutputs(); }
+  void advance(Nanoseconds duration) { run_->advance(duration); }
+  /// Of all that are shown from now on.
+  void setAutoAdvance(bool on);
+  [[nodiscard]] Phase phase() const { return run_->phase(); }
+  [[nodiscard]] bool isVirtual() const { return run_->isVirtual(); }
+  [[nodiscard]] const QString& link() const { return run_->link(); }
+  [[nodiscard]] const RunOrigin& origin() const { return run_->origin(); }
+  [[nodiscard]] const Snapshot& snapshot() const { return run_->snapshot(); }
+  [[nodiscard]] const RunRecord* record() const { return run_->record(); }
+  [[nodiscard]] std::uint64_t droppedSamples() const { return run_->droppedSamples(); }
+  [[nodiscard]] RequestDesk* requests() const { return run_->requests(); }
 
  Q_SIGNALS:
   void phaseChanged();
-  /// Another run has begun: the record before is gone when this returns.
   void recordChanged();
+  void applied();
   void snapshotChanged();
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);
   void eventArrived(const syncline::Event& event);
-  /// All channels have been looked at, whether there was something or not.
   void drained();
 
  private:
-  void send(MasterCommand command);
-  void tick();
-  void drain();
-  void handle(const Event& event);
-  void close();
-  void setPhase(Phase phase);
+  void listen();
 
-  MasterOpener opener_;
-  QTimer tick_;
-  QElapsedTimer stopping_since_;
-  Phase phase_ = Phase::kOffline;
+  NetworkRun* run_;
   bool auto_advance_ = true;
-  QString link_;
-  std::unique_ptr<RunRecord> record_;
-  Snapshot snapshot_;
-  ImageContents image_;
-  std::vector<CycleSample> samples_;
-  std::unique_ptr<BackgroundMaster> master_;  // none: offline
 };
 
 }  // namespace syncline::ui

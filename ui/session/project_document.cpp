@@ -102,6 +102,7 @@ void ProjectDocument::reset() { take({}, {}); }
 Result<Machine> ProjectDocument::read(const QString& path) { return eni::load_machine(path.toStdString()); }
 
 void ProjectDocument::take(Machine machine, const QString& path, bool saved) {
+  Q_EMIT machineReplaced();
   ++generation_;
   machine_ = std::move(machine);
   if (machine_.networks.empty()) machine_.networks.emplace_back();
@@ -150,10 +151,14 @@ Machine ProjectDocument::machine() const {
   return machine;
 }
 
+const Project& ProjectDocument::project(int network) const {
+  return network == this->network() ? project_ : machine_.networks[static_cast<std::size_t>(network)];
+}
+
 QStringList ProjectDocument::networks() const {
   QStringList names;
   for (std::size_t i = 0; i < machine_.networks.size(); ++i) {
-    const auto& name = (i == current_ ? project_ : machine_.networks[i]).name;
+    const auto& name = project(static_cast<int>(i)).name;
     names << (name.empty() ? tr("Network %1").arg(i + 1) : QString::fromStdString(name));
   }
   return names;
@@ -187,6 +192,7 @@ void ProjectDocument::addNetwork(const QString& name) {
 
 void ProjectDocument::removeNetwork() {
   if (machine_.networks.size() < 2) return;
+  Q_EMIT networkRemoved(network());
   const auto gone = static_cast<std::ptrdiff_t>(current_);
   machine_.networks.erase(machine_.networks.begin() + gone);
   stacks_.erase(stacks_.begin() + gone);

@@ -60,6 +60,8 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   /// All networks of the machine in their order; those without a name by their number.
   [[nodiscard]] QStringList networks() const;
   [[nodiscard]] int network() const { return static_cast<int>(current_); }
+  /// Any of the networks as it is now.
+  [[nodiscard]] const Project& project(int network) const;
   /// Takes another network in work; edits and undo steps of the one before stay its own.
   void chooseNetwork(int network);
   /// A new network without slaves behind the others, in work from now on.
@@ -93,6 +95,10 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   [[nodiscard]] bool readOnly() const { return !path_.isEmpty() && !lock_.held(); }
 
  Q_SIGNALS:
+  /// Another machine comes in place of this one (reset, take, load), which is still there.
+  void machineReplaced();
+  /// This network goes, and is still there.
+  void networkRemoved(int network);
   /// Another machine or network is edited from now on (reset, take, load, chooseNetwork): comes first of all. What is
   /// known of the slaves that there were holds for none of these, alike as they may be.
   void taken();

@@ -24,17 +24,9 @@ bool onlyParameters(const Project& running, const Project& project) {
 RunDifference::RunDifference(ProjectDocument& document, ConfigurationMonitor& configuration, LiveSession& live,
                              QObject* parent)
     : QObject(parent), document_(document), configuration_(configuration), live_(live) {
-  connect(&live_, &LiveSession::phaseChanged, this, &RunDifference::onPhase);
+  connect(&live_, &LiveSession::phaseChanged, this, &RunDifference::look);
+  connect(&live_, &LiveSession::applied, this, &RunDifference::look);
   connect(&configuration_, &ConfigurationMonitor::compiled, this, &RunDifference::look);
-}
-
-void RunDifference::onPhase() {
-  if (live_.phase() == LiveSession::Phase::kStarting) {
-    running_ = document_.project();
-    running_path_ = document_.path();
-    running_config_ = live_.record()->config();
-  }
-  look();
 }
 
 void RunDifference::look() {
@@ -43,30 +35,29 @@ void RunDifference::look() {
   const bool before = std::exchange(differs_, false);
   slaves_.clear();
   applicable_ = false;
-  if (runs && !(project == running_)) {
+  if (runs && !(project == running())) {
     const auto* config = configuration_.config();
-    auto network = config != nullptr ? compare_configs(running_config_, *config) : std::vector<ConfigDifference>{};
-    const auto run_time = compare_run_time(running_, project);
+    auto network =
+        config != nullptr ? compare_configs(live_.origin().config, *config) : std::vector<ConfigDifference>{};
+    const auto run_time = compare_run_time(running(), project);
     differs_ = config == nullptr || !network.empty() || !run_time.empty();
     std::erase_if(network, [](const ConfigDifference& one) { return one.group != DifferenceGroup::kSlaves; });
     slaves_ = std::move(network);
-    applicable_ = differs_ && onlyParameters(running_, project);
+    applicable_ = differs_ && onlyParameters(running(), project);
   }
   if (before || differs_) Q_EMIT changed();
 }
 
+const Project& RunDifference::running() const { return live_.origin().project; }
+
 std::vector<SettingDifference> RunDifference::settings() const {
-  return compare_settings(running_, document_.project());
+  return compare_settings(running(), document_.project());
 }
 
 void RunDifference::apply() {
   const auto* config = configuration_.config();
   if (!applicable_ || config == nullptr) return;
-  live_.configureDcm(document_.project().master.dc.dcm);
-  running_ = document_.project();
-  running_config_ = *config;
-  Q_EMIT applied();
-  look();
+  live_.run().apply({document_.project(), live_.origin().path, *config});
 }
 
 }  // namespace syncline::ui

@@ -6,7 +6,6 @@
 
 #include "compare/compare_configs.h"
 #include "compare/compare_settings.h"
-#include "config/network_config.h"
 #include "config/project.h"
 
 namespace syncline::ui {
@@ -31,9 +30,7 @@ class RunDifference final : public QObject {
   /// Slaves that came, went or changed their places.
   [[nodiscard]] const std::vector<ConfigDifference>& slaves() const { return slaves_; }
   /// The project from which the machine was started, with what was applied since.
-  [[nodiscard]] const Project& running() const { return running_; }
-  /// Its file when the machine was started; "" where it had none.
-  [[nodiscard]] const QString& runningPath() const { return running_path_; }
+  [[nodiscard]] const Project& running() const;
   /// All of it can be given to the machine while it runs.
   [[nodiscard]] bool applicable() const { return applicable_; }
   /// Gives it to the machine; nothing when not applicable().
@@ -41,19 +38,13 @@ class RunDifference final : public QObject {
 
  Q_SIGNALS:
   void changed();
-  /// running() is another one: it was given to the machine.
-  void applied();
 
  private:
-  void onPhase();
   void look();
 
   ProjectDocument& document_;
   ConfigurationMonitor& configuration_;
   LiveSession& live_;
-  Project running_;
-  QString running_path_;
-  NetworkConfig running_config_;
   std::vector<ConfigDifference> slaves_;
   bool differs_ = false, applicable_ = false;
 };

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "ui/session/live_session.h"
+#include "ui/session/network_run.h"
 
 namespace syncline::ui {
 namespace {
@@ -12,27 +12,27 @@ constexpr int kPeriodMs = 1000;
 
 }  // namespace
 
-RunFindings::RunFindings(LiveSession& live, QObject* parent) : QObject(parent), live_(live) {
+RunFindings::RunFindings(NetworkRun& run, QObject* parent) : QObject(parent), run_(run) {
   timer_.setInterval(kPeriodMs);
   connect(&timer_, &QTimer::timeout, this, &RunFindings::refresh);
-  connect(&live, &LiveSession::recordChanged, this, [this] {
+  connect(&run, &NetworkRun::recordChanged, this, [this] {
     findings_.clear();
     timer_.start();
     Q_EMIT findingsChanged();
   });
-  connect(&live, &LiveSession::phaseChanged, this, [this] {
-    if (live_.phase() != LiveSession::Phase::kOffline) return;
+  connect(&run, &NetworkRun::phaseChanged, this, [this] {
+    if (run_.phase() != NetworkRun::Phase::kOffline) return;
     timer_.stop();
     refresh();
   });
-  connect(&live, &LiveSession::samplesArrived, this, [this] { news_ = true; });
-  connect(&live, &LiveSession::snapshotChanged, this, [this] { news_ = true; });
-  connect(&live, &LiveSession::eventArrived, this, [this] { news_ = true; });
+  connect(&run, &NetworkRun::samplesArrived, this, [this] { news_ = true; });
+  connect(&run, &NetworkRun::snapshotChanged, this, [this] { news_ = true; });
+  connect(&run, &NetworkRun::eventArrived, this, [this] { news_ = true; });
 }
 
 void RunFindings::refresh() {
-  if (live_.record() == nullptr || !std::exchange(news_, false)) return;
-  auto findings = live_.record()->findings();
+  if (run_.record() == nullptr || !std::exchange(news_, false)) return;
+  auto findings = run_.record()->findings();
   if (findings == findings_) return;
   findings_ = std::move(findings);
   Q_EMIT findingsChanged();

@@ -9,7 +9,7 @@
 
 namespace syncline::ui {
 
-class LiveSession;
+class NetworkRun;
 
 /// What the running bus means, renewed once a second from the same rules as `synclinectl run`. What a run showed stays
 /// until the next one begins.
@@ -17,7 +17,7 @@ class RunFindings final : public QObject {
   Q_OBJECT
 
  public:
-  explicit RunFindings(LiveSession& live, QObject* parent = nullptr);
+  explicit RunFindings(NetworkRun& run, QObject* parent = nullptr);
 
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   /// Looks at once, for tests and for the end of a run.
@@ -27,7 +27,7 @@ class RunFindings final : public QObject {
   void findingsChanged();
 
  private:
-  LiveSession& live_;
+  NetworkRun& run_;
   QTimer timer_;
   bool news_ = false;
   std::vector<Finding> findings_;

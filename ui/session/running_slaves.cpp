@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/running_slaves.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -19,6 +20,15 @@ int elementOf(const std::vector<int>& list, int at) {
 }
 
 }  // namespace
+
+int slaveOf(const Project& project, const NetworkConfig& running, int position) {
+  if (position < 0 || static_cast<std::size_t>(position) >= running.slaves.size()) return -1;
+  const auto& slave = running.slaves[static_cast<std::size_t>(position)];
+  const auto found = std::ranges::find_if(project.slaves, [&](const SlaveSettings& one) {
+    return one.station_address == slave.station_address && sameDevice(slave.identity, one.device.identity);
+  });
+  return found == project.slaves.end() ? -1 : static_cast<int>(found - project.slaves.begin());
+}
 
 RunningSlaves::RunningSlaves(const ProjectDocument& document, const LiveSession& live)
     : document_(document), live_(live) {

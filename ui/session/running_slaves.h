@@ -4,10 +4,16 @@
 #include <QObject>
 #include <vector>
 
+#include "config/network_config.h"
+#include "config/project.h"
+
 namespace syncline::ui {
 
 class LiveSession;
 class ProjectDocument;
+
+/// The slave of `project` that stands at `position` of what runs; -1: none any more.
+[[nodiscard]] int slaveOf(const Project& project, const NetworkConfig& running, int position);
 
 /// Which slave of the project is which of the run: by station address and identity, because the project may have been
 /// edited since, and slaves may have come, gone or changed places in it.

@@ -13,6 +13,7 @@
 namespace syncline::ui {
 
 class LiveSession;
+class NetworkRun;
 
 /// What became of a request.
 enum class RequestState : unsigned char {
@@ -33,9 +34,10 @@ struct RequestOutcome {
 /// Who waits for whom: what a person asked for goes before what fills a page.
 enum class RequestUrgency : unsigned char { kPerson, kBackground };
 
-/// The window's requests on single slaves of the running bus: any page asks, the master carries out beside the cycle,
-/// and the answer comes back to who asked, out of the event loop and never out of post(). So many are given to the
-/// master at once that it is never idle and that a person's request does not wait behind a whole dictionary.
+/// The window's requests on single slaves of the bus of the network in work: any page asks, the master carries out
+/// beside the cycle, and the answer comes back to who asked, out of the event loop and never out of post(), also when
+/// another network is in work by then. So many are given to the master at once that it is never idle and that a
+/// person's request does not wait behind a whole dictionary.
 class SlaveRequests final : public QObject {
   Q_OBJECT
 
@@ -62,30 +64,39 @@ class SlaveRequests final : public QObject {
 
   /// There is a bus to ask: online, or on the way there.
   [[nodiscard]] bool possible() const;
+  /// Something is being written to a slave.
+  [[nodiscard]] bool writing() const;
 
  private:
   struct Open {
     SlaveRequest request;
     QPointer<QObject> asker;
     Done done;
+    QPointer<NetworkRun> run;  // whose slave it is
     RequestUrgency urgency = RequestUrgency::kPerson;
     RequestId ticket = 0;  // 0: not yet with the master
     bool cancelled = false;
   };
 
-  void look();
-  void submitAll();
+  /// How many of one run are with its master.
+  struct Load {
+    std::map<std::uint16_t, std::size_t> per_slave;
+    std::size_t all = 0;
+  };
+
+  void hear();
+  void look(const NetworkRun& run);
+  void submitAll(const NetworkRun& run);
   void submit(Id id, Open& open);
-  [[nodiscard]] bool hasRoom(std::uint16_t slave) const;
+  [[nodiscard]] bool hasRoom(const Open& open) const;
   void count(const Open& open, bool more);
-  void collect();
+  void collect(const NetworkRun& run);
   void endAll();
   void deliver(Id id, RequestOutcome outcome);
 
   LiveSession& live_;
-  std::map<Id, Open> open_;                         // in their order
-  std::map<std::uint16_t, std::size_t> per_slave_;  // with the master
-  std::size_t with_master_ = 0;
+  std::map<Id, Open> open_;  // in their order
+  std::map<const NetworkRun*, Load> loads_;
   Id last_ = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/workspace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,26 +18,24 @@ const QString kLastLink = QStringLiteral("link");
 
 }  // namespace
 
-QString Workspace::usualLink() const { return link_.isEmpty() ? memory_.value(kLastLink).toString() : link_; }
+QString Workspace::usualLink() const { return link().isEmpty() ? memory_.value(kLastLink).toString() : link(); }
 
 Workspace::Workspace(Environment environment, QObject* parent)
     : QObject(parent),
       environment_(std::move(environment)),
       memory_(environment_.settings_file),
       templates_(environment_.templates_folder),
+      runs_(document_, environment_),
       autosave_(document_, environment_.recovery_folder),
       configuration_(document_),
       eni_(document_),
       scan_(environment_.scan_bus, environment_.describe_slaves, environment_.esi_folders),
       catalogue_(environment_.esi_folders),
       eeprom_repair_(environment_.eeprom_repairs),
-      live_(environment_.open_master),
-      requests_(live_),
-      running_slaves_(document_, live_),
+      requests_(live()),
+      running_slaves_(document_, live()),
       watched_(document_, memory_),
-      run_difference_(document_, configuration_, live_),
-      run_findings_(live_),
-      disk_(live_, run_findings_, run_difference_, environment_) {
+      run_difference_(document_, configuration_, live()) {
   network_.setProject(document_.project());
   cables_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
@@ -47,27 +47,16 @@ Workspace::Workspace(Environment environment, QObject* parent)
     network_.setConfiguration(configuration_.config());
     showFindings();
   });
-  connect(&live_, &LiveSession::snapshotChanged, this, [this] {
-    network_.setSnapshot(live_.snapshot(), running_slaves_.positions());
-    cables_.setSnapshot(live_.snapshot(), running_slaves_.positions());
+  connect(&live(), &LiveSession::snapshotChanged, this, [this] {
+    network_.setSnapshot(live().snapshot(), running_slaves_.positions());
+    cables_.setSnapshot(live().snapshot(), running_slaves_.positions());
   });
-  connect(&live_, &LiveSession::eventArrived, this, [this](const Event& event) {
-    if (auto message = messageOf(event, live_.record()->config())) {
-      message->slave = running_slaves_.slaveOf(event.slave);
-      message->run = run_;
-      // A simulated machine's virtual clock is no time of day.
-      if (live_.isVirtual()) message->time = QDateTime::currentDateTime();
-      messages_.append(std::move(*message));
-    }
-  });
-  connect(&live_, &LiveSession::recordChanged, this, [this] { ++run_; });
-  connect(&live_, &LiveSession::samplesArrived, this, [this] {
-    if (std::exchange(begun_run_, run_) != run_) messages_.setRunBegin(run_, live_.record()->overview().begin);
-  });
-  connect(&run_findings_, &RunFindings::findingsChanged, this, [this] { showRunFindings(); });
+  connect(&runs_, &NetworkRuns::eventArrived, this, &Workspace::appendEvent);
+  connect(&runs_, &NetworkRuns::begun, this, [this](int run, qint64 moment) { messages_.setRunBegin(run, moment); });
+  connect(&runs_, &NetworkRuns::findingsChanged, this, [this] { showRunFindings(); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::mayEditSlavesChanged);
-  connect(&live_, &LiveSession::phaseChanged, this, &Workspace::mayEditSlavesChanged);
+  connect(&live(), &LiveSession::phaseChanged, this, &Workspace::mayEditSlavesChanged);
   connect(this, &Workspace::mayEditSlavesChanged, this, [this] { network_.setFixed(!mayEditSlaves()); });
   connect(&autosave_, &Autosave::failed, this,
           [this](const Error& error) { report(error, Severity::kWarning, tr("Unsaved work is not kept")); });
@@ -84,20 +73,34 @@ Workspace::Workspace(Environment environment, QObject* parent)
   });
 }
 
+/// Of several networks each says which one it is of.
+void Workspace::appendEvent(int network, const Event& event) {
+  if (network < 0) return;  // of a machine that was replaced
+  const auto& session = runs_.of(network);
+  auto message = messageOf(event, session.run.record()->config());
+  if (!message) return;
+  message->slave = slaveOf(document_.project(network), session.run.record()->config(), event.slave);
+  message->run = session.number;
+  if (const auto names = document_.networks(); names.size() > 1)
+    message->source = tr("%1: %2").arg(names[network], message->source);
+  // A simulated machine's virtual clock is no time of day.
+  if (session.run.isVirtual()) message->time = QDateTime::currentDateTime();
+  messages_.append(std::move(*message));
+}
+
 void Workspace::setExpert(bool expert) {
   if (expert == std::exchange(expert_, expert)) return;
   Q_EMIT expertChanged();
 }
 
 void Workspace::setLink(const QString& link) {
-  if (link_ == link) return;
-  link_ = link;
+  if (this->link() == link) return;
   memory_.setValue(kLastLink, link);
-  Q_EMIT linkChanged();
+  runs_.setLink(link);
 }
 
 const RunRecord* Workspace::shownRecord() const {
-  return recording_.isOpen() ? recording_.run().record.get() : live_.record();
+  return recording_.isOpen() ? recording_.run().record.get() : runs_.current().run.record();
 }
 
 /// Its events and findings in place of those of the run, which come back when it is closed.
@@ -113,11 +116,19 @@ void Workspace::showRecording() {
 }
 
 QString Workspace::whySlavesStay() const {
-  if (live_.phase() != LiveSession::Phase::kOffline)
+  if (runs_.current().run.phase() != LiveSession::Phase::kOffline)
     return tr("The machine is running: go offline to change its slaves.");
   if (recording_.isOpen())
     return tr("A recording is shown: close it to change the slaves of the project (File, Close Recording).");
   return {};
+}
+
+Status Workspace::mayUse(const QString& link) const {
+  const int other = runs_.userOf(link);
+  if (other < 0) return {};
+  return fail(ErrorCode::kConfiguration, link.toStdString(),
+              fmt::format("the network \"{}\" runs on it: choose another link or take that one offline",
+                          document_.networks().value(other).toStdString()));
 }
 
 Status Workspace::goOnline() {
@@ -127,7 +138,8 @@ Status Workspace::goOnline() {
   if (!compiled) return tl::unexpected(compiled.error());
   const auto worst = std::ranges::find(compiled->findings, Severity::kError, &Finding::severity);
   if (worst != compiled->findings.end()) return fail(ErrorCode::kConfiguration, worst->place.key, describe(*worst));
-  return live_.goOnline(link_, compiled->config);
+  if (auto free = mayUse(link()); !free) return free;
+  return live().goOnline(link(), {document_.project(), document_.path(), compiled->config});
 }
 
 void Workspace::report(const Error& error, Severity severity, const QString& source) {
@@ -139,7 +151,7 @@ void Workspace::inform(const QString& source, const QString& text) {
 }
 
 std::vector<Finding> Workspace::shownFindings() const {
-  return recording_.isOpen() ? recording_.run().record->findings() : run_findings_.findings();
+  return recording_.isOpen() ? recording_.run().record->findings() : runs_.current().findings.findings();
 }
 
 /// What many slaves have alike is one row, at the first of them.

@@ -11,14 +11,12 @@
 #include "ui/session/bus_connection.h"
 #include "ui/session/configuration_monitor.h"
 #include "ui/session/device_catalogue.h"
-#include "ui/session/disk_recording.h"
 #include "ui/session/eeprom_repair.h"
 #include "ui/session/eni_preview.h"
-#include "ui/session/live_session.h"
+#include "ui/session/network_runs.h"
 #include "ui/session/opened_recording.h"
 #include "ui/session/project_document.h"
 #include "ui/session/run_difference.h"
-#include "ui/session/run_findings.h"
 #include "ui/session/running_slaves.h"
 #include "ui/session/scan_controller.h"
 #include "ui/session/slave_requests.h"
@@ -46,7 +44,10 @@ class Workspace final : public QObject {
   [[nodiscard]] ScanController& scan() { return scan_; }
   [[nodiscard]] DeviceCatalogue& catalogue() { return catalogue_; }
   [[nodiscard]] EepromRepair& eepromRepair() { return eeprom_repair_; }
-  [[nodiscard]] LiveSession& live() { return live_; }
+  /// What runs, network by network.
+  [[nodiscard]] NetworkRuns& runs() { return runs_; }
+  /// The run of the network in work.
+  [[nodiscard]] LiveSession& live() { return runs_.shown(); }
   [[nodiscard]] SlaveRequests& requests() { return requests_; }
   /// Which slave of the project is which of the run.
   [[nodiscard]] const RunningSlaves& runningSlaves() const { return running_slaves_; }
@@ -57,23 +58,23 @@ class Workspace final : public QObject {
   /// What the user begins projects with.
   [[nodiscard]] TemplateStore& templates() { return templates_; }
   [[nodiscard]] WindowMemory& memory() { return memory_; }
-  [[nodiscard]] RunFindings& runFindings() { return run_findings_; }
-  /// What is kept of the running machine on disk.
-  [[nodiscard]] DiskRecording& disk() { return disk_; }
+  [[nodiscard]] RunFindings& runFindings() { return runs_.current().findings; }
+  /// What is kept on disk of the run of the network in work.
+  [[nodiscard]] DiskRecording& disk() { return runs_.current().disk; }
   /// A recording that is shown in place of the live run, while nothing runs.
   [[nodiscard]] OpenedRecording& recording() { return recording_; }
   /// What plots and figures show: the recording that is open, else the run; null before the first.
   [[nodiscard]] const RunRecord* shownRecord() const;
   [[nodiscard]] FindingModel& findings() { return findings_; }
-  /// What was found about the run that goes on or was last, or of the recording in its place.
+  /// What was found about the run that goes on or was last of the network in work, or of the recording in its place.
   [[nodiscard]] std::vector<Finding> shownFindings() const;
   [[nodiscard]] MessageModel& messages() { return messages_; }
   [[nodiscard]] NetworkModel& network() { return network_; }
   /// What the running machine counted at its cables.
   [[nodiscard]] CableCounters& cables() { return cables_; }
 
-  /// LINK that scan and online use; empty until one was chosen.
-  [[nodiscard]] const QString& link() const { return link_; }
+  /// LINK that scan and online use for the network in work; empty until one was chosen.
+  [[nodiscard]] const QString& link() const { return runs_.current().link; }
   void setLink(const QString& link);
   /// What to propose: the link, or that of the last time.
   [[nodiscard]] QString usualLink() const;
@@ -82,24 +83,27 @@ class Workspace final : public QObject {
   [[nodiscard]] bool expert() const { return expert_; }
   void setExpert(bool expert);
 
+  /// kConfiguration where another network runs on this link.
+  [[nodiscard]] Status mayUse(const QString& link) const;
+
   /// Slaves come and go neither while a machine runs nor while a recording is shown. Empty: they may; else why not, a
   /// sentence.
   [[nodiscard]] QString whySlavesStay() const;
   [[nodiscard]] bool mayEditSlaves() const { return whySlavesStay().isEmpty(); }
 
   /// Compiles and starts; a configuration with errors is refused (the messages name them), and while a recording is
-  /// shown, too.
+  /// shown, too, or where another network runs on the link.
   Status goOnline();
   /// A line in the message window.
   void report(const Error& error, Severity severity, const QString& source);
   void inform(const QString& source, const QString& text);
 
  Q_SIGNALS:
-  void linkChanged();
   void expertChanged();
   void mayEditSlavesChanged();
 
  private:
+  void appendEvent(int network, const Event& event);
   void showFindings();
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
   void showRunFindings();
@@ -108,23 +112,19 @@ class Workspace final : public QObject {
   Environment environment_;
   WindowMemory memory_;
   TemplateStore templates_;
-  QString link_;
   bool expert_ = false;
-  int run_ = 0, begun_run_ = 0;  // the run that goes on or was last, and the last of which there is a sample
   ProjectDocument document_;
+  NetworkRuns runs_;  // hears of another network before all others
   Autosave autosave_;
   ConfigurationMonitor configuration_;
   EniPreview eni_;
   ScanController scan_;
   DeviceCatalogue catalogue_;
   EepromRepair eeprom_repair_;
-  LiveSession live_;
   SlaveRequests requests_;
   RunningSlaves running_slaves_;
   WatchList watched_;
   RunDifference run_difference_;
-  RunFindings run_findings_;
-  DiskRecording disk_;
   OpenedRecording recording_;
   TriggerMonitor trigger_{memory_};
   FindingModel findings_;

@@ -48,7 +48,8 @@ MachineDraft::MachineDraft(Workspace& window, QObject* parent)
 
 void MachineDraft::scan(const QString& link) {
   if (link.isEmpty() || scanning_) return;
-  if (window_.live().phase() != LiveSession::Phase::kOffline && link == window_.link()) {
+  const bool in_work = window_.live().phase() != LiveSession::Phase::kOffline && link == window_.link();
+  if (in_work || window_.runs().userOf(link) >= 0) {
     Q_EMIT told(tr("The machine of the window runs on this bus. Go offline first, or choose another bus."), true);
     return;
   }

@@ -12,9 +12,11 @@ namespace syncline::test {
 /// Online from the start; takes requests and answers when it is told to.
 class PatientMaster final : public BackgroundMaster {
  public:
-  PatientMaster() { channels_.events.push({0, -1, events::Online{}}); }
+  explicit PatientMaster(bool is_virtual = true) : is_virtual_(is_virtual) {
+    channels_.events.push({0, -1, events::Online{}});
+  }
   [[nodiscard]] MasterChannels& channels() override { return channels_; }
-  [[nodiscard]] bool is_virtual() const override { return true; }
+  [[nodiscard]] bool is_virtual() const override { return is_virtual_; }
   void start() override {}
   [[nodiscard]] bool started() const override { return false; }
   void stop() override {}
@@ -31,6 +33,7 @@ class PatientMaster final : public BackgroundMaster {
 
  private:
   MasterChannels channels_;
+  bool is_virtual_;
 };
 
 }  // namespace syncline::test

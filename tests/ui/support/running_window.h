@@ -29,7 +29,7 @@ class RunningWindow : public ::testing::Test {
     static_cast<void>(QTest::qWaitForWindowActive(&window_));
   }
   ~RunningWindow() override {
-    workspace_.live().shutDown();
+    workspace_.runs().shutDown();
     workspace_.document().undoStack().setClean();
   }
 

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <vector>
+
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/image_contents.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
+#include "config/project.h"
+#include "record/run_record.h"
+#include "support/result.h"
+#include "ui/session/bus_connection.h"
+
+namespace syncline::ui {
+
+/// What a run was begun with, and what was applied to it since.
+struct RunOrigin {
+  Project project;
+  QString path;  // its file when it was begun; "" where it had none
+  NetworkConfig config;
+};
+
+/// The running master of one network as the window sees it: commands go in, and on one tick the channels are drained
+/// into the run's record and into signals, whichever network is in work. A thread of the master's runs the cycles; on a
+/// virtual clock a test may, too, by advance().
+class NetworkRun final : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Phase { kOffline, kStarting, kOnline, kStopping };
+  Q_ENUM(Phase)
+
+  explicit NetworkRun(MasterOpener opener, QObject* parent = nullptr);
+
+  /// Opens the link and brings the bus to OP in the background.
+  Status goOnline(const QString& link, RunOrigin origin);
+  void goOffline();
+  /// Ends at once and waits for the thread: for closing the window.
+  void shutDown();
+  void requestState(AlState state);
+  void clearStatistics();
+  /// Figures and faults of the overview begin anew.
+  void arm();
+  /// Other parameters for the running master synchronisation; what it refuses comes as an event.
+  void configureDcm(const DcmSettings& settings);
+  /// The same; from now on that is what runs.
+  void apply(RunOrigin origin);
+
+  /// What stands in the process image now, at most 0.1 s old; null when nothing runs. Valid until the next call.
+  [[nodiscard]] const ImageContents* image();
+  /// Holds 1 to 64 bits of the outputs at a value; what became of it comes as an event.
+  void forceOutput(std::uint32_t bit_offset, std::uint32_t bit_size, std::uint64_t value);
+  void releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size);
+  void releaseAllOutputs();
+
+  /// Runs `duration` of machine time at once and drains the channels; virtual clock only.
+  void advance(Nanoseconds duration);
+  /// Whether a virtual clock runs by itself; tests switch it off before going online and call advance().
+  void setAutoAdvance(bool on) { auto_advance_ = on; }
+
+  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] bool isVirtual() const;
+  [[nodiscard]] const QString& link() const { return link_; }
+  /// Of the run that goes on, or was the last one.
+  [[nodiscard]] const RunOrigin& origin() const { return origin_; }
+  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+  /// The run that goes on, or was the last one; null before the first.
+  [[nodiscard]] const RunRecord* record() const { return record_.get(); }
+  [[nodiscard]] std::uint64_t droppedSamples() const;
+  /// Where requests on single slaves go in; null when offline. Use SlaveRequests.
+  [[nodiscard]] RequestDesk* requests() const;
+
+ Q_SIGNALS:
+  void phaseChanged();
+  /// Another run has begun: the record before is gone when this returns.
+  void recordChanged();
+  /// origin() is another one: it was given to the machine.
+  void applied();
+  void snapshotChanged();
+  void samplesArrived(const std::vector<syncline::CycleSample>& samples);
+  void eventArrived(const syncline::Event& event);
+  /// All channels have been looked at, whether there was something or not.
+  void drained();
+
+ private:
+  void send(MasterCommand command);
+  void tick();
+  void drain();
+  void handle(const Event& event);
+  void close();
+  void setPhase(Phase phase);
+
+  MasterOpener opener_;
+  QTimer tick_;
+  QElapsedTimer stopping_since_;
+  Phase phase_ = Phase::kOffline;
+  bool auto_advance_ = true;
+  QString link_;
+  RunOrigin origin_;
+  std::unique_ptr<RunRecord> record_;
+  Snapshot snapshot_;
+  ImageContents image_;
+  std::vector<CycleSample> samples_;
+  std::unique_ptr<BackgroundMaster> master_;  // none: offline
+};
+
+}  // namespace syncline::ui

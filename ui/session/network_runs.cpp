@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/network_runs.h"
+
+#include <QTimer>
+#include <algorithm>
+#include <utility>
+
+#include "ui/session/project_document.h"
+
+namespace syncline::ui {
+
+NetworkSession::NetworkSession(const Environment& environment, QObject* parent)
+    : QObject(parent), run(environment.open_master), findings(run), disk(run, findings, environment) {}
+
+NetworkRuns::NetworkRuns(ProjectDocument& document, const Environment& environment)
+    : document_(document), environment_(environment), sessions_{make()}, shown_(sessions_.front()->run) {
+  connect(&document, &ProjectDocument::machineReplaced, this, &NetworkRuns::replaceAll);
+  connect(&document, &ProjectDocument::networkRemoved, this, [this](int network) {
+    const auto at = sessions_.begin() + network;
+    retire(**at);
+    sessions_.erase(at);
+    shown_at_ = sessions_.size();  // none, until the next one is chosen
+  });
+  connect(&document, &ProjectDocument::taken, this, &NetworkRuns::follow);
+  connect(&document, &ProjectDocument::networksChanged, this, &NetworkRuns::tell);
+}
+
+NetworkSession* NetworkRuns::make() {
+  auto* session = new NetworkSession(environment_, this);
+  listen(*session);
+  return session;
+}
+
+void NetworkRuns::listen(NetworkSession& session) {
+  auto* of = &session;
+  const auto shown = [this, of] { return shown_at_ < sessions_.size() && of == sessions_[shown_at_]; };
+  connect(&of->run, &NetworkRun::recordChanged, this, [this, of] {
+    of_run_.push_back(of);
+    of->number = static_cast<int>(of_run_.size());
+  });
+  connect(&of->run, &NetworkRun::phaseChanged, this, [this, of] { Q_EMIT phaseChanged(indexOf(*of)); });
+  connect(&of->run, &NetworkRun::snapshotChanged, this, [this, of] { Q_EMIT snapshotChanged(indexOf(*of)); });
+  connect(&of->run, &NetworkRun::samplesArrived, this, [this, of] {
+    if (std::exchange(of->begun, of->number) != of->number)
+      Q_EMIT begun(of->number, of->run.record()->overview().begin);
+  });
+  connect(&of->run, &NetworkRun::eventArrived, this,
+          [this, of](const Event& event) { Q_EMIT eventArrived(indexOf(*of), event); });
+  connect(&of->findings, &RunFindings::findingsChanged, this, [this, shown] {
+    if (shown()) Q_EMIT findingsChanged();
+  });
+  connect(&of->disk, &DiskRecording::changed, this, [this, shown] {
+    if (shown()) Q_EMIT diskChanged();
+  });
+  connect(&of->disk, &DiskRecording::ended, this, &NetworkRuns::recordingEnded);
+  connect(&of->disk, &DiskRecording::saved, this, &NetworkRuns::stretchSaved);
+}
+
+int NetworkRuns::indexOf(const NetworkSession& session) const {
+  const auto found = std::ranges::find(sessions_, &session);
+  return found == sessions_.end() ? -1 : static_cast<int>(found - sessions_.begin());
+}
+
+/// Whoever looks at it is told of another one before it is gone; the disk gets what is meant for it.
+void NetworkRuns::retire(NetworkSession& session) {
+  auto* gone = &session;
+  gone->run.shutDown();
+  std::ranges::replace(of_run_, gone, nullptr);
+  const auto end = [gone] {
+    if (!gone->disk.isWriting()) gone->deleteLater();
+  };
+  connect(&gone->disk, &DiskRecording::changed, gone, end);
+  connect(&gone->disk, &DiskRecording::saved, gone, end);
+  end();
+}
+
+/// Nothing of a machine before is shown under another one, but the link is the desk's.
+void NetworkRuns::replaceAll() {
+  const auto before = std::exchange(sessions_, {make()});
+  sessions_.front()->link = before.front()->link;
+  shown_at_ = 0;
+  shown_.show(sessions_.front()->run);
+  other_ = true;
+  tell();
+  for (auto* session : before) retire(*session);
+}
+
+void NetworkRuns::follow() {
+  while (sessions_.size() < static_cast<std::size_t>(document_.networks().size())) sessions_.push_back(make());
+  const auto wanted = static_cast<std::size_t>(document_.network());
+  if (wanted == shown_at_) return;
+  shown_at_ = wanted;
+  shown_.show(current().run);
+  other_ = true;
+}
+
+void NetworkRuns::tell() {
+  if (!std::exchange(other_, false)) return;
+  shown_.tellShown();
+  Q_EMIT findingsChanged();
+  Q_EMIT diskChanged();
+  Q_EMIT linkChanged();
+}
+
+void NetworkRuns::setLink(const QString& link) {
+  if (std::exchange(current().link, link) != link) Q_EMIT linkChanged();
+}
+
+int NetworkRuns::userOf(const QString& link) const {
+  const auto uses = [&](const NetworkSession* session) {
+    return session != &current() && session->run.phase() != NetworkRun::Phase::kOffline &&
+           session->run.link() == link && !session->run.isVirtual();
+  };
+  const auto found = std::ranges::find_if(sessions_, uses);
+  return found == sessions_.end() ? -1 : static_cast<int>(found - sessions_.begin());
+}
+
+int NetworkRuns::networkOf(int run) const {
+  const auto at = static_cast<std::size_t>(run) - 1;
+  return run <= 0 || at >= of_run_.size() || of_run_[at] == nullptr ? -1 : indexOf(*of_run_[at]);
+}
+
+bool NetworkRuns::any() const {
+  return std::ranges::any_of(sessions_,
+                             [](const auto* session) { return session->run.phase() != NetworkRun::Phase::kOffline; });
+}
+
+void NetworkRuns::goOffline() {
+  for (auto* session : sessions_) session->run.goOffline();
+}
+
+void NetworkRuns::shutDown() {
+  goOffline();  // all at once, and then each is waited for
+  for (auto* session : sessions_) session->run.shutDown();
+}
+
+void NetworkRuns::finish() {
+  for (auto* session : findChildren<NetworkSession*>(Qt::FindDirectChildrenOnly)) session->disk.finish();
+}
+
+}  // namespace syncline::ui

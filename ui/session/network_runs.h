@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "channels/event.h"
+#include "ui/session/disk_recording.h"
+#include "ui/session/live_session.h"
+#include "ui/session/network_run.h"
+#include "ui/session/run_findings.h"
+
+namespace syncline::ui {
+
+class ProjectDocument;
+
+/// What one network of the machine runs, is found to mean and keeps on disk, whichever network is in work.
+struct NetworkSession final : QObject {
+  NetworkSession(const Environment& environment, QObject* parent);
+
+  NetworkRun run;
+  RunFindings findings;
+  DiskRecording disk;
+  QString link;    // LINK that going online uses; empty until one was chosen
+  int number = 0;  // of its run in the window, which goes on or was the last one; 0: none
+  int begun = 0;   // the last one of which there is a sample
+};
+
+/// A session for each network of the document. Several run at once; one is shown, that of the network in work. Those of
+/// a machine that was replaced end, and what they have for the disk is written.
+class NetworkRuns final : public QObject {
+  Q_OBJECT
+
+ public:
+  NetworkRuns(ProjectDocument& document, const Environment& environment);
+
+  /// Of the network in work; of any network.
+  [[nodiscard]] NetworkSession& current() { return *sessions_[shown_at_]; }
+  [[nodiscard]] const NetworkSession& current() const { return *sessions_[shown_at_]; }
+  [[nodiscard]] const NetworkSession& of(int network) const { return *sessions_[static_cast<std::size_t>(network)]; }
+  [[nodiscard]] int count() const { return static_cast<int>(sessions_.size()); }
+  /// The run of the network in work.
+  [[nodiscard]] LiveSession& shown() { return shown_; }
+
+  /// LINK of the network in work.
+  void setLink(const QString& link);
+  /// Another network that runs on this link, which is no simulation; -1: none.
+  [[nodiscard]] int userOf(const QString& link) const;
+  /// Which network the run of this number is of; -1: none any more.
+  [[nodiscard]] int networkOf(int run) const;
+  /// Something runs, or comes or goes.
+  [[nodiscard]] bool any() const;
+  /// Begins to take all of them offline; with shutDown() all are when it returns.
+  void goOffline();
+  void shutDown();
+  /// Waits for the disk: for closing the window.
+  void finish();
+
+ Q_SIGNALS:
+  /// Of any network.
+  void phaseChanged(int network);
+  void snapshotChanged(int network);
+  void eventArrived(int network, const syncline::Event& event);
+  /// The first cycle of a run has come, at this moment of its clock.
+  void begun(int run, qint64 moment);
+  void recordingEnded(const QString& path, const QString& why, const std::optional<syncline::Error>& error);
+  void stretchSaved(const QString& path, const std::optional<syncline::Error>& error);
+  /// Of the network in work, or because another one is.
+  void linkChanged();
+  void findingsChanged();
+  void diskChanged();
+
+ private:
+  NetworkSession* make();
+  void listen(NetworkSession& session);
+  [[nodiscard]] int indexOf(const NetworkSession& session) const;
+  void retire(NetworkSession& session);
+  void replaceAll();
+  void follow();
+  void tell();
+
+  ProjectDocument& document_;
+  const Environment& environment_;
+  std::vector<NetworkSession*> of_run_;    // of each run there was in the window, by its number - 1; null: gone
+  std::vector<NetworkSession*> sessions_;  // of each network; children of this
+  std::size_t shown_at_ = 0;
+  LiveSession shown_;
+  bool other_ = false;  // another one is shown, and nobody was told yet
+};
+
+}  // namespace syncline::ui
