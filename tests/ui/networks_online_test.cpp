@@ -189,6 +189,7 @@ TEST(NetworksOnOneLink, AreRefused) {
   ASSERT_FALSE(status);
   EXPECT_NE(status.error().detail.find("Feeder"), std::string::npos);
   EXPECT_TRUE(workspace.mayUse(QStringLiteral("nic:eth1")));
+  EXPECT_TRUE(workspace.mayUse(QStringLiteral("sim:machine.toml")));
   workspace.document().chooseNetwork(0);
   EXPECT_TRUE(workspace.mayUse(workspace.link())) << "its own";
   workspace.runs().shutDown();

@@ -42,13 +42,15 @@ StateText runState(const NetworkRun& run) {
   if (!snapshot.link_up) return {theme::Tone::kBad, phrase(QT_TRANSLATE_NOOP("RunState", "no link"))};
   const bool as_wanted = allAsWanted(snapshot);
   StateText state{as_wanted ? theme::Tone::kGood : theme::Tone::kWarning, stateName(snapshot.state)};
-  const auto add = [&state](const StateText& sync, const char* what) {
-    if (sync.tone != theme::Tone::kBad && sync.tone != theme::Tone::kWarning) return;
-    state.tone = std::max(state.tone, sync.tone);
-    state.text += QStringLiteral(", ") + phrase(what).arg(sync.text);
+  // Without the obstacle: that is told where the network is looked at.
+  const auto add = [&state](SyncState sync, const char* what) {
+    const auto tone = syncTone(sync);
+    if (tone != theme::Tone::kBad && tone != theme::Tone::kWarning) return;
+    state.tone = std::max(state.tone, tone);
+    state.text += QStringLiteral(", ") + phrase(what).arg(syncStateText(sync));
   };
-  add(slavesSync(snapshot), QT_TRANSLATE_NOOP("RunState", "DC: %1"));
-  add(masterSync(snapshot), QT_TRANSLATE_NOOP("RunState", "DCM: %1"));
+  if (snapshot.dc.enabled) add(snapshot.dc.state, QT_TRANSLATE_NOOP("RunState", "DC: %1"));
+  if (snapshot.dcm.mode != DcmMode::kOff) add(snapshot.dcm.state, QT_TRANSLATE_NOOP("RunState", "DCM: %1"));
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/session/project_document.h"
+#include "ui/text/link_text.h"
 
 namespace syncline::ui {
 
@@ -108,9 +109,9 @@ void NetworkRuns::setLink(const QString& link) {
 
 int NetworkRuns::userOf(const QString& link) const {
   const auto uses = [&](const NetworkSession* session) {
-    return session != &current() && session->run.phase() != NetworkRun::Phase::kOffline &&
-           session->run.link() == link && !session->run.isVirtual();
+    return session != &current() && session->run.phase() != NetworkRun::Phase::kOffline && session->run.link() == link;
   };
+  if (!isAdapter(link)) return -1;
   const auto found = std::ranges::find_if(sessions_, uses);
   return found == sessions_.end() ? -1 : static_cast<int>(found - sessions_.begin());
 }

@@ -46,7 +46,7 @@ class NetworkRuns final : public QObject {
 
   /// LINK of the network in work.
   void setLink(const QString& link);
-  /// Another network that runs on this link, which is no simulation; -1: none.
+  /// Another network that runs on this link, which is a network card; -1: none.
   [[nodiscard]] int userOf(const QString& link) const;
   /// Which network the run of this number is of; -1: none any more.
   [[nodiscard]] int networkOf(int run) const;

@@ -7,5 +7,7 @@ namespace syncline::ui {
 
 /// A LINK as the user knows it: "Demonstration machine", "Network card eth0", the scenario's file name.
 [[nodiscard]] QString linkName(const QString& link, const QString& demo_link);
+/// It is a network card, which one master has for itself; whoever opens a simulated bus gets one of his own.
+[[nodiscard]] bool isAdapter(const QString& link);
 
 }  // namespace syncline::ui
