@@ -5224,8 +5224,8 @@ Einstellung %2</translation>
             <translation>Keine: alle Prozessdaten werden in jedem Buszyklus ausgetauscht.</translation>
         </message>
         <message>
-            <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
-            <translation>Keine: die Slaves teilen sich ihre Datagramme. Eine Unit bekommt ein Slave auf seiner Seite Datenoptionen.</translation>
+            <source>None: the slaves share their datagrams. Below a unit slaves are dragged to it; their page Data Options has it, too.</source>
+            <translation>Keine: Die Slaves teilen sich ihre Datagramme. Unter einer Unit werden Slaves zu ihr gezogen; auch ihre Seite Datenoptionen hat sie.</translation>
         </message>
 </context>
 <context>
@@ -9478,6 +9478,63 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>no link</source>
             <translation>kein Link</translation>
+        </message>
+</context>
+<context>
+    <name>SyncUnitModel</name>
+        <message>
+            <source>Sync Unit, slave</source>
+            <translation>Sync Unit, Slave</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>Prozessdaten</translation>
+        </message>
+        <message>
+            <source>Outputs and inputs</source>
+            <translation>Ausgänge und Eingänge</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>Ausgänge</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>Eingänge</translation>
+        </message>
+        <message>
+            <source>None (base task)</source>
+            <translation>Keine (Basistask)</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n Slave</numerusform>
+                <numerusform>%n Slaves</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>SyncUnitTree</name>
+        <message>
+            <source>Slaves of the Sync Units</source>
+            <translation>Slaves der Sync Units</translation>
+        </message>
+        <message>
+            <source>Drag slaves to the Sync Unit that exchanges them</source>
+            <translation>Slaves zu der Sync Unit ziehen, die sie austauscht</translation>
+        </message>
+        <message>
+            <source>Move to Sync Unit</source>
+            <translation>In Sync Unit verschieben</translation>
+        </message>
+        <message>
+            <source>Move to</source>
+            <translation>Verschieben nach</translation>
+        </message>
+        <message>
+            <source>Give the selected slaves to a Sync Unit</source>
+            <translation>Die gewählten Slaves einer Sync Unit geben</translation>
         </message>
 </context>
 </TS>

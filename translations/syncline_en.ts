@@ -487,4 +487,14 @@
             </translation>
         </message>
 </context>
+<context>
+    <name>SyncUnitModel</name>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n slave</numerusform>
+                <numerusform>%n slaves</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -5197,8 +5197,8 @@ Setting %2</source>
             <translation>无：所有过程数据在每个总线周期交换。</translation>
         </message>
         <message>
-            <source>None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.</source>
-            <translation>无：从站共用数据报。在从站的“数据选项”页面为其指定单元。</translation>
+            <source>None: the slaves share their datagrams. Below a unit slaves are dragged to it; their page Data Options has it, too.</source>
+            <translation>无：从站共用数据报。有同步单元时可在其下方把从站拖入；从站的“数据选项”页也可设置。</translation>
         </message>
 </context>
 <context>
@@ -9423,6 +9423,62 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>no link</source>
             <translation>无连接</translation>
+        </message>
+</context>
+<context>
+    <name>SyncUnitModel</name>
+        <message>
+            <source>Sync Unit, slave</source>
+            <translation>同步单元，从站</translation>
+        </message>
+        <message>
+            <source>Process data</source>
+            <translation>过程数据</translation>
+        </message>
+        <message>
+            <source>Outputs and inputs</source>
+            <translation>输出和输入</translation>
+        </message>
+        <message>
+            <source>Outputs</source>
+            <translation>输出</translation>
+        </message>
+        <message>
+            <source>Inputs</source>
+            <translation>输入</translation>
+        </message>
+        <message>
+            <source>None (base task)</source>
+            <translation>无（基本任务）</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s)</source>
+            <translation>
+                <numerusform>%n 个从站</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>SyncUnitTree</name>
+        <message>
+            <source>Slaves of the Sync Units</source>
+            <translation>同步单元的从站</translation>
+        </message>
+        <message>
+            <source>Drag slaves to the Sync Unit that exchanges them</source>
+            <translation>将从站拖到交换其数据的同步单元</translation>
+        </message>
+        <message>
+            <source>Move to Sync Unit</source>
+            <translation>移至同步单元</translation>
+        </message>
+        <message>
+            <source>Move to</source>
+            <translation>移至</translation>
+        </message>
+        <message>
+            <source>Give the selected slaves to a Sync Unit</source>
+            <translation>将所选从站分配给同步单元</translation>
         </message>
 </context>
 </TS>

@@ -65,7 +65,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   buildCentre();
   docks_ = new WindowDocks(workspace, *this, *building_->dock());
   connectDocks();
-  layout_ = std::make_unique<WindowLayout>(*this, workspace.memory(), docks_->parts(centre_->splitter()));
+  layout_ = std::make_unique<WindowLayout>(*this, workspace.memory(), docks_->parts(*centre_));
   buildMenus();
   new StatusPanel(workspace, *statusBar());
   connectActions();

@@ -55,14 +55,26 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
   addWidget(working);
 }
 
+bool WindowCentre::showsOverview() const { return upper_->currentWidget() == overview_; }
+
+QByteArray WindowCentre::pageSizes() const { return showsOverview() ? page_sizes_ : splitter_->saveState(); }
+
+void WindowCentre::setPageSizes(const QByteArray& sizes) {
+  if (showsOverview()) {
+    page_sizes_ = sizes;
+  } else {
+    splitter_->restoreState(sizes);
+  }
+}
+
 /// The overview needs less room than the pages; what it leaves is the plots'. The pages find theirs as they left it.
 void WindowCentre::showOverview(bool overview) {
-  if (overview == (upper_->currentWidget() == overview_)) return;
+  if (overview == showsOverview()) return;
   const auto sizes = splitter_->sizes();
-  if (overview) splitter_->setProperty("pageSizes", splitter_->saveState());
+  if (overview) page_sizes_ = splitter_->saveState();
   upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
   if (!overview) {
-    splitter_->restoreState(splitter_->property("pageSizes").toByteArray());
+    splitter_->restoreState(page_sizes_);
     return;
   }
   const int height = overview_->sizeHint().height();

@@ -28,9 +28,14 @@ class WindowCentre final : public QStackedWidget {
   [[nodiscard]] RunBar& runBar() const { return *bar_; }
   [[nodiscard]] QSplitter& splitter() const { return *splitter_; }
 
+  /// How the room is shared while pages are shown, also while they are not: to be kept for the next start.
+  [[nodiscard]] QByteArray pageSizes() const;
+  void setPageSizes(const QByteArray& sizes);
+
   void showWelcome(bool welcome) { setCurrentIndex(welcome ? 0 : 1); }
   /// The overview, or the pages, each with the room that they had.
   void showOverview(bool overview);
+  [[nodiscard]] bool showsOverview() const;
 
  private:
   DeviceEditor* editor_;
@@ -39,6 +44,7 @@ class WindowCentre final : public QStackedWidget {
   RunBar* bar_;
   QSplitter* splitter_;
   QStackedWidget* upper_;  // editor or overview
+  QByteArray page_sizes_;  // while the overview is shown
 };
 
 }  // namespace syncline::ui

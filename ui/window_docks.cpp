@@ -47,7 +47,7 @@ QList<QAction*> WindowDocks::toggles() const {
           findings_dock_->toggleViewAction(), trigger_dock_->toggleViewAction()};
 }
 
-WindowLayout::Parts WindowDocks::parts(QSplitter& centre) const {
+WindowLayout::Parts WindowDocks::parts(WindowCentre& centre) const {
   return {explorer_dock_, catalogue_dock_, {messages_dock_, findings_dock_, trigger_dock_}, &centre};
 }
 

@@ -9,7 +9,6 @@
 
 class QDockWidget;
 class QMainWindow;
-class QSplitter;
 
 namespace syncline::ui {
 
@@ -17,6 +16,7 @@ class ExplorerPanel;
 class FindingsPanel;
 class MessagesPanel;
 class TriggerPanel;
+class WindowCentre;
 class Workspace;
 
 /// The docks of the window with their panels: what they are called and when they can be used. Who hears of what the
@@ -36,7 +36,7 @@ class WindowDocks final : public QObject {
   void showTrigger();
   /// Each shows or hides a dock.
   [[nodiscard]] QList<QAction*> toggles() const;
-  [[nodiscard]] WindowLayout::Parts parts(QSplitter& centre) const;
+  [[nodiscard]] WindowLayout::Parts parts(WindowCentre& centre) const;
 
  private:
   QDockWidget* dock(const char* name, const QString& title, QWidget& panel, Qt::DockWidgetArea area);

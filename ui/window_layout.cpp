@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ui/session/window_memory.h"
+#include "ui/window_centre.h"
 
 namespace syncline::ui {
 namespace {
@@ -37,21 +38,21 @@ void WindowLayout::reset() {
   first->raise();
   window_.resizeDocks({parts_.explorer, parts_.catalogue}, {250, 280}, Qt::Horizontal);
   window_.resizeDocks({first}, {128}, Qt::Vertical);
-  parts_.centre->setSizes({385, 215});
+  parts_.centre->splitter().setSizes({385, 215});
 }
 
 void WindowLayout::recall() {
   if (memory_.value(kLayoutVersion).toInt() != kLayout) return;
   window_.restoreGeometry(memory_.value(kGeometry).toByteArray());
   window_.restoreState(memory_.value(kState).toByteArray(), kLayout);
-  parts_.centre->restoreState(memory_.value(kSplitter).toByteArray());
+  parts_.centre->setPageSizes(memory_.value(kSplitter).toByteArray());
 }
 
 void WindowLayout::remember() {
   memory_.setValue(kLayoutVersion, kLayout);
   memory_.setValue(kGeometry, window_.saveGeometry());
   memory_.setValue(kState, window_.saveState(kLayout));
-  memory_.setValue(kSplitter, parts_.centre->saveState());
+  memory_.setValue(kSplitter, parts_.centre->pageSizes());
 }
 
 }  // namespace syncline::ui

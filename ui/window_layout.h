@@ -5,10 +5,10 @@
 
 class QDockWidget;
 class QMainWindow;
-class QSplitter;
 
 namespace syncline::ui {
 
+class WindowCentre;
 class WindowMemory;
 
 /// Where the panels of the window stand: as usual, or as they were left.
@@ -18,7 +18,7 @@ class WindowLayout {
     QDockWidget* explorer = nullptr;
     QDockWidget* catalogue = nullptr;  // at the right, hidden until it is wanted
     QList<QDockWidget*> below;         // one behind the other, the first one in front
-    QSplitter* centre = nullptr;
+    WindowCentre* centre = nullptr;
   };
   WindowLayout(QMainWindow& window, WindowMemory& memory, Parts parts);
 

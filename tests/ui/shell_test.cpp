@@ -111,6 +111,32 @@ TEST(WindowMemory, KeepsTheLayoutOfItsVersion) {
   EXPECT_FALSE(window.findChild<QWidget*>(QStringLiteral("messagesDock"))->isHidden()) << "another version's is left";
 }
 
+/// Whoever closes the window at the overview finds the pages as large as they were.
+TEST(RememberedWindow, GivesThePagesTheirRoomBackAfterTheOverview) {
+  const QTemporaryDir folder;
+  auto environment = test::virtualEnvironment();
+  environment.settings_file = folder.filePath(QStringLiteral("window.ini"));
+  const auto heightOf = [](MainWindow& window) { return window.editor().height(); };
+  int before = 0;
+  {
+    Workspace workspace(environment);
+    MainWindow window(workspace);
+    workspace.document().replace(QStringLiteral("load"), test::smallProject());
+    window.show();
+    QApplication::processEvents();
+    before = heightOf(window);
+    window.findChild<QAction*>(QStringLiteral("actionOverview"))->trigger();
+    QApplication::processEvents();
+    window.panels().remember();
+  }
+  Workspace workspace(environment);
+  MainWindow window(workspace);
+  workspace.document().replace(QStringLiteral("load"), test::smallProject());
+  window.show();
+  QApplication::processEvents();
+  EXPECT_NEAR(heightOf(window), before, 2);
+}
+
 class Shell : public ::testing::Test {
  protected:
   Shell() : workspace_(test::virtualEnvironment()), window_(workspace_) {

@@ -37,6 +37,26 @@ std::optional<int> addressOf(const QMimeData& data) {
   return good ? std::optional(address) : std::nullopt;
 }
 
+QMimeData* draggedMembers(const std::vector<DraggedMember>& members) {
+  QByteArrayList words;
+  for (const auto& [address, outputs, inputs] : members)
+    words << QByteArray::number(address) + (outputs ? "o" : "") + (inputs ? "i" : "");
+  return dragged(kUnitMembersMime, words.join(' '));
+}
+
+std::vector<DraggedMember> membersOf(const QMimeData& data) {
+  std::vector<DraggedMember> members;
+  for (auto word : wordsOf(data, kUnitMembersMime)) {
+    DraggedMember member;
+    member.outputs = word.contains('o');
+    member.inputs = word.contains('i');
+    while (word.endsWith('o') || word.endsWith('i')) word.chop(1);
+    member.address = word.toInt();
+    members.push_back(member);
+  }
+  return members;
+}
+
 QMimeData* draggedDevice(const DraggedDevice& device) {
   return dragged(kDeviceMime, QByteArray::number(device.id) + ' ' + QByteArray::fromStdString(device.physics));
 }

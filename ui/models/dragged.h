@@ -5,6 +5,7 @@
 #include <QString>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QMimeData;
 
@@ -13,11 +14,20 @@ class QMimeData;
 namespace syncline::ui {
 
 inline const QString kSlaveMime = QStringLiteral("application/x-syncline-slave");
+inline const QString kUnitMembersMime = QStringLiteral("application/x-syncline-unit-members");
 inline const QString kDeviceMime = QStringLiteral("application/x-syncline-device");
 
 /// A slave by its station address.
 [[nodiscard]] QMimeData* draggedSlave(int address);
 [[nodiscard]] std::optional<int> addressOf(const QMimeData& data);
+
+/// What of a slave goes into another Sync Unit, by its station address.
+struct DraggedMember {
+  int address = 0;
+  bool outputs = false, inputs = false;
+};
+[[nodiscard]] QMimeData* draggedMembers(const std::vector<DraggedMember>& members);
+[[nodiscard]] std::vector<DraggedMember> membersOf(const QMimeData& data);
 
 /// A device of the catalogue by its number there. Its ports ("YKY", as Physics of the ESI) say where it may hang.
 struct DraggedDevice {

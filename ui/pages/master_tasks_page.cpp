@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/master_tasks_page.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <algorithm>
 
 #include "ui/editors/field_binder.h"
 #include "ui/editors/record_editor.h"
+#include "ui/pages/sync_unit_tree.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -112,12 +113,15 @@ MasterTasksPage::MasterTasksPage(Workspace& workspace) : Page(workspace, "master
          }));
        }}};
   units_ = new RecordEditor(*this, "units", tr("Sync Units"), units(), std::move(unit_parts), false);
+  members_ = new SyncUnitTree(*this);
   auto* content = new QWidget;
-  auto* layout = new QHBoxLayout(content);
+  auto* layout = new QGridLayout(content);
   layout->setContentsMargins(12, 10, 12, 10);
   layout->setSpacing(14);
-  layout->addWidget(tasks_, 1);
-  layout->addWidget(units_, 1);
+  layout->addWidget(tasks_, 0, 0);
+  layout->addWidget(units_, 0, 1);
+  layout->addWidget(members_, 1, 0, 1, 2);
+  layout->setRowStretch(1, 1);
   setWidget(content);
 }
 
@@ -143,7 +147,9 @@ RecordList MasterTasksPage::tasks() {
 
 RecordList MasterTasksPage::units() {
   RecordList list{.key = kUnit, .item = tr("Sync Unit"), .read = {}, .edits = {}, .fresh = {}, .place = {}};
-  list.nothing = tr("None: the slaves share their datagrams. A unit is given to a slave on its page Data Options.");
+  list.nothing =
+      tr("None: the slaves share their datagrams. Below a unit slaves are dragged to it; their page Data Options has "
+         "it, too.");
   list.read = [this] {
     Records records;
     for (const auto& unit : project().master.sync_units)
@@ -209,6 +215,7 @@ void MasterTasksPage::showPlace(const settings::Setting& setting, const settings
 void MasterTasksPage::refresh() {
   tasks_->showRecords();
   units_->showRecords();
+  members_->refresh();
   fields().refresh();
   tasks_->refreshButtons();
   units_->refreshButtons();

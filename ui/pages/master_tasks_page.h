@@ -7,6 +7,7 @@
 namespace syncline::ui {
 
 class RecordEditor;
+class SyncUnitTree;
 
 /// Cyclic tasks beside the base task, and the Sync Units whose slaves are exchanged together.
 class MasterTasksPage final : public Page {
@@ -27,6 +28,7 @@ class MasterTasksPage final : public Page {
   [[nodiscard]] std::vector<SettingEdit> unitEdits(const Records& before, const Records& after) const;
 
   RecordEditor *tasks_, *units_;
+  SyncUnitTree* members_;
 };
 
 }  // namespace syncline::ui
