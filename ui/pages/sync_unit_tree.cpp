@@ -26,7 +26,9 @@ SyncUnitTree::SyncUnitTree(Page& page) : page_(page), model_(new SyncUnitModel(t
   view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   view_->setDragDropMode(QAbstractItemView::InternalMove);
   view_->header()->setSectionResizeMode(SyncUnitModel::kSlave, QHeaderView::Stretch);
+  view_->header()->setSectionResizeMode(SyncUnitModel::kData, QHeaderView::ResizeToContents);
   view_->header()->setStretchLastSection(false);
+  view_->setMinimumHeight(220);  // the page scrolls
   button_ = named(new QToolButton, "unitMove", tr("Move to Sync Unit"));
   button_->setText(tr("Move to"));
   button_->setToolTip(tr("Give the selected slaves to a Sync Unit"));
