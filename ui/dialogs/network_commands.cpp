@@ -2,6 +2,7 @@
 #include "ui/dialogs/network_commands.h"
 
 #include <QAction>
+#include <QWidget>
 #include <utility>
 
 #include "ui/dialogs/questions.h"
