@@ -5224,8 +5224,8 @@ Einstellung %2</translation>
             <translation>Keine: alle Prozessdaten werden in jedem Buszyklus ausgetauscht.</translation>
         </message>
         <message>
-            <source>None: the slaves share their datagrams. Below a unit slaves are dragged to it; their page Data Options has it, too.</source>
-            <translation>Keine: Die Slaves teilen sich ihre Datagramme. Unter einer Unit werden Slaves zu ihr gezogen; auch ihre Seite Datenoptionen hat sie.</translation>
+            <source>None: the slaves share their datagrams. Once there is a unit, slaves are dragged to it below.</source>
+            <translation>Keine: Die Slaves teilen sich ihre Datagramme. Gibt es eine Unit, werden darunter Slaves zu ihr gezogen.</translation>
         </message>
 </context>
 <context>
@@ -9478,6 +9478,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>no link</source>
             <translation>kein Link</translation>
+        </message>
+        <message>
+            <source>outputs forced</source>
+            <translation>Ausgänge erzwungen</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
 </context>
 <context>

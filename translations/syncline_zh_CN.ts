@@ -5197,8 +5197,8 @@ Setting %2</source>
             <translation>无：所有过程数据在每个总线周期交换。</translation>
         </message>
         <message>
-            <source>None: the slaves share their datagrams. Below a unit slaves are dragged to it; their page Data Options has it, too.</source>
-            <translation>无：从站共用数据报。有同步单元时可在其下方把从站拖入；从站的“数据选项”页也可设置。</translation>
+            <source>None: the slaves share their datagrams. Once there is a unit, slaves are dragged to it below.</source>
+            <translation>无：从站共用数据报。有同步单元后，可在下方将从站拖入。</translation>
         </message>
 </context>
 <context>
@@ -9423,6 +9423,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>no link</source>
             <translation>无连接</translation>
+        </message>
+        <message>
+            <source>outputs forced</source>
+            <translation>输出被强制</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
         </message>
 </context>
 <context>

@@ -130,6 +130,16 @@ TEST_F(NetworksOnline, AnotherMachineEndsAllOfThemAfterAQuestionThatNamesThem) {
   EXPECT_EQ(workspace_.runs().count(), 1);
 }
 
+/// A machine that moves because somebody holds an output is not forgotten behind another one.
+TEST_F(NetworksOnline, OutputsForcedElsewhereAreSaid) {
+  startBoth();
+  EXPECT_FALSE(field<Pill>("statusOthers").text().contains(QStringLiteral("forced")));
+  first_->forceOutput(0, 1, 1);
+  first_->advance(kSecond);
+  EXPECT_TRUE(field<Pill>("statusOthers").text().contains(QStringLiteral("forced")));
+  EXPECT_GE(field<Pill>("statusOthers").tone(), theme::Tone::kWarning);
+}
+
 TEST_F(NetworksOnline, AreTakenOfflineTogether) {
   startBoth();
   auto& offline = *window_.findChild<QAction*>(QStringLiteral("actionAllOffline"));

@@ -147,9 +147,7 @@ RecordList MasterTasksPage::tasks() {
 
 RecordList MasterTasksPage::units() {
   RecordList list{.key = kUnit, .item = tr("Sync Unit"), .read = {}, .edits = {}, .fresh = {}, .place = {}};
-  list.nothing =
-      tr("None: the slaves share their datagrams. Below a unit slaves are dragged to it; their page Data Options has "
-         "it, too.");
+  list.nothing = tr("None: the slaves share their datagrams. Once there is a unit, slaves are dragged to it below.");
   list.read = [this] {
     Records records;
     for (const auto& unit : project().master.sync_units)

@@ -51,12 +51,17 @@ StateText runState(const NetworkRun& run) {
   };
   if (snapshot.dc.enabled) add(snapshot.dc.state, QT_TRANSLATE_NOOP("RunState", "DC: %1"));
   if (snapshot.dcm.mode != DcmMode::kOff) add(snapshot.dcm.state, QT_TRANSLATE_NOOP("RunState", "DCM: %1"));
+  // Whoever forgets them here finds nobody who tells him: the page that releases them is the other network's.
+  if (snapshot.forced_bits > 0) {
+    state.tone = std::max(state.tone, theme::Tone::kWarning);
+    state.text += QStringLiteral(", ") + phrase(QT_TRANSLATE_NOOP("RunState", "outputs forced"));
+  }
   return state;
 }
 
 QString networkText(const QString& name, const NetworkRun& run) {
   const auto state = runState(run).text;
-  return state.isEmpty() ? name : QStringLiteral("%1: %2").arg(name, state);
+  return state.isEmpty() ? name : phrase(QT_TRANSLATE_NOOP("RunState", "%1: %2")).arg(name, state);
 }
 
 }  // namespace syncline::ui
