@@ -9545,4 +9545,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Die gewählten Slaves einer Sync Unit geben</translation>
         </message>
 </context>
+<context>
+    <name>syncline::ui::SlavesView</name>
+        <message numerus="yes">
+            <source>%1 (and %n more here)</source>
+            <translation>
+                <numerusform>%1 (und %n weiteres hier)</numerusform>
+                <numerusform>%1 (und %n weitere hier)</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

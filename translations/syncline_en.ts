@@ -497,4 +497,14 @@
             </translation>
         </message>
 </context>
+<context>
+    <name>syncline::ui::SlavesView</name>
+        <message numerus="yes">
+            <source>%1 (and %n more here)</source>
+            <translation>
+                <numerusform>%1 (and %n more here)</numerusform>
+                <numerusform>%1 (and %n more here)</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -9489,4 +9489,13 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>将所选从站分配给同步单元</translation>
         </message>
 </context>
+<context>
+    <name>syncline::ui::SlavesView</name>
+        <message numerus="yes">
+            <source>%1 (and %n more here)</source>
+            <translation>
+                <numerusform>%1（此处还有 %n 个）</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -95,7 +95,7 @@ void MainWindow::buildCentre() {
   strip_ = &centre_->strip();
   connect(overview_, &OverviewPanel::momentWanted, this, &MainWindow::goToMoment);
   connect(overview_, &OverviewPanel::armWanted, &workspace_.live(), &LiveSession::arm);
-  connect(strip_, &LiveStrip::eventClicked, this, &MainWindow::goToMoment);
+  connect(strip_, &LiveStrip::eventClicked, this, &MainWindow::selectMoment);
   connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
   auto* bar = &centre_->runBar();
   connect(bar, &RunBar::differencesWanted, this,
@@ -302,6 +302,10 @@ void MainWindow::showOverview(bool overview) {
 /// An event of the run: in the plots, in the messages, in the findings.
 void MainWindow::goToMoment(qint64 moment) {
   strip_->goTo(moment);
+  selectMoment(moment);
+}
+
+void MainWindow::selectMoment(qint64 moment) {
   messages_->selectMoment(moment);
   findings_->selectMoment(moment);
 }

@@ -67,6 +67,7 @@ class MainWindow final : public QMainWindow {
   void showRun();
   void showOverview(bool overview);
   void goToMoment(qint64 moment);
+  void selectMoment(qint64 moment);
   void goToMessage(const Message& message);
   void updateTheme();
   void goTo(int slave, const QString& key);

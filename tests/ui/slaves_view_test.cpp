@@ -239,6 +239,47 @@ TEST_F(SlavesViewTest, ADoubleClickOrEnterLeadsToTheMomentAndTheSlave) {
   EXPECT_FALSE(view().isVisible());
 }
 
+/// At the foot all events, in a row its slave's own; what has no row (slave 4) is at the foot alone.
+TEST_F(SlavesViewTest, EventsStandAtTheFootAndInTheRowOfTheirSlave) {
+  const auto fault = kHeatBegin + 4 * kSecond;
+  const auto bus = kHeatBegin + 6 * kSecond;
+  const auto healed = kHeatBegin + 8 * kSecond;
+  const auto at = [&](Nanoseconds time) { return columnAt(time - kHeatBegin); };
+  const auto empty_row = plot().grab().toImage();
+  record->add(Event{fault, 3, events::SlaveLost{}});
+  record->add(Event{bus, -1, events::LinkDown{}});
+  record->add(Event{healed, 4, events::SlaveFound{}});
+  strip.refresh();
+  const auto bad = theme::toneColor(plot().palette(), theme::Tone::kBad);
+  const auto good = theme::toneColor(plot().palette(), theme::Tone::kGood);
+  const auto image = plot().grab().toImage();
+  const auto shown = [&](const QPointF& place) {
+    return image.pixelColor((place * image.devicePixelRatio()).toPoint());
+  };
+  const auto foot = [&](Nanoseconds time) {
+    return QPointF(plot().placeOf(1, at(time)).x(), std::floor(plot().eventsArea().center().y()));
+  };
+  EXPECT_EQ(shown(foot(fault) + QPointF(0, 2)), bad);
+  EXPECT_EQ(shown(foot(bus) + QPointF(0, 2)), bad);
+  EXPECT_EQ(shown(foot(healed)), good);
+  EXPECT_EQ(shown(plot().placeOf(3, at(fault)) + QPointF(0, 1)), bad) << "in the row of its slave";
+  EXPECT_NE(shown(plot().placeOf(2, at(fault)) + QPointF(0, 1)), bad) << "and in no other";
+  EXPECT_NE(image, empty_row);
+
+  std::vector<Nanoseconds> clicked;
+  QObject::connect(&strip, &LiveStrip::eventClicked, &strip, [&](Nanoseconds time) { clicked.push_back(time); });
+  QTest::mouseMove(&plot(), foot(bus).toPoint());
+  EXPECT_THAT(reading(), HasSubstr("Network adapter"));
+  QTest::mouseMove(&plot(), plot().placeOf(3, at(fault)).toPoint());
+  EXPECT_THAT(reading(), HasSubstr("Servo C"));
+  EXPECT_THAT(reading(), Not(HasSubstr("limit"))) << "what happened goes before what was read";
+  QTest::mouseClick(&plot(), Qt::LeftButton, {}, plot().placeOf(3, at(fault)).toPoint());
+  EXPECT_EQ(clicked, std::vector{fault});
+  EXPECT_EQ(plot().selected(), 3);
+  EXPECT_TRUE(view().isVisible()) << "the map has the time of the plots";
+  EXPECT_EQ(strip.cursors()->at(CursorSet::kA), fault);
+}
+
 TEST_F(SlavesViewTest, TimeIsThatOfThePlots) {
   const auto middle = plot().area().center();
   QWheelEvent wheel(middle, plot().mapToGlobal(middle), {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);

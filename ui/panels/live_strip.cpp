@@ -41,7 +41,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     row->addWidget(panel, 1);
     connect(panel->plot(), &TracePlot::menuRequested, this, &LiveStrip::openMenu);
     connect(panel->plot(), &TracePlot::triggerLevelDragged, this, &LiveStrip::triggerLevelDragged);
-    connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::eventClicked);
+    connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::showEventAt);
     panel->plot()->marks().setMarks(&marks_);
   }
   empty_ = named(new QLabel(tr("No data: go online")), "liveEmptyLabel", tr("Live plots"));
@@ -80,6 +80,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
           [this](bool on) { showBody(on ? Body::kSlaves : Body::kPlots); });
   connect(toolbar_, &LiveStripToolbar::cycleToggled, this,
           [this](bool on) { showBody(on ? Body::kCycle : Body::kPlots); });
+  slaves_->setMarks(&marks_);
+  connect(slaves_, &SlavesView::eventClicked, this, &LiveStrip::showEventAt);
   connect(slaves_, &SlavesView::menuRequested, this, &LiveStrip::openMenu);
   connect(slaves_, &SlavesView::momentChosen, this, [this](int slave, Nanoseconds time) {
     setPickedSlave(slave);
@@ -134,6 +136,13 @@ void LiveStrip::goTo(Nanoseconds time) {
   cursors_.set(CursorSet::kA, time);
 }
 
+/// Where it was clicked: the heat map has the same time.
+void LiveStrip::showEventAt(Nanoseconds time) {
+  view_.goTo(time);
+  cursors_.set(CursorSet::kA, time);
+  Q_EMIT eventClicked(time);
+}
+
 void LiveStrip::showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze) {
   if (!hasSamples()) return;
   showBody(Body::kPlots);
@@ -164,7 +173,7 @@ void LiveStrip::collectMarks() {
   for (auto event = told.end() - static_cast<std::ptrdiff_t>(fresh); event != told.end(); ++event) {
     const auto meaning = meaning_of(*event);
     if (meaning == EventMeaning::kNews) continue;
-    const EventMark mark{event->time, meaning == EventMeaning::kFault};
+    const EventMark mark{event->time, meaning == EventMeaning::kFault, event->slave};
     marks_.insert(std::ranges::upper_bound(marks_, mark.time, {}, &EventMark::time), mark);
   }
   if (marks_.size() > RunRecord::kMostEvents) {
@@ -172,6 +181,7 @@ void LiveStrip::collectMarks() {
   }
   marked_ = all;
   for (auto* panel : panels_) panel->plot()->markDirty();
+  slaves_->plot()->markDirty();
 }
 
 void LiveStrip::followRecord() {

@@ -91,6 +91,7 @@ class LiveStrip : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void showEventAt(Nanoseconds time);
   void tick();
   void showState();
   [[nodiscard]] QWidget* body() const;

@@ -9,11 +9,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
+#include "trace/fault_log.h"
 #include "ui/panels/course_delegate.h"
 #include "ui/plots/heat_legend.h"
 #include "ui/plots/signal_source.h"
+#include "ui/text/event_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
@@ -89,6 +92,7 @@ SlavesView::SlavesView(TimeView* view, CursorSet* cursors, QWidget* parent)
   connect(plot_, &HeatMapPlot::pointedChanged, this, &SlavesView::showReading);
   connect(plot_, &HeatMapPlot::slaveSelected, this, &SlavesView::select);
   connect(plot_, &HeatMapPlot::momentActivated, this, &SlavesView::momentChosen);
+  connect(plot_, &HeatMapPlot::eventClicked, this, &SlavesView::eventClicked);
   connect(plot_, &HeatMapPlot::menuRequested, this, &SlavesView::menuRequested);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
     plot_->setSelected(selectedInTable());
@@ -204,11 +208,31 @@ QString SlavesView::readingText(const HeatMapPlot::Spot& spot) const {
   return said.join(QStringLiteral(" \u00B7 "));
 }
 
-/// Of the cell under the pointer; without one the marked slave's figures.
+/// What happened there: the event that the mark is of, and how many more share its place.
+QString SlavesView::eventsText(const EventMark& mark) const {
+  QString first;
+  int more = -1;
+  for (const auto& event : record_->events()) {
+    if (std::llabs(event.time - mark.time) >= plot_->columnWidth() || meaning_of(event) == EventMeaning::kNews)
+      continue;
+    ++more;
+    if (event.time != mark.time || event.slave != mark.slave || !first.isEmpty()) continue;
+    const auto message = messageOf(event, record_->config());
+    QStringList parts{runTimeText(event.time - view_->origin()), message ? message->source : QString(),
+                      briefText(event)};
+    parts.removeAll(QString());
+    first = parts.join(QStringLiteral(" \u00B7 "));
+  }
+  return more > 0 ? tr("%1 (and %n more here)", nullptr, more).arg(first) : first;
+}
+
+/// Of the event or the cell under the pointer; without one the marked slave's figures.
 void SlavesView::showReading() {
   if (record_ == nullptr) return;
   QString text;
-  if (plot_->pointed()) {
+  if (plot_->pointedMark()) {
+    text = eventsText(*plot_->pointedMark());
+  } else if (plot_->pointed()) {
     text = readingText(*plot_->pointed());
   } else if (const int slave = plot_->selected(); slave >= 0 && slave < model_->rowCount()) {
     const auto of = [&](int column) { return model_->index(slave, column).data().toString(); };

@@ -31,6 +31,8 @@ class SlavesView final : public QWidget {
   void refresh();
   /// The figures are of the range that is shown.
   [[nodiscard]] bool complete() const;
+  /// Of the record's events, by time; they must outlive the view or be replaced.
+  void setMarks(const std::vector<EventMark>* marks) { plot_->setMarks(marks); }
   [[nodiscard]] HeatMapPlot* plot() const { return plot_; }
   /// Marks a slave in map and table; -1: none.
   void select(int slave);
@@ -40,6 +42,7 @@ class SlavesView final : public QWidget {
  Q_SIGNALS:
   /// A moment of a slave is to be shown in the plots.
   void momentChosen(int slave, syncline::Nanoseconds time);
+  void eventClicked(syncline::Nanoseconds time);
   void menuRequested(const QPoint& global, syncline::Nanoseconds time);
 
  private:
@@ -49,6 +52,7 @@ class SlavesView final : public QWidget {
   void showReading();
   [[nodiscard]] int selectedInTable() const;
   [[nodiscard]] QVector<float> courseOf(std::size_t slave) const;
+  [[nodiscard]] QString eventsText(const EventMark& mark) const;
   [[nodiscard]] QString readingText(const HeatMapPlot::Spot& spot) const;
 
   TimeView* view_;

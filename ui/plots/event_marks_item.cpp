@@ -15,6 +15,13 @@ constexpr double kHalfWidth = 4, kHeight = 7;
 
 }  // namespace
 
+void drawEventMark(QPainter& painter, const QPointF& foot, bool fault, const QColor& color) {
+  const double base = fault ? foot.y() : foot.y() - kHeight;
+  const double tip = fault ? foot.y() - kHeight : foot.y();
+  painter.setBrush(color);
+  painter.drawPolygon(QPolygonF({{foot.x() - kHalfWidth, base}, {foot.x() + kHalfWidth, base}, {foot.x(), tip}}));
+}
+
 EventMarksItem::EventMarksItem() { setZ(45); }
 
 void EventMarksItem::setColors(const QColor& fault, const QColor& good) {
@@ -22,32 +29,32 @@ void EventMarksItem::setColors(const QColor& fault, const QColor& good) {
   good_ = good;
 }
 
+std::span<const EventMark> EventMarksItem::within(Nanoseconds begin, Nanoseconds end) const {
+  if (marks_ == nullptr) return {};
+  const auto first = std::ranges::lower_bound(*marks_, begin, {}, &EventMark::time);
+  return {first, std::ranges::lower_bound(first, marks_->end(), end, {}, &EventMark::time)};
+}
+
 std::optional<EventMark> EventMarksItem::nearest(Nanoseconds time, Nanoseconds reach) const {
-  if (marks_ == nullptr) return std::nullopt;
   std::optional<EventMark> found;
-  for (auto mark = std::ranges::lower_bound(*marks_, time - reach, {}, &EventMark::time);
-       mark != marks_->end() && mark->time <= time + reach; ++mark) {
-    if (!found || std::llabs(mark->time - time) < std::llabs(found->time - time)) found = *mark;
+  for (const auto& mark : within(time - reach, time + reach + 1)) {
+    if (!found || std::llabs(mark.time - time) < std::llabs(found->time - time)) found = mark;
   }
   return found;
 }
 
 void EventMarksItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap&, const QRectF& canvas) const {
-  if (marks_ == nullptr) return;
   painter->setPen(Qt::NoPen);
   painter->setRenderHint(QPainter::Antialiasing, true);
   const double width = (x.p2() - x.p1()) / std::max(grid_.columns, 1);
-  auto mark = std::ranges::lower_bound(*marks_, grid_.origin, {}, &EventMark::time);
-  while (mark != marks_->end() && mark->time < grid_.end()) {
+  const auto seen = within(grid_.origin, grid_.end());
+  for (auto mark = seen.begin(); mark != seen.end();) {
     const auto column = static_cast<std::int64_t>(grid_.column_of(mark->time));
     const double at = x.p1() + grid_.column_of(mark->time) * width;
     bool fault = false;
-    for (; mark != marks_->end() && static_cast<std::int64_t>(grid_.column_of(mark->time)) == column; ++mark)
+    for (; mark != seen.end() && static_cast<std::int64_t>(grid_.column_of(mark->time)) == column; ++mark)
       fault = fault || mark->fault;
-    const double foot = fault ? canvas.bottom() : canvas.bottom() - kHeight;
-    const double tip = fault ? canvas.bottom() - kHeight : canvas.bottom();
-    painter->setBrush(fault ? fault_ : good_);
-    painter->drawPolygon(QPolygonF({{at - kHalfWidth, foot}, {at + kHalfWidth, foot}, {at, tip}}));
+    drawEventMark(*painter, {at, canvas.bottom()}, fault, color(fault));
   }
   painter->setRenderHint(QPainter::Antialiasing, false);
 }

@@ -1,32 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/heat_map_plot.h"
 
-#include <qwt_scale_map.h>
-
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
-#include "ui/plots/plot_colors.h"
 #include "ui/plots/round_step.h"
 #include "ui/plots/signal_source.h"
 #include "ui/plots/small_font.h"
-#include "ui/plots/time_axis.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {
 
-constexpr int kHeatTop = 2, kHeatRight = 12, kHeatBottom = 32;
+constexpr int kHeatTop = 2, kHeatRight = 12, kHeatBottom = 32, kEventsHeight = 9;
 constexpr int kMostNameWidth = 130;
-constexpr double kHighestRow = 30, kLowestSeparated = 6;
+constexpr double kHighestRow = 30, kMarkReach = 5;  // pixels
 constexpr double kHeatZoomPerNotch = 0.8;
 constexpr int kHeatPage = 10;  // rows
 
@@ -36,6 +31,7 @@ HeatMapPlot::HeatMapPlot(TimeView* view, CursorSet* cursors, QWidget* parent)
     : QWidget(parent), view_(view), cursors_(cursors), scale_(palette()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  updateTheme();
   connect(view_, &TimeView::changed, this, &HeatMapPlot::markDirty);
   connect(cursors_, &CursorSet::changed, this, qOverload<>(&QWidget::update));
   connect(cursors_, &CursorSet::pointerMoved, this, qOverload<>(&QWidget::update));
@@ -48,6 +44,7 @@ void HeatMapPlot::setRecord(const RunRecord* record) {
   measureNames();
   image_ = QImage();
   pointed_.reset();
+  pointed_mark_.reset();
   dirty_ = true;
 }
 
@@ -72,7 +69,7 @@ void HeatMapPlot::measureNames() {
 int HeatMapPlot::namesWidth() const { return std::min({widest_name_, kMostNameWidth, width() / 3}) + 8; }
 
 double HeatMapPlot::rowHeight() const {
-  const double room = std::max(height() - kHeatTop - kHeatBottom, 1);
+  const double room = std::max(height() - kHeatTop - kEventsHeight - kHeatBottom, 1);
   return std::min(room / static_cast<double>(std::max<std::size_t>(rows_.size(), 1)), kHighestRow);
 }
 
@@ -80,6 +77,13 @@ QRectF HeatMapPlot::area() const {
   const int left = namesWidth();
   return {static_cast<double>(left), kHeatTop, static_cast<double>(std::max(width() - left - kHeatRight, 1)),
           rowHeight() * static_cast<double>(std::max<std::size_t>(rows_.size(), 1))};
+}
+
+QRectF HeatMapPlot::eventsArea() const {
+  auto box = area();
+  box.setTop(box.bottom());
+  box.setHeight(kEventsHeight);
+  return box;
 }
 
 QRectF HeatMapPlot::rowArea(std::size_t row) const {
@@ -110,7 +114,7 @@ void HeatMapPlot::refresh() {
   full_ = limitOf(record_->limits(), Signal::kSlaveDeviation);
   makeImage();
   // What is under the pointer moves on.
-  if (pointer_) point(spotAt(*pointer_));
+  if (pointer_) point(pointer_);
   update();
 }
 
@@ -171,6 +175,22 @@ std::optional<HeatMapPlot::Spot> HeatMapPlot::spotAt(const QPointF& pixel) const
   return Spot{worst->slave, timeAt(point.x()), column};
 }
 
+std::optional<EventMark> HeatMapPlot::markAt(const QPointF& pixel) const {
+  const double pixels = kMarkReach * static_cast<double>(cells_.grid().columns) / area().width();
+  const auto reach = static_cast<Nanoseconds>(pixels * static_cast<double>(columnWidth()));
+  const auto time = timeAt(pixel.x());
+  if (eventsArea().contains(pixel)) return marks_.nearest(time, reach);
+  std::optional<EventMark> found;
+  for (const auto& mark : marks_.within(time - reach, time + reach + 1)) {
+    const auto row = rowOf(mark.slave);
+    if (row < 0) continue;
+    const double away = std::abs(rowArea(static_cast<std::size_t>(row)).center().y() - pixel.y());
+    if (away > std::max(rowHeight() / 2, kMarkReach)) continue;
+    if (!found || std::llabs(mark.time - time) < std::llabs(found->time - time)) found = mark;
+  }
+  return found;
+}
+
 Nanoseconds HeatMapPlot::momentOf(std::size_t slave, std::size_t column) const {
   const auto& grid = cells_.grid();
   const auto begin = grid.origin + static_cast<Nanoseconds>(column) * grid.width;
@@ -186,110 +206,12 @@ Nanoseconds HeatMapPlot::momentOf(std::size_t slave, std::size_t column) const {
   return moment;
 }
 
-void HeatMapPlot::drawRows(QPainter& painter) const {
-  const auto all = area();
-  painter.fillRect(all, palette().color(QPalette::Base));
-  painter.fillRect(all, QBrush(noReadingColor(palette()), Qt::BDiagPattern));
-  if (!image_.isNull()) painter.drawImage(all, image_);
-  const auto base = palette().color(QPalette::Base);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto box = rowArea(i);
-    if (rows_[i].is_reference) {
-      painter.fillRect(box, base);
-      painter.setPen(theme::mutedText(palette()));
-      if (box.height() >= painter.fontMetrics().height() - 2)
-        painter.drawText(box.adjusted(6, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, tr("reference clock"));
-    }
-    if (box.height() < kLowestSeparated || i == 0) continue;
-    painter.setPen(QPen(base, 0));
-    painter.drawLine(box.topLeft(), box.topRight());
-  }
-}
-
-/// As many as have room; that of the marked row in any case.
-void HeatMapPlot::drawNames(QPainter& painter) const {
-  const double high = painter.fontMetrics().height();
-  const auto step = static_cast<std::size_t>(std::max(std::ceil(high / rowHeight() - 0.1), 1.0));
-  const bool any_marked = rowOf(selected_) >= 0;
-  const auto marked = static_cast<std::size_t>(std::max<std::ptrdiff_t>(rowOf(selected_), 0));
-  const auto box = [&](std::size_t row) {
-    QRectF at(0, rowArea(row).center().y() - high / 2, area().left() - 5, high);
-    at.moveBottom(std::min(at.bottom(), area().bottom() + high / 2));
-    return at;
-  };
-  const auto draw = [&](std::size_t row, const QColor& color) {
-    const auto at = box(row);
-    painter.setPen(color);
-    painter.drawText(at, Qt::AlignRight | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(rows_[row].name, Qt::ElideRight, static_cast<int>(at.width())));
-  };
-  for (std::size_t row = 0; row < rows_.size(); row += step) {
-    if (any_marked && std::abs(box(row).center().y() - box(marked).center().y()) < high) continue;
-    draw(row, theme::mutedText(palette()));
-  }
-  if (!any_marked) return;
-  painter.fillRect(box(marked).adjusted(0, 0, 3, 0), palette().color(QPalette::Highlight));
-  draw(marked, palette().color(QPalette::HighlightedText));
-}
-
-void HeatMapPlot::drawTimes(QPainter& painter) const {
-  const auto axis = timeAxisOf(*view_);
-  const auto all = area();
-  const double begin = axis.begin / axis.divisor;
-  const double end = axis.end / axis.divisor;
-  const double step = roundStep((end - begin) * 64 / std::max(all.width(), 64.0));
-  const int digits = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 9);
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  for (double tick = std::ceil(begin / step - 1e-9) * step; tick <= end + step * 1e-6; tick += step) {
-    const double x = all.left() + (tick - begin) / (end - begin) * all.width();
-    painter.setPen(QPen(plot_colors::envelope(palette()), 0));
-    painter.drawLine(QPointF(x, all.bottom()), QPointF(x, all.bottom() + 3));
-    painter.setPen(theme::mutedText(palette()));
-    auto label = locale.toString(std::abs(tick) < step / 1e6 ? 0 : tick, 'f', digits);
-    if (label.startsWith(u'-')) label.replace(0, 1, QChar(0x2212));
-    QRectF box(x - 40, all.bottom() + 3, 80, 14);
-    box.moveRight(std::min(box.right(), width() - 1 + 40.0 - painter.fontMetrics().horizontalAdvance(label) / 2.0));
-    painter.drawText(box, Qt::AlignCenter, label);
-  }
-  painter.setPen(theme::mutedText(palette()));
-  painter.drawText(QRectF(all.left(), all.bottom() + 16, all.width(), 15), Qt::AlignCenter,
-                   axis.quantity + QStringLiteral(" / ") + axis.unit);
-}
-
-void HeatMapPlot::drawSelection(QPainter& painter) const {
-  const auto row = rowOf(selected_);
-  if (row < 0) return;
-  auto box = rowArea(static_cast<std::size_t>(row));
-  if (box.height() < 4) box.adjust(0, box.height() / 2 - 2, 0, 2 - box.height() / 2);
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(palette().color(QPalette::Text), 0));
-  painter.drawRect(box.adjusted(0, 0, -1, -0.5));
-}
-
-void HeatMapPlot::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setFont(smallFont(font()));
-  drawRows(painter);
-  drawNames(painter);
-  drawTimes(painter);
-  drawSelection(painter);
-  const auto all = area();
-  QwtScaleMap x;
-  x.setPaintInterval(all.left(), all.right());
-  auto cursors = CursorItem(cursors_);
-  cursors.setColors(plot_colors::cursor(palette()), palette().color(QPalette::Base));
-  cursors.prepare(grid());
-  cursors.draw(&painter, x, QwtScaleMap(), all);
-  if (!hasFocus()) return;
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 0));
-  painter.drawRect(all.adjusted(0, 0, -1, -1));
-}
-
-void HeatMapPlot::point(const std::optional<Spot>& spot) {
-  pointed_ = spot;
-  cursors_->setPointer(spot ? std::optional(spot->time) : std::nullopt);
+void HeatMapPlot::point(const std::optional<QPointF>& place) {
+  pointer_ = place;
+  pointed_ = place ? spotAt(*place) : std::nullopt;
+  pointed_mark_ = place ? markAt(*place) : std::nullopt;
+  setCursor(pointed_mark_ ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  cursors_->setPointer(pointed_ ? std::optional(pointed_->time) : std::nullopt);
   Q_EMIT pointedChanged();
 }
 
@@ -307,13 +229,20 @@ void HeatMapPlot::mouseMoveEvent(QMouseEvent* event) {
     drag_x_ = x;
     dragged_ = true;
   }
-  pointer_ = event->position();
-  point(spotAt(*pointer_));
+  point(event->position());
 }
 
-/// A click marks the slave, and the moment with cursor A, as the keys do.
+/// A click marks the slave, and the moment with cursor A, as the keys do; on an event it goes to that.
 void HeatMapPlot::mouseReleaseEvent(QMouseEvent* event) {
   if (!std::exchange(drag_x_, std::nullopt) || dragged_) return;
+  if (const auto mark = markAt(event->position())) {
+    if (rowOf(mark->slave) >= 0) {
+      setSelected(mark->slave);
+      Q_EMIT slaveSelected(selected_);
+    }
+    Q_EMIT eventClicked(mark->time);
+    return;
+  }
   const auto spot = spotAt(event->position());
   if (!spot) return;
   setSelected(static_cast<int>(spot->slave));
@@ -339,10 +268,7 @@ void HeatMapPlot::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void HeatMapPlot::leaveEvent(QEvent*) {
-  pointer_.reset();
-  point(std::nullopt);
-}
+void HeatMapPlot::leaveEvent(QEvent*) { point(std::nullopt); }
 
 void HeatMapPlot::contextMenuEvent(QContextMenuEvent* event) {
   Q_EMIT menuRequested(event->globalPos(), timeAt(event->pos().x()));
@@ -394,8 +320,13 @@ void HeatMapPlot::resizeEvent(QResizeEvent*) { dirty_ = true; }
 void HeatMapPlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange) measureNames();
-  if (event->type() == QEvent::PaletteChange) scale_ = HeatScale(palette());
+  if (event->type() == QEvent::PaletteChange) updateTheme();
   dirty_ = true;
+}
+
+void HeatMapPlot::updateTheme() {
+  scale_ = HeatScale(palette());
+  marks_.setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood));
 }
 
 }  // namespace syncline::ui

@@ -10,6 +10,7 @@
 #include "record/run_record.h"
 #include "trace/slave_cells.h"
 #include "ui/plots/cursor_item.h"
+#include "ui/plots/event_marks_item.h"
 #include "ui/plots/heat_scale.h"
 #include "ui/plots/time_view.h"
 
@@ -17,7 +18,8 @@ namespace syncline::ui {
 
 /// Deviations of all slaves as a heat map, one row a slave, over the time that the plots show (trace/slave_cells.h says
 /// what a cell shows). What has no reading is hatched. Where rows are lower than a pixel, neighbours share a line and
-/// the worst of them is seen.
+/// the worst of them is seen. Events
+/// stand at the foot, as in the plots; those of a slave that is shown in its row, too.
 class HeatMapPlot final : public QWidget {
   Q_OBJECT
 
@@ -38,6 +40,8 @@ class HeatMapPlot final : public QWidget {
   HeatMapPlot(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
   /// Null: nothing. It must outlive the plot or be replaced.
   void setRecord(const RunRecord* record);
+  /// By time; they must outlive the plot or be replaced.
+  void setMarks(const std::vector<EventMark>* marks) { marks_.setMarks(marks); }
   /// From top to bottom.
   void setRows(std::vector<Row> rows);
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
@@ -55,13 +59,20 @@ class HeatMapPlot final : public QWidget {
   [[nodiscard]] double full() const { return full_; }
   /// Where the cells are drawn.
   [[nodiscard]] QRectF area() const;
+  /// Where the events are drawn: below the cells.
+  [[nodiscard]] QRectF eventsArea() const;
   /// The worst slave of the line and its cell under a point; of reference clocks none.
   [[nodiscard]] std::optional<Spot> spotAt(const QPointF& pixel) const;
   /// The pixel in the middle of a cell.
   [[nodiscard]] QPointF placeOf(std::size_t slave, std::size_t column) const;
+  /// The event that is drawn under a point: at the foot any, in a row the slave's own.
+  [[nodiscard]] std::optional<EventMark> markAt(const QPointF& pixel) const;
+  /// What one column of pixels shows of events is one mark.
+  [[nodiscard]] Nanoseconds columnWidth() const { return cells_.grid().width; }
   /// The moment of the largest reading in the cell; the middle of the cell, where none lies in it.
   [[nodiscard]] Nanoseconds momentOf(std::size_t slave, std::size_t column) const;
   [[nodiscard]] const std::optional<Spot>& pointed() const { return pointed_; }
+  [[nodiscard]] const std::optional<EventMark>& pointedMark() const { return pointed_mark_; }
   [[nodiscard]] QSize sizeHint() const override { return {420, 150}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {180, 80}; }
 
@@ -69,6 +80,7 @@ class HeatMapPlot final : public QWidget {
   void pointedChanged();
   /// By a click or a key.
   void slaveSelected(int slave);
+  void eventClicked(syncline::Nanoseconds time);
   /// A moment of a slave is to be shown.
   void momentActivated(int slave, syncline::Nanoseconds time);
   void menuRequested(const QPoint& global, syncline::Nanoseconds time);
@@ -100,13 +112,16 @@ class HeatMapPlot final : public QWidget {
   void drawNames(QPainter& painter) const;
   void drawTimes(QPainter& painter) const;
   void drawSelection(QPainter& painter) const;
-  void point(const std::optional<Spot>& spot);
+  void drawEvents(QPainter& painter, const QwtScaleMap& x);
+  void updateTheme();
+  void point(const std::optional<QPointF>& place);
   void step(int by);
   void activate(std::size_t slave, std::size_t column);
 
   TimeView* view_;
   CursorSet* cursors_;
   HeatScale scale_;
+  EventMarksItem marks_;
   const RunRecord* record_ = nullptr;
   std::vector<Row> rows_;
   SlaveCells cells_;
@@ -118,6 +133,7 @@ class HeatMapPlot final : public QWidget {
   std::optional<double> drag_x_;
   std::optional<QPointF> pointer_;
   std::optional<Spot> pointed_;
+  std::optional<EventMark> pointed_mark_;
 };
 
 }  // namespace syncline::ui
