@@ -1135,6 +1135,10 @@
 <context>
     <name>MainWindow</name>
         <message>
+            <source>The program ends.</source>
+            <translation>Das Programm wird beendet.</translation>
+        </message>
+        <message>
             <source>Trigger</source>
             <translation>Trigger</translation>
         </message>

@@ -1133,6 +1133,10 @@
 <context>
     <name>MainWindow</name>
         <message>
+            <source>The program ends.</source>
+            <translation>程序将退出。</translation>
+        </message>
+        <message>
             <source>Trigger</source>
             <translation>触发</translation>
         </message>

@@ -22,6 +22,7 @@
 #include "ui/dialogs/go_to_dialog.h"
 #include "ui/dialogs/language_menu.h"
 #include "ui/dialogs/network_commands.h"
+#include "ui/dialogs/questions.h"
 #include "ui/dialogs/recent_menu.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/scan_progress.h"
@@ -405,7 +406,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   editor_->commitFields();
-  if (!files_->mayDiscard()) return event->ignore();
+  if (!files_->mayDiscard() || !mayEndAll(*this, workspace_, tr("The program ends."))) return event->ignore();
   workspace_.autosave().forget();
   workspace_.scan().cancel();
   workspace_.runs().shutDown();

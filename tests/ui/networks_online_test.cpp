@@ -50,6 +50,30 @@ class NetworksOnline : public test::RunningWindow {
   NetworkRun* first_ = nullptr;
 };
 
+TEST_F(NetworksOnline, ClosingTheWindowAsksWhileOneRuns) {
+  window_.show();
+  startBoth();
+  answerQuestion("offlineQuestion", false);
+  EXPECT_FALSE(window_.close());
+  EXPECT_TRUE(asked_.contains(workspace_.document().networks()[0])) << asked_.toStdString();
+  EXPECT_TRUE(asked_.contains(workspace_.document().networks()[1])) << asked_.toStdString();
+  EXPECT_TRUE(window_.isVisible());
+  EXPECT_EQ(first_->phase(), Phase::kOnline);
+  EXPECT_EQ(workspace_.live().phase(), Phase::kOnline);
+  asked_.clear();
+  answerQuestion("offlineQuestion", true);
+  EXPECT_TRUE(window_.close());
+  EXPECT_FALSE(asked_.isEmpty());
+  EXPECT_EQ(first_->phase(), Phase::kOffline);
+}
+
+TEST_F(NetworksOnline, ClosingTheWindowAsksNothingWhenNoneRuns) {
+  window_.show();
+  answerQuestion("offlineQuestion", false);
+  EXPECT_TRUE(window_.close());
+  EXPECT_TRUE(asked_.isEmpty()) << asked_.toStdString();
+}
+
 TEST_F(NetworksOnline, RunSideBySide) {
   goOnline();
   auto& first = workspace_.live().run();
