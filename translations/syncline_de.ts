@@ -945,8 +945,8 @@
             <translation>Diagramme exportieren</translation>
         </message>
         <message>
-            <source>PNG picture (*.png)</source>
-            <translation>PNG-Bild (*.png)</translation>
+            <source>%1: its name must end in .png, .svg or .pdf.</source>
+            <translation>%1: Der Name muss auf .png, .svg oder .pdf enden.</translation>
         </message>
         <message>
             <source>Cursor A here</source>
@@ -983,6 +983,21 @@
         <message>
             <source>Export picture…</source>
             <translation>Bild exportieren …</translation>
+        </message>
+</context>
+<context>
+    <name>PictureFile</name>
+        <message>
+            <source>PNG picture (*.png)</source>
+            <translation>PNG-Bild (*.png)</translation>
+        </message>
+        <message>
+            <source>SVG drawing (*.svg)</source>
+            <translation>SVG-Zeichnung (*.svg)</translation>
+        </message>
+        <message>
+            <source>PDF document (*.pdf)</source>
+            <translation>PDF-Dokument (*.pdf)</translation>
         </message>
 </context>
 <context>

@@ -943,8 +943,8 @@
             <translation>导出曲线</translation>
         </message>
         <message>
-            <source>PNG picture (*.png)</source>
-            <translation>PNG 图片 (*.png)</translation>
+            <source>%1: its name must end in .png, .svg or .pdf.</source>
+            <translation>%1：名称必须以 .png、.svg 或 .pdf 结尾。</translation>
         </message>
         <message>
             <source>Cursor A here</source>
@@ -981,6 +981,21 @@
         <message>
             <source>Export picture…</source>
             <translation>导出图片…</translation>
+        </message>
+</context>
+<context>
+    <name>PictureFile</name>
+        <message>
+            <source>PNG picture (*.png)</source>
+            <translation>PNG 图片 (*.png)</translation>
+        </message>
+        <message>
+            <source>SVG drawing (*.svg)</source>
+            <translation>SVG 图形 (*.svg)</translation>
+        </message>
+        <message>
+            <source>PDF document (*.pdf)</source>
+            <translation>PDF 文档 (*.pdf)</translation>
         </message>
 </context>
 <context>

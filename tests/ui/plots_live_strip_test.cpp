@@ -5,11 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialogButtonBox>
+#include <QFileDialog>
 #include <QImage>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPainter>
+#include <QPushButton>
 #include <QStackedLayout>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
@@ -367,9 +376,100 @@ TEST_F(LiveStripTest, PictureIsLightWhateverTheThemeIs) {
   show();
   record->add(samples(0, 1000));
   settle();
-  const auto image = strip.picture(2);
+  const auto image = QImage::fromData(pictureFile(strip.picture(), PictureForm::kPng));
   EXPECT_GT(image.width(), 2400);
   EXPECT_EQ(image.pixel(1, 1), qRgb(255, 255, 255));
+}
+
+/// How many pixels are no paper.
+int inked(const QImage& image, const QRect& where) {
+  int count = 0;
+  for (int y = where.top(); y <= where.bottom(); ++y) {
+    for (int x = where.left(); x <= where.right(); ++x) count += qGray(image.pixel(x, y)) < 200 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST_F(LiveStripTest, DrawingsHaveLinesAndLettersWherePixelsAre) {
+  show();
+  record->add(samples(0, 6000));
+  settle();
+  strip.timeView()->showAll();
+  settle();
+  const auto picture = strip.picture();
+  const auto pixels = QImage::fromData(pictureFile(picture, PictureForm::kPng)).scaled(picture.size);
+  const auto svg = pictureFile(picture, PictureForm::kSvg);
+  EXPECT_TRUE(svg.contains("<text"));
+  EXPECT_FALSE(svg.contains("<image")) << "pixels in it";
+  EXPECT_TRUE(svg.contains(picture.title.toUtf8()));
+  QSvgRenderer drawing(svg);
+  ASSERT_TRUE(drawing.isValid());
+  EXPECT_EQ(drawing.viewBox().size(), picture.size);
+  QImage drawn(picture.size, QImage::Format_RGB32);
+  drawn.fill(Qt::white);
+  QPainter painter(&drawn);
+  drawing.render(&painter, QRectF({}, QSizeF(picture.size)));
+  painter.end();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto* canvas = plot(i)->canvas();
+    const QRect where(canvas->mapTo(strip.panels()[i]->parentWidget(), QPoint()) + QPoint(10, 10), canvas->size());
+    const int there = inked(pixels, where);
+    EXPECT_GT(there, 100) << i;
+    EXPECT_NEAR(inked(drawn, where), there, there / 2) << i << ": as much as in pixels";
+  }
+  const auto pdf = pictureFile(picture, PictureForm::kPdf);
+  EXPECT_TRUE(pdf.startsWith("%PDF-"));
+  EXPECT_FALSE(pdf.contains("/Subtype /Image")) << "pixels in it";
+  EXPECT_TRUE(pdf.contains("/MediaBox"));
+  EXPECT_GT(pdf.size(), 20'000);
+}
+
+TEST_F(LiveStripTest, PictureIsWrittenAsItsNameSays) {
+  show();
+  record->add(samples(0, 1000));
+  settle();
+  const QTemporaryDir folder;
+  const auto save = [&](const QString& name, int filter) {
+    Q_EMIT plot(0)->menuRequested(QPoint(10, 10), 0);
+    auto* menu = strip.findChild<QMenu*>();
+    ASSERT_NE(menu, nullptr);
+    QTimer::singleShot(0, &strip, [&] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      dialog->setDirectory(folder.path());
+      dialog->findChild<QWidget*>(QStringLiteral("listView"))->setFocus();
+      dialog->selectFile(name.isEmpty() ? QStringLiteral("syncline.png") : name);
+      if (filter >= 0) {
+        dialog->selectNameFilter(dialog->nameFilters()[filter]);
+        Q_EMIT dialog->filterSelected(dialog->nameFilters()[filter]);
+      }
+      dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
+    });
+    for (auto* action : menu->actions()) {
+      if (action->objectName() == QLatin1String("actionExportPicture")) action->trigger();
+    }
+    delete menu;
+  };
+  const auto begin = [&](const char* name) {
+    QFile file(folder.filePath(QLatin1String(name)));
+    return file.open(QIODevice::ReadOnly) ? file.read(5) : QByteArray();
+  };
+  save({}, -1);
+  EXPECT_EQ(begin("syncline.png"), "\x89PNG\r");
+  save({}, 2);
+  EXPECT_EQ(begin("syncline.pdf"), "%PDF-") << "the name follows the list of forms";
+  save(QStringLiteral("plots"), 1);
+  EXPECT_EQ(begin("plots.svg"), "<?xml") << QDir(folder.path()).entryList().join(u' ').toStdString();
+  save(QStringLiteral("other.PDF"), -1);
+  EXPECT_EQ(begin("other.PDF"), "%PDF-");
+  QTimer::singleShot(100, &strip, [] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->text().contains(QStringLiteral("other.bmp"))) << box->text().toStdString();
+    box->accept();
+  });
+  save(QStringLiteral("other.bmp"), -1);
+  EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("other.bmp"))));
 }
 
 }  // namespace

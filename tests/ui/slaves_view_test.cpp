@@ -329,7 +329,7 @@ TEST_F(SlavesViewTest, StandsInPlaceOfThePlotsAndOfTheOthers) {
   slaves->click();
   EXPECT_TRUE(view().isVisible());
   EXPECT_FALSE(stability->isChecked());
-  EXPECT_FALSE(strip.picture(1).isNull());
+  EXPECT_FALSE(QImage::fromData(pictureFile(strip.picture(), PictureForm::kPng)).isNull());
   slaves->click();
   EXPECT_FALSE(view().isVisible());
 }

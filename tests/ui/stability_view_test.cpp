@@ -302,7 +302,7 @@ TEST_F(StabilityViewTest, StandsInPlaceOfThePlotsAndOfTheDistribution) {
   EXPECT_FALSE(distribution->isChecked());
   stability->click();
   EXPECT_FALSE(view().isVisible());
-  EXPECT_FALSE(strip.picture(1).isNull());
+  EXPECT_FALSE(QImage::fromData(pictureFile(strip.picture(), PictureForm::kPng)).isNull());
 }
 
 TEST_F(StabilityViewTest, WhatARunWithoutItsSlavesHasIsShown) {

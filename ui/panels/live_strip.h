@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "record/run_record.h"
+#include "ui/panels/picture_file.h"
 #include "ui/plots/trace_panel.h"
 
 class QLabel;
@@ -73,8 +74,8 @@ class LiveStrip : public QWidget {
   /// column a series; C locale.
   [[nodiscard]] std::string csv() const;
   [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
-  /// The three plots with a caption, in light colours whatever the theme is.
-  [[nodiscard]] QImage picture(double scale);
+  /// What is shown, with a caption, in light colours whatever the theme is. To be drawn at once.
+  [[nodiscard]] Picture picture();
 
  Q_SIGNALS:
   /// The mark of an event was clicked.
@@ -102,6 +103,7 @@ class LiveStrip : public QWidget {
   void openMenu(const QPoint& global, Nanoseconds time);
   void exportCsv();
   void exportPicture();
+  void copyPicture();
   void zoomAtMiddle(double factor);
   [[nodiscard]] Nanoseconds cursorPlace() const;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QAction>
 #include <QApplication>
-#include <QBuffer>
 #include <QClipboard>
 #include <QDateTime>
 #include <QFileDialog>
@@ -14,6 +13,7 @@
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/picture_file.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/plots/series_csv.h"
@@ -64,33 +64,30 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
   return series_csv(columns, view_.origin(), from, to + 1);
 }
 
-QImage LiveStrip::picture(double scale) {
+Picture LiveStrip::picture() {
   constexpr int kCaption = 22;
   constexpr int kMargin = 10;
-  auto* shown = body();
-  const auto size = shown->size();
-  QImage image(((QSizeF(size) + QSizeF(2 * kMargin, 2 * kMargin + kCaption)) * scale).toSize(), QImage::Format_RGB32);
-  image.setDevicePixelRatio(scale);
-  image.fill(Qt::white);
-  const auto colours = shown->palette();
-  shown->setPalette(printPalette());
-  for (auto* panel : panels_) panel->applyTheme();
-  QPainter painter(&image);
-  if (body_ == Body::kDistribution) distribution_->refresh();
-  if (body_ == Body::kStability) stability_->refresh();
-  if (body_ == Body::kSlaves) slaves_->refresh();
-  if (body_ == Body::kCycle) cycle_->refresh();
-  shown->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
-  painter.setPen(printPalette().color(QPalette::Text));
-  painter.setFont(font());
-  painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter,
-                   tr("Syncline, %1, cycle %2")
-                       .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate),
-                            cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time)));
-  painter.end();
-  shown->setPalette(colours);
-  for (auto* panel : panels_) panel->applyTheme();
-  return image;
+  const auto size = body()->size();
+  const auto title = tr("Syncline, %1, cycle %2")
+                         .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate),
+                              cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time));
+  const auto paint = [this, size, title](QPainter& painter) {
+    auto* shown = body();
+    const auto colours = shown->palette();
+    shown->setPalette(printPalette());
+    for (auto* panel : panels_) panel->applyTheme();
+    if (body_ == Body::kDistribution) distribution_->refresh();
+    if (body_ == Body::kStability) stability_->refresh();
+    if (body_ == Body::kSlaves) slaves_->refresh();
+    if (body_ == Body::kCycle) cycle_->refresh();
+    shown->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
+    painter.setPen(printPalette().color(QPalette::Text));
+    painter.setFont(font());
+    painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter, title);
+    shown->setPalette(colours);
+    for (auto* panel : panels_) panel->applyTheme();
+  };
+  return {size + QSize(2 * kMargin, 2 * kMargin + kCaption), logicalDpiX(), title, paint};
 }
 
 void LiveStrip::exportCsv() {
@@ -108,15 +105,20 @@ void LiveStrip::exportRange(Nanoseconds from, Nanoseconds to) {
 }
 
 void LiveStrip::exportPicture() {
-  const auto path = QFileDialog::getSaveFileName(this, tr("Export the plots"), QStringLiteral("syncline.png"),
-                                                 tr("PNG picture (*.png)"));
+  const auto path = askForPictureName(this, tr("Export the plots"), QStringLiteral("syncline.png"));
   if (path.isEmpty()) return;
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  picture(2).save(&buffer, "PNG");
+  const auto form = pictureFormOf(path);
+  if (!form) {
+    QMessageBox::warning(this, tr("Export"), tr("%1: its name must end in .png, .svg or .pdf.").arg(path));
+    return;
+  }
+  const auto bytes = pictureFile(picture(), *form);
   tellUnwritten(this, write_whole_file(path.toStdString(),
                                        std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
+}
+
+void LiveStrip::copyPicture() {
+  QApplication::clipboard()->setImage(QImage::fromData(pictureFile(picture(), PictureForm::kPng)));
 }
 
 void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
@@ -140,8 +142,9 @@ void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
   hold->setChecked(panels_.front()->plot()->valueRange().isFixed());
   menu->addSeparator();
   menu->addAction(tr("Export range as CSV…"), this, [this] { exportCsv(); });
-  menu->addAction(tr("Export picture…"), this, [this] { exportPicture(); });
-  menu->addAction(tr("Copy picture"), this, [this] { QApplication::clipboard()->setImage(picture(2)); });
+  auto* export_picture = menu->addAction(tr("Export picture…"), this, [this] { exportPicture(); });
+  export_picture->setObjectName(QStringLiteral("actionExportPicture"));
+  menu->addAction(tr("Copy picture"), this, [this] { copyPicture(); });
   menu->popup(global);
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/plots/hatch.h"
+
 namespace syncline::ui {
 
 GapItem::GapItem() { setZ(5); }  // below everything
@@ -42,7 +44,7 @@ void GapItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap&, 
   for (const auto& stretch : stretches_) {
     const QRectF area(x.p1() + stretch.begin * width, canvas.top(), (stretch.end - stretch.begin) * width,
                       canvas.height());
-    painter->fillRect(area, QBrush(color_, Qt::BDiagPattern));
+    fillHatched(*painter, area, color_);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "ui/plots/hatch.h"
 #include "ui/plots/heat_scale.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
@@ -62,10 +63,10 @@ void HeatLegend::paintEvent(QPaintEvent*) {
     painter.drawText(QRect(x, 0, wide + 2, height()), Qt::AlignVCenter | Qt::AlignLeft, text);
     x += wide + kTextGap;
   };
-  const auto box = [&](const QBrush& brush, int wide) {
+  const auto box = [&](const auto& fill, int wide) {
     const QRect place(x, top, wide, kBarHeight);
     painter.fillRect(place, palette().color(QPalette::Base));
-    painter.fillRect(place, brush);
+    fill(place);
     painter.setPen(QPen(theme::outline(palette()), 0));
     painter.drawRect(place.adjusted(0, 0, -1, -1));
     x += wide + kTextGap;
@@ -78,11 +79,11 @@ void HeatLegend::paintEvent(QPaintEvent*) {
   say(fullText());
   if (is_limit_) {
     x += kApart - kTextGap;
-    box(QColor(scale.over()), kBox);
+    box([&](const QRect& place) { painter.fillRect(place, QColor(scale.over())); }, kBox);
     say(tr("over"));
   }
   x += kApart - kTextGap;
-  box(QBrush(noReadingColor(palette()), Qt::BDiagPattern), kBox);
+  box([&](const QRect& place) { fillHatched(painter, place, noReadingColor(palette())); }, kBox);
   say(tr("no reading"));
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "ui/plots/hatch.h"
 #include "ui/plots/heat_map_plot.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/round_step.h"
@@ -25,7 +26,7 @@ constexpr double kLowestSeparated = 6, kMarkHeight = 7;
 void HeatMapPlot::drawRows(QPainter& painter) const {
   const auto all = area();
   painter.fillRect(all, palette().color(QPalette::Base));
-  painter.fillRect(all, QBrush(noReadingColor(palette()), Qt::BDiagPattern));
+  fillHatched(painter, all, noReadingColor(palette()));
   if (!image_.isNull()) painter.drawImage(all, image_);
   const auto base = palette().color(QPalette::Base);
   for (std::size_t i = 0; i < rows_.size(); ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/log_log_plot.h"
 
+#include <qwt_clipper.h>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -129,7 +131,8 @@ void LogLogPlot::drawCurve(QPainter& painter, int number) const {
   const bool front = number == chosen_;
   painter.setPen(QPen(curve.color, front && !curve.numbered ? 2 : 1.2));
   painter.setBrush(Qt::NoBrush);
-  painter.drawPolyline(line);
+  // An SVG has no clip.
+  painter.drawPolyline(QwtClipper::clippedPolygonF(area().adjusted(-4, -4, 4, 4), line));
   drawStops(painter, curve, front);
 }
 

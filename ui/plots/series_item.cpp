@@ -4,7 +4,9 @@
 #include <qwt_painter.h>
 #include <qwt_scale_map.h>
 
+#include <QPaintEngine>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
@@ -33,6 +35,9 @@ struct ColumnMap {
 double clampedY(const QwtScaleMap& y, double value, const QRectF& canvas) {
   return std::clamp(y.transform(value), canvas.top() - 4, canvas.bottom() + 4);
 }
+
+/// A line without a width is one pixel wide; on paper it is next to nothing.
+bool isVector(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
 
 }  // namespace
 
@@ -124,6 +129,10 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
                              const QRectF& canvas) const {
   const ColumnMap map(x, grid_.columns);
   const double line = std::max(1.0 / painter->device()->devicePixelRatioF(), std::min(map.width, 1.0));
+  // Bar by bar, each smoothed by itself, the seams would be seen.
+  const bool is_vector = isVector(*painter);
+  QPainterPath whole;
+  whole.setFillRule(Qt::WindingFill);
   const SeriesColumn* previous = nullptr;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const auto& column = columns_[i];
@@ -140,9 +149,11 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
     }
     const double top = clampedY(y, high, canvas);
     const double bottom = clampedY(y, low, canvas);
-    painter->fillRect(QRectF(map(static_cast<double>(i)), top, map.width, std::max(bottom - top, line)), color_);
+    const QRectF bar(map(static_cast<double>(i)), top, map.width, std::max(bottom - top, line));
+    is_vector ? whole.addRect(bar) : painter->fillRect(bar, color_);
     previous = &column;
   }
+  if (is_vector) painter->fillPath(whole, color_);
 }
 
 void SeriesItem::drawSteps(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
@@ -167,6 +178,7 @@ void SeriesItem::drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtSc
   const double ratio = painter->device()->devicePixelRatioF();
   if (ratio > 1 && points_.size() < 2000) pen.setWidthF(std::round(ratio));
   pen.setCosmetic(true);
+  if (isVector(*painter)) pen = QPen(color_, 1);
   painter->setPen(pen);
   painter->setRenderHint(QPainter::Antialiasing, points_.size() < 2000);
   QPolygonF line;
