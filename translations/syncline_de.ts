@@ -5867,6 +5867,10 @@ Einstellung %2</translation>
             <translation>keine</translation>
         </message>
         <message>
+            <source>not counted yet</source>
+            <translation>noch nicht gezählt</translation>
+        </message>
+        <message>
             <source>SYNC0 came without new outputs</source>
             <translation>SYNC0 kam ohne neue Ausgänge</translation>
         </message>

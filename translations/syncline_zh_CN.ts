@@ -5836,6 +5836,10 @@ Setting %2</source>
             <translation>无</translation>
         </message>
         <message>
+            <source>not counted yet</source>
+            <translation>尚未计数</translation>
+        </message>
+        <message>
             <source>SYNC0 came without new outputs</source>
             <translation>SYNC0 到来时没有新的输出</translation>
         </message>

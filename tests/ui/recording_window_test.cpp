@@ -530,6 +530,31 @@ TEST(Overview, SaysWhatArmingWaitsForAndWhatIsFound) {
   EXPECT_TRUE(because.contains(QStringLiteral("Found so far: <b>Servo"))) << qPrintable(because);
 }
 
+/// Drives that fall while they are brought up have missed events; nothing of that is "none".
+TEST(Overview, MissedEventsAreNotCountedBeforeItIsArmed) {
+  NetworkConfig config;
+  config.slaves.resize(2);
+  RunRecord record(config);
+  OverviewPanel panel;
+  panel.setRecord(&record, false);
+  panel.setLive(true);
+  panel.show();
+  const auto text = [&](bool armed, std::uint64_t i, std::uint16_t count) {
+    auto sample = cycle(i, false);
+    if (!armed) sample.master_state = static_cast<std::uint8_t>(AlState::kSafeop);
+    sample.sm2_position = 1;
+    sample.slave_sm2_missed = count;
+    record.add({&sample, 1});
+    panel.refresh();
+    const auto* card = panel.findChild<FigureCard*>(QStringLiteral("overviewMissed"));
+    return card->mainText() + u'|' + card->noteText();
+  };
+  text(false, 0, 0);
+  EXPECT_EQ(text(false, 1, 5), QStringLiteral("\u2013|not counted yet"));
+  EXPECT_EQ(text(true, 2, 5), QStringLiteral("0|none"));
+  EXPECT_TRUE(text(true, 3, 7).startsWith(QStringLiteral("2|")));
+}
+
 /// What came first is said first, and its link leads to the plots.
 TEST(Overview, SaysWhatCameFirstAndLeadsThere) {
   NetworkConfig config;

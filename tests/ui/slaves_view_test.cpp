@@ -330,6 +330,9 @@ TEST_F(SlavesViewTest, StandsInPlaceOfThePlotsAndOfTheOthers) {
   EXPECT_TRUE(view().isVisible());
   EXPECT_FALSE(stability->isChecked());
   EXPECT_FALSE(QImage::fromData(pictureFile(strip.picture(), PictureForm::kPng)).isNull());
+  const auto pdf = pictureFile(strip.picture(), PictureForm::kPdf);
+  EXPECT_TRUE(pdf.contains("/Subtype /Image"));
+  EXPECT_FALSE(pdf.contains("/DCTDecode")) << "the cells have other colours";
   slaves->click();
   EXPECT_FALSE(view().isVisible());
 }

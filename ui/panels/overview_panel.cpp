@@ -180,6 +180,9 @@ void OverviewPanel::showMissed() {
   if (!missed.known) {
     missed_->setMain(noText());
     missed_->setNote(theme::Tone::kNeutral, tr("no slave has this counter"));
+  } else if (!overview.armed) {
+    missed_->setMain(noText());
+    missed_->setNote(theme::Tone::kNeutral, tr("not counted yet"));
   } else {
     missed_->setMain(countText(missed.count));
     missed_->setNote(missed.count == 0 ? theme::Tone::kGood : theme::Tone::kWarning,

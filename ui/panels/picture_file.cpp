@@ -65,6 +65,8 @@ void writePdf(QBuffer& file, const Picture& picture) {
       QPageSize(QSizeF(picture.size) * kPointsPerInch / picture.dpi, QPageSize::Point, {}, QPageSize::ExactMatch));
   page.setPageMargins({});
   QPainter painter(&page);
+  // Cells of a heat map are no photograph: JPEG would change their colours.
+  painter.setRenderHint(QPainter::LosslessImageRendering);
   drawing.render(&painter, QRectF({}, QSizeF(picture.size)));
 }
 
