@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 
+class QPainter;
 class QWidget;
 
 namespace syncline::ui {
