@@ -424,6 +424,35 @@ TEST_F(LiveStripTest, DrawingsHaveLinesAndLettersWherePixelsAre) {
   EXPECT_GT(pdf.size(), 20'000);
 }
 
+/// An SVG is not clipped: a line to the reading before the stretch must end at the canvas, not on the scale.
+TEST_F(LiveStripTest, DrawingsStayInsideTheirPlots) {
+  show();
+  record->add(samples(0, 1000));
+  settle();
+  strip.timeView()->freeze();
+  strip.timeView()->setSpan(2 * kMillisecond);
+  strip.timeView()->goTo(kStart + 501'300 * kMicrosecond);
+  settle();
+  const auto picture = strip.picture();
+  QSvgRenderer drawing(pictureFile(picture, PictureForm::kSvg));
+  QImage drawn(picture.size, QImage::Format_RGB32);
+  drawn.fill(Qt::white);
+  QPainter painter(&drawn);
+  drawing.render(&painter, QRectF({}, QSizeF(picture.size)));
+  painter.end();
+  const auto* canvas = plot(0)->canvas();
+  const QRect at(canvas->mapTo(strip.panels()[0]->parentWidget(), QPoint()) + QPoint(10, 10), canvas->size());
+  int inside = 0, outside = 0;
+  for (int y = at.top(); y <= at.bottom(); ++y) {
+    for (int x = 0; x <= at.right() + 20; ++x) {
+      if (drawn.pixelColor(x, y).hsvSaturation() < 60) continue;
+      ++(at.adjusted(-2, 0, 2, 0).contains(x, y) ? inside : outside);
+    }
+  }
+  EXPECT_GT(inside, 100);
+  EXPECT_EQ(outside, 0) << "lines of slaves on the scale";
+}
+
 TEST_F(LiveStripTest, PictureIsWrittenAsItsNameSays) {
   show();
   record->add(samples(0, 1000));

@@ -247,6 +247,7 @@ TEST_F(SlavesViewTest, EventsStandAtTheFootAndInTheRowOfTheirSlave) {
   const auto at = [&](Nanoseconds time) { return columnAt(time - kHeatBegin); };
   const auto empty_row = plot().grab().toImage();
   record->add(Event{fault, 3, events::SlaveLost{}});
+  record->add(Event{fault + 1, -1, events::LinkUp{}});
   record->add(Event{bus, -1, events::LinkDown{}});
   record->add(Event{healed, 4, events::SlaveFound{}});
   strip.refresh();
@@ -270,9 +271,13 @@ TEST_F(SlavesViewTest, EventsStandAtTheFootAndInTheRowOfTheirSlave) {
   QObject::connect(&strip, &LiveStrip::eventClicked, &strip, [&](Nanoseconds time) { clicked.push_back(time); });
   QTest::mouseMove(&plot(), foot(bus).toPoint());
   EXPECT_THAT(reading(), HasSubstr("Network adapter"));
+  EXPECT_THAT(reading(), Not(HasSubstr("more here")));
   QTest::mouseMove(&plot(), plot().placeOf(3, at(fault)).toPoint());
   EXPECT_THAT(reading(), HasSubstr("Servo C"));
   EXPECT_THAT(reading(), Not(HasSubstr("limit"))) << "what happened goes before what was read";
+  EXPECT_THAT(reading(), Not(HasSubstr("more here"))) << "what is not the slave's stands at the foot";
+  QTest::mouseMove(&plot(), foot(fault).toPoint());
+  EXPECT_THAT(reading(), HasSubstr("(and 1 more here)"));
   QTest::mouseClick(&plot(), Qt::LeftButton, {}, plot().placeOf(3, at(fault)).toPoint());
   EXPECT_EQ(clicked, std::vector{fault});
   EXPECT_EQ(plot().selected(), 3);

@@ -132,14 +132,17 @@ void LiveStrip::setPickedSlave(int position) {
 void LiveStrip::goTo(Nanoseconds time) {
   if (!hasSamples()) return;
   showBody(Body::kPlots);
+  mark(time);
+}
+
+void LiveStrip::mark(Nanoseconds time) {
   view_.goTo(time);
   cursors_.set(CursorSet::kA, time);
 }
 
 /// Where it was clicked: the heat map has the same time.
 void LiveStrip::showEventAt(Nanoseconds time) {
-  view_.goTo(time);
-  cursors_.set(CursorSet::kA, time);
+  mark(time);
   Q_EMIT eventClicked(time);
 }
 

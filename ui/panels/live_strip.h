@@ -92,6 +92,7 @@ class LiveStrip : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void mark(Nanoseconds time);
   void showEventAt(Nanoseconds time);
   void tick();
   void showState();

@@ -209,12 +209,14 @@ QString SlavesView::readingText(const HeatMapPlot::Spot& spot) const {
 }
 
 /// What happened there: the event that the mark is of, and how many more share its place.
-QString SlavesView::eventsText(const EventMark& mark) const {
+QString SlavesView::eventsText(const HeatMapPlot::MarkSpot& spot) const {
+  const auto& mark = spot.mark;
   QString first;
   int more = -1;
   for (const auto& event : record_->events()) {
     if (std::llabs(event.time - mark.time) >= plot_->columnWidth() || meaning_of(event) == EventMeaning::kNews)
       continue;
+    if (spot.is_in_row && event.slave != mark.slave) continue;
     ++more;
     if (event.time != mark.time || event.slave != mark.slave || !first.isEmpty()) continue;
     const auto message = messageOf(event, record_->config());

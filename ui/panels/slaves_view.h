@@ -52,7 +52,7 @@ class SlavesView final : public QWidget {
   void showReading();
   [[nodiscard]] int selectedInTable() const;
   [[nodiscard]] QVector<float> courseOf(std::size_t slave) const;
-  [[nodiscard]] QString eventsText(const EventMark& mark) const;
+  [[nodiscard]] QString eventsText(const HeatMapPlot::MarkSpot& spot) const;
   [[nodiscard]] QString readingText(const HeatMapPlot::Spot& spot) const;
 
   TimeView* view_;

@@ -175,18 +175,21 @@ std::optional<HeatMapPlot::Spot> HeatMapPlot::spotAt(const QPointF& pixel) const
   return Spot{worst->slave, timeAt(point.x()), column};
 }
 
-std::optional<EventMark> HeatMapPlot::markAt(const QPointF& pixel) const {
+std::optional<HeatMapPlot::MarkSpot> HeatMapPlot::markAt(const QPointF& pixel) const {
   const double pixels = kMarkReach * static_cast<double>(cells_.grid().columns) / area().width();
   const auto reach = static_cast<Nanoseconds>(pixels * static_cast<double>(columnWidth()));
   const auto time = timeAt(pixel.x());
-  if (eventsArea().contains(pixel)) return marks_.nearest(time, reach);
-  std::optional<EventMark> found;
+  if (eventsArea().contains(pixel)) {
+    const auto found = marks_.nearest(time, reach);
+    return found ? std::optional(MarkSpot{*found, false}) : std::nullopt;
+  }
+  std::optional<MarkSpot> found;
   for (const auto& mark : marks_.within(time - reach, time + reach + 1)) {
     const auto row = rowOf(mark.slave);
     if (row < 0) continue;
     const double away = std::abs(rowArea(static_cast<std::size_t>(row)).center().y() - pixel.y());
     if (away > std::max(rowHeight() / 2, kMarkReach)) continue;
-    if (!found || std::llabs(mark.time - time) < std::llabs(found->time - time)) found = mark;
+    if (!found || std::llabs(mark.time - time) < std::llabs(found->mark.time - time)) found = MarkSpot{mark, true};
   }
   return found;
 }
@@ -235,12 +238,13 @@ void HeatMapPlot::mouseMoveEvent(QMouseEvent* event) {
 /// A click marks the slave, and the moment with cursor A, as the keys do; on an event it goes to that.
 void HeatMapPlot::mouseReleaseEvent(QMouseEvent* event) {
   if (!std::exchange(drag_x_, std::nullopt) || dragged_) return;
-  if (const auto mark = markAt(event->position())) {
-    if (rowOf(mark->slave) >= 0) {
-      setSelected(mark->slave);
+  if (const auto spot = markAt(event->position())) {
+    const auto& mark = spot->mark;
+    if (rowOf(mark.slave) >= 0) {
+      setSelected(mark.slave);
       Q_EMIT slaveSelected(selected_);
     }
-    Q_EMIT eventClicked(mark->time);
+    Q_EMIT eventClicked(mark.time);
     return;
   }
   const auto spot = spotAt(event->position());

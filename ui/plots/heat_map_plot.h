@@ -18,8 +18,8 @@ namespace syncline::ui {
 
 /// Deviations of all slaves as a heat map, one row a slave, over the time that the plots show (trace/slave_cells.h says
 /// what a cell shows). What has no reading is hatched. Where rows are lower than a pixel, neighbours share a line and
-/// the worst of them is seen. Events
-/// stand at the foot, as in the plots; those of a slave that is shown in its row, too.
+/// the worst of them is seen. Events stand at the foot, as in the plots; those of a slave that is shown in its row,
+/// too.
 class HeatMapPlot final : public QWidget {
   Q_OBJECT
 
@@ -65,14 +65,18 @@ class HeatMapPlot final : public QWidget {
   [[nodiscard]] std::optional<Spot> spotAt(const QPointF& pixel) const;
   /// The pixel in the middle of a cell.
   [[nodiscard]] QPointF placeOf(std::size_t slave, std::size_t column) const;
-  /// The event that is drawn under a point: at the foot any, in a row the slave's own.
-  [[nodiscard]] std::optional<EventMark> markAt(const QPointF& pixel) const;
+  /// An event as it is drawn: at the foot with all others, or in its slave's row with the slave's own.
+  struct MarkSpot {
+    EventMark mark;
+    bool is_in_row = false;
+  };
+  [[nodiscard]] std::optional<MarkSpot> markAt(const QPointF& pixel) const;
   /// What one column of pixels shows of events is one mark.
   [[nodiscard]] Nanoseconds columnWidth() const { return cells_.grid().width; }
   /// The moment of the largest reading in the cell; the middle of the cell, where none lies in it.
   [[nodiscard]] Nanoseconds momentOf(std::size_t slave, std::size_t column) const;
   [[nodiscard]] const std::optional<Spot>& pointed() const { return pointed_; }
-  [[nodiscard]] const std::optional<EventMark>& pointedMark() const { return pointed_mark_; }
+  [[nodiscard]] const std::optional<MarkSpot>& pointedMark() const { return pointed_mark_; }
   [[nodiscard]] QSize sizeHint() const override { return {420, 150}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {180, 80}; }
 
@@ -133,7 +137,7 @@ class HeatMapPlot final : public QWidget {
   std::optional<double> drag_x_;
   std::optional<QPointF> pointer_;
   std::optional<Spot> pointed_;
-  std::optional<EventMark> pointed_mark_;
+  std::optional<MarkSpot> pointed_mark_;
 };
 
 }  // namespace syncline::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/log_log_plot.h"
 
-#include <qwt_clipper.h>
+#include <qwt_painter.h>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -131,8 +131,8 @@ void LogLogPlot::drawCurve(QPainter& painter, int number) const {
   const bool front = number == chosen_;
   painter.setPen(QPen(curve.color, front && !curve.numbered ? 2 : 1.2));
   painter.setBrush(Qt::NoBrush);
-  // An SVG has no clip.
-  painter.drawPolyline(QwtClipper::clippedPolygonF(area().adjusted(-4, -4, 4, 4), line));
+  // An SVG has no clip: Qwt cuts the line itself.
+  QwtPainter::drawPolyline(&painter, line);
   drawStops(painter, curve, front);
 }
 

@@ -36,7 +36,7 @@ double clampedY(const QwtScaleMap& y, double value, const QRectF& canvas) {
   return std::clamp(y.transform(value), canvas.top() - 4, canvas.bottom() + 4);
 }
 
-/// A line without a width is one pixel wide; on paper it is next to nothing.
+/// An SVG: a line without a width is next to nothing on paper, areas side by side show their seams.
 bool isVector(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
 
 }  // namespace
@@ -150,7 +150,11 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
     const double top = clampedY(y, high, canvas);
     const double bottom = clampedY(y, low, canvas);
     const QRectF bar(map(static_cast<double>(i)), top, map.width, std::max(bottom - top, line));
-    is_vector ? whole.addRect(bar) : painter->fillRect(bar, color_);
+    if (is_vector) {
+      whole.addRect(bar);
+    } else {
+      painter->fillRect(bar, color_);
+    }
     previous = &column;
   }
   if (is_vector) painter->fillPath(whole, color_);
