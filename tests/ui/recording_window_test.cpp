@@ -43,6 +43,7 @@
 #include "ui/text/overview_text.h"
 #include "ui/text/recorded_text.h"
 #include "ui/text/units.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/pill.h"
 
 namespace syncline::ui {
@@ -595,6 +596,41 @@ TEST(Overview, SaysWhatCameFirstAndLeadsThere) {
   ASSERT_TRUE(mark);
   EXPECT_EQ(mark->time, fault);
   EXPECT_TRUE(mark->fault);
+}
+
+/// The first fault is a link: it can be read after the theme was changed, too.
+TEST(Overview, LinksHaveTheColourOfTheTheme) {
+  theme::apply(theme::Mode::kLight);
+  NetworkConfig config;
+  config.slaves.resize(2);
+  RunRecord record(config);
+  std::vector<CycleSample> samples;
+  for (std::uint64_t i = 0; i < 100; ++i) samples.push_back(cycle(i, false));
+  record.add(samples);
+  record.add(Event{samples[50].send_time, 1, events::SlaveLost{}});
+  OverviewPanel panel;
+  panel.resize(900, 200);
+  panel.setRecord(&record, false);
+  panel.setLive(true);
+  panel.show();
+  auto* label = panel.findChild<QLabel*>(QStringLiteral("overviewFault"));
+  const auto has = [&](const QColor& color) {
+    const auto image = label->grab().toImage();
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        if (image.pixelColor(x, y) == color) return true;
+      }
+    }
+    return false;
+  };
+  const auto light = QApplication::palette().color(QPalette::Link);
+  EXPECT_TRUE(has(light));
+  theme::apply(theme::Mode::kDark);
+  QApplication::processEvents();
+  panel.refresh();
+  EXPECT_TRUE(has(QApplication::palette().color(QPalette::Link)));
+  EXPECT_FALSE(has(light));
+  theme::apply(theme::Mode::kLight);
 }
 
 TEST(Overview, WhatIsOutOfSyncWasLostOrNeverInSync) {

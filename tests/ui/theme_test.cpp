@@ -48,6 +48,7 @@ TEST_P(Themes, TextAndTonesCanBeRead) {
     for (const auto ground : {QPalette::Window, QPalette::Base}) {
       const auto fill = over(toneFill(palette, tone), palette.color(ground));
       EXPECT_GE(contrast(toneColor(palette, tone), fill), 4.5) << static_cast<int>(tone);
+      EXPECT_GE(contrast(palette.color(QPalette::Link), fill), 4.5) << "a link, " << static_cast<int>(tone);
     }
   }
 }

@@ -244,6 +244,12 @@ bool OverviewPanel::event(QEvent* event) {
   const bool done = QWidget::event(event);
   if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
     setMinimumHeight(layout()->totalMinimumHeightForWidth(width()));
+  if (event->type() == QEvent::PaletteChange) {
+    // Rich text keeps the colour that links had when it was set.
+    const auto text = fault_->text();
+    fault_->clear();
+    fault_->setText(text);
+  }
   return done;
 }
 

@@ -18,13 +18,13 @@ namespace {
 Mode g_mode = Mode::kSystem;
 
 struct Colors {
-  QRgb window, base, alternate, button, text, muted, disabled, outline, mid, accent, on_accent, tip, tip_text;
+  QRgb window, base, alternate, button, text, muted, disabled, outline, mid, accent, on_accent, tip, tip_text, link;
 };
 
 constexpr Colors kLight{0xFFF3F5F7, 0xFFFFFFFF, 0xFFF7F9FA, 0xFFFBFCFD, 0xFF1B2430, 0xFF5A6675, 0xFF98A2AE,
-                        0xFFD3D9E0, 0xFFBCC4CD, 0xFF14648C, 0xFFFFFFFF, 0xFF1F2A37, 0xFFF2F5F8};
+                        0xFFD3D9E0, 0xFFBCC4CD, 0xFF14648C, 0xFFFFFFFF, 0xFF1F2A37, 0xFFF2F5F8, 0xFF14648C};
 constexpr Colors kDark{0xFF1E242B, 0xFF171C22, 0xFF1B2128, 0xFF2A323B, 0xFFE4E9EE, 0xFF9BA7B4, 0xFF66717D,
-                       0xFF38424D, 0xFF4A5662, 0xFF2F7FA8, 0xFFFFFFFF, 0xFFE4E9EE, 0xFF1B2430};
+                       0xFF38424D, 0xFF4A5662, 0xFF2F7FA8, 0xFFFFFFFF, 0xFFE4E9EE, 0xFF1B2430, 0xFF7CC0E6};
 
 QPalette paletteOf(const Colors& c) {
   QPalette palette;
@@ -39,8 +39,8 @@ QPalette paletteOf(const Colors& c) {
   set(QPalette::BrightText, c.on_accent);
   set(QPalette::Highlight, c.accent);
   set(QPalette::HighlightedText, c.on_accent);
-  set(QPalette::Link, c.accent);
-  set(QPalette::LinkVisited, c.accent);
+  set(QPalette::Link, c.link);
+  set(QPalette::LinkVisited, c.link);
   set(QPalette::PlaceholderText, c.muted);
   set(QPalette::ToolTipBase, c.tip);
   set(QPalette::ToolTipText, c.tip_text);
