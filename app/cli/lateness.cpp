@@ -23,6 +23,14 @@ double process_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+Json holder_json(const ProcessorHolder& holder) {
+  if (!holder.known()) return nullptr;
+  return {{"thread", holder.name_text()},
+          {"kernel", holder.kernel},
+          {"at_a_time_ns", holder.at_a_time},
+          {"times", holder.times}};
+}
+
 }  // namespace
 
 LatenessReport::LatenessReport() : cpu_at_start_(process_seconds()) {}
@@ -54,6 +62,7 @@ Json LatenessReport::json() const {
           {"spin_ns_per_cycle", host_.spin_mean},
           {"held_ns", host_.held},
           {"held_by_others_ns", host_.held_by_others ? Json(*host_.held_by_others) : Json(nullptr)},
+          {"longest_holder", holder_json(host_.holder)},
           {"overruns", overruns_},
           {"cpu_us_per_cycle", static_cast<double>(static_cast<std::int64_t>(cpu_us_per_cycle() * 1000)) / 1000}};
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "channels/processor_holder.h"
 #include "support/types.h"
 
 namespace syncline {
@@ -15,6 +16,7 @@ struct HostStatus {
               wake_p99 = 0;  // how late sleeping alone wakes up, of the latest some hundred cycles; 0 not known
   Nanoseconds held = 0;      // by how much the cyclic thread came too late where cycles were left out, all together
   std::optional<Nanoseconds> held_by_others;  // of it, while it was ready and other threads had its processor
+  ProcessorHolder holder;                     // who keeps a processor longest, looked for after cycles were left out
   bool operator==(const HostStatus&) const = default;
 };
 

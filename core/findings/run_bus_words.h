@@ -169,6 +169,28 @@ inline constexpr FindingWords kRunBus[] = {
        "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
        "out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its "
        "processor."}}},
+    {"host-held-by-kernel",
+     Severity::kWarning,
+     "The host's kernel held the processor",
+     "Real-time priority does not interrupt a thread of the kernel where the kernel is not preemptible.",
+     "Boot this kernel with preempt=full, or take one with PREEMPT_RT; or keep a processor for the master alone "
+     "(isolcpus) and bind it to that.",
+     "",
+     {{"",
+       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
+       "out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel's threads {thread} kept "
+       "a "
+       "processor longest, {slice} at a time."}}},
+    {"host-held-by-program",
+     Severity::kWarning,
+     "Another program with real-time priority held the host",
+     "It has at least the priority of the master, which waits for it.",
+     "Give it less priority than the master, or bind it to another processor.",
+     "",
+     {{"",
+       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
+       "out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority "
+       "{thread} kept a processor longest, {slice} at a time."}}},
     {"host-timer-late",
      Severity::kWarning,
      "Nothing woke the master in time",

@@ -49,9 +49,20 @@ RealTimeScope::RealTimeScope(int priority) {
 }
 
 RealTimeScope::~RealTimeScope() {
+  give_up_real_time();
+  if (latency_fd_ >= 0) ::close(latency_fd_);
+}
+
+int real_time_priority() {
+  sched_param parameter{};
+  int policy = SCHED_OTHER;
+  if (::pthread_getschedparam(::pthread_self(), &policy, &parameter) != 0) return 0;
+  return policy == SCHED_FIFO || policy == SCHED_RR ? parameter.sched_priority : 0;
+}
+
+void give_up_real_time() {
   const sched_param parameter{};
   (void)::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &parameter);
-  if (latency_fd_ >= 0) ::close(latency_fd_);
 }
 
 std::string bind_to_processor(unsigned cpu) {

@@ -29,6 +29,11 @@ class RealTimeScope {
   int latency_fd_ = -1;
 };
 
+/// The priority of the calling thread under SCHED_FIFO or SCHED_RR; 0 when it has none.
+[[nodiscard]] int real_time_priority();
+/// Takes it from the calling thread, which may have it from the one that started it.
+void give_up_real_time();
+
 /// Binds the calling thread to one processor; the system's reason when that is refused, else empty.
 [[nodiscard]] std::string bind_to_processor(unsigned cpu);
 

@@ -2417,6 +2417,38 @@
         <translation>Nur eine Uhr kann führen; Master nehmen die erste oder die letzte</translation>
     </message>
     <message>
+        <source>The host&apos;s kernel held the processor</source>
+        <translation>Der Kernel des Rechners hielt den Prozessor</translation>
+    </message>
+    <message>
+        <source>Real-time priority does not interrupt a thread of the kernel where the kernel is not preemptible.</source>
+        <translation>Echtzeitpriorität unterbricht einen Thread des Kernels nicht, wenn der Kernel nicht unterbrechbar ist.</translation>
+    </message>
+    <message>
+        <source>Boot this kernel with preempt=full, or take one with PREEMPT_RT; or keep a processor for the master alone (isolcpus) and bind it to that.</source>
+        <translation>Starten Sie diesen Kernel mit preempt=full oder nehmen Sie einen mit PREEMPT_RT; oder halten Sie einen Prozessor für den Master allein frei (isolcpus) und binden Sie ihn daran.</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel&apos;s threads {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit. Von den Threads des Kernels behielt {thread} einen Prozessor am längsten, {slice} am Stück.</translation>
+    </message>
+    <message>
+        <source>Another program with real-time priority held the host</source>
+        <translation>Ein anderes Programm mit Echtzeitpriorität hielt den Rechner</translation>
+    </message>
+    <message>
+        <source>It has at least the priority of the master, which waits for it.</source>
+        <translation>Es hat mindestens die Priorität des Masters, und der wartet darauf.</translation>
+    </message>
+    <message>
+        <source>Give it less priority than the master, or bind it to another processor.</source>
+        <translation>Geben Sie ihm weniger Priorität als dem Master oder binden Sie es an einen anderen Prozessor.</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit. Von den Programmen mit gleicher oder höherer Priorität behielt {thread} einen Prozessor am längsten, {slice} am Stück.</translation>
+    </message>
+    <message>
         <source>Other threads held the host</source>
         <translation>Andere Threads hielten den Rechner auf</translation>
     </message>

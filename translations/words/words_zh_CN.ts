@@ -2417,6 +2417,38 @@
         <translation>只能有一个时钟主导；主站会采用第一个或最后一个</translation>
     </message>
     <message>
+        <source>The host&apos;s kernel held the processor</source>
+        <translation>主机内核占用了处理器</translation>
+    </message>
+    <message>
+        <source>Real-time priority does not interrupt a thread of the kernel where the kernel is not preemptible.</source>
+        <translation>若内核不可抢占，实时优先级也不能打断内核线程。</translation>
+    </message>
+    <message>
+        <source>Boot this kernel with preempt=full, or take one with PREEMPT_RT; or keep a processor for the master alone (isolcpus) and bind it to that.</source>
+        <translation>请以 preempt=full 启动此内核，或使用带 PREEMPT_RT 的内核；或为主站单独保留一个处理器（isolcpus）并将主站绑定到它。</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel&apos;s threads {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪。内核线程中 {thread} 连续占用处理器最久，每次 {slice}。</translation>
+    </message>
+    <message>
+        <source>Another program with real-time priority held the host</source>
+        <translation>另一个具有实时优先级的程序占用了主机</translation>
+    </message>
+    <message>
+        <source>It has at least the priority of the master, which waits for it.</source>
+        <translation>它的优先级不低于主站，主站必须等待它。</translation>
+    </message>
+    <message>
+        <source>Give it less priority than the master, or bind it to another processor.</source>
+        <translation>请给它低于主站的优先级，或将它绑定到另一个处理器。</translation>
+    </message>
+    <message>
+        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪。优先级不低于主站的程序中 {thread} 连续占用处理器最久，每次 {slice}。</translation>
+    </message>
+    <message>
         <source>Other threads held the host</source>
         <translation>其他线程占用了主机</translation>
     </message>

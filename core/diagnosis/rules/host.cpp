@@ -33,6 +33,9 @@ void find_lateness(const RunReport& report, Findings& findings) {
                        time_figure("margin", margin.value_or(report.cycle_time))}});
 }
 
+/// Who keeps a processor for less than this at a time is not who made cycles be left out.
+constexpr Nanoseconds kNoticeable = 200 * kMicrosecond;
+
 /// Who held the host, where its kernel tells how long the cyclic thread waited for others.
 Finding stalled(const RunReport& report) {
   const auto& stalls = report.history.stalls;
@@ -46,6 +49,11 @@ Finding stalled(const RunReport& report) {
   const auto waited = report.host.held_by_others;
   if (!waited || report.host.held == 0) return finding;
   finding.code = 2 * *waited >= report.host.held ? code::kHostStalledByOthers : code::kHostTimerLate;
+  if (finding.code == code::kHostStalledByOthers && report.host.holder.at_a_time >= kNoticeable) {
+    finding.code = report.host.holder.kernel ? code::kHostHeldByKernel : code::kHostHeldByProgram;
+    finding.figures.push_back(text_figure("thread", std::string(report.host.holder.name_text())));
+    finding.figures.push_back(time_figure("slice", report.host.holder.at_a_time));
+  }
   finding.figures.push_back(time_figure("held", report.host.held));
   finding.figures.push_back(time_figure("waited", *waited));
   return finding;

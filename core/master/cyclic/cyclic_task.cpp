@@ -314,8 +314,8 @@ void CyclicTaskRunner::publish_latest() {
 }
 
 void CyclicTaskRunner::publish() {
-  run_.snapshot.host = {spin_.amount(),   spin_.mean_spent(), spin_.wake_p50(),
-                        spin_.wake_p99(), standstill_.held(), standstill_.held_by_others()};
+  run_.snapshot.host = {spin_.amount(),     spin_.mean_spent(),           spin_.wake_p50(),    spin_.wake_p99(),
+                        standstill_.held(), standstill_.held_by_others(), standstill_.holder()};
   last_published_ = run_.snapshot.time;
   run_.channels().snapshot.publish(run_.snapshot);
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "support/real_time.h"
+
 namespace syncline {
 namespace {
 
@@ -10,6 +12,12 @@ namespace {
 constexpr unsigned kWaitsPerAsking = 64;
 
 }  // namespace
+
+StandstillCause::StandstillCause(Clock& clock) : clock_(clock) {
+  // A thread without priority waits for anybody: then nobody is looked for.
+  const int priority = clock.is_virtual() ? 0 : real_time_priority();
+  if (priority > 0) search_.emplace(priority);
+}
 
 void StandstillCause::before_wait() {
   if (waits_++ % kWaitsPerAsking == 0) waited_ = clock_.processor_wait();
@@ -23,6 +31,12 @@ void StandstillCause::note(Nanoseconds behind) {
   }
   waited_ = waited;
   waits_ = 1;
+  if (search_) search_->note_standstill();
+}
+
+const ProcessorHolder& StandstillCause::holder() {
+  if (search_) (void)search_->read(holder_);
+  return holder_;
 }
 
 }  // namespace syncline

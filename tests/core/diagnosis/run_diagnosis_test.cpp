@@ -135,6 +135,23 @@ TEST(RunDiagnosis, TellsWhoHeldTheHostWhereItsKernelCounts) {
   EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("it was stopped, or its timer came late"));
 }
 
+TEST(RunDiagnosis, NamesTheThreadThatKeptTheProcessorLongest) {
+  auto report = healthy();
+  report.history.stalls.note(kStart + 5 * kSecond, 3, 4 * kMillisecond);
+  report.host.held = 4 * kMillisecond;
+  report.host.held_by_others = 3 * kMillisecond;
+  report.host.holder = {{"kcleaner"}, true, 3600 * kMicrosecond, 20};
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostHeldByKernel));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("kcleaner kept a processor longest, 3.6 ms at a time"));
+  report.host.holder.kernel = false;
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostHeldByProgram));
+  report.host.holder.at_a_time = 20 * kMicrosecond;  // whoever it was, not this one
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostStalledByOthers));
+  report.host.holder.at_a_time = 4 * kMillisecond;
+  report.host.held_by_others = 0;  // nobody made it wait
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostTimerLate));
+}
+
 TEST(RunDiagnosis, AStandstillBeforeAllAreInOpIsToldWhereSlavesFellByIt) {
   auto report = healthy();
   report.history.reached_op = false;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/standstill_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "channels/latest_box.h"
+#include "support/hard_threads.h"
+#include "support/real_time.h"
+#include "support/stop_signals.h"
+
+namespace syncline {
+
+namespace {
+
+ProcessorHolder holder_of(const ThreadRun& run) {
+  ProcessorHolder holder;
+  const auto length = std::min(run.name.size(), holder.name.size() - 1);
+  std::copy_n(run.name.begin(), length, holder.name.begin());
+  holder.kernel = run.kernel;
+  holder.at_a_time = run.ran / static_cast<Nanoseconds>(run.slices);
+  holder.times = run.slices;
+  return holder;
+}
+
+}  // namespace
+
+struct StandstillSearch::Impl {
+  explicit Impl(int of_cyclic_thread) : priority(of_cyclic_thread) {
+    const StopSignalsBlocked deaf;  // whoever started the run hears them
+    thread = std::thread([this] { run(); });
+  }
+  ~Impl() {
+    {
+      const std::scoped_lock lock(mutex);
+      stop = true;
+    }
+    wake.notify_one();
+    thread.join();
+  }
+
+  void run() {
+    give_up_real_time();  // a thread has the priority of the one that starts it
+    const auto before = hard_threads(priority);
+    std::unique_lock lock(mutex);
+    while (!wake.wait_for(lock, std::chrono::seconds(1), [this] { return stop; })) {
+      if (!wanted.exchange(false, std::memory_order_relaxed)) continue;
+      if (const auto longest = longest_at_a_time(before, hard_threads(priority))) found.publish(holder_of(*longest));
+    }
+  }
+
+  const int priority;
+  LatestBox<ProcessorHolder> found;
+  std::atomic<bool> wanted{false};
+  std::mutex mutex;  // of stop alone: the cyclic thread never sees it
+  std::condition_variable wake;
+  bool stop = false;
+  std::thread thread;
+};
+
+StandstillSearch::StandstillSearch(int priority) : impl_(std::make_unique<Impl>(priority)) {}
+StandstillSearch::~StandstillSearch() = default;
+
+void StandstillSearch::note_standstill() { impl_->wanted.store(true, std::memory_order_relaxed); }
+bool StandstillSearch::read(ProcessorHolder& holder) { return impl_->found.read(holder); }
+
+}  // namespace syncline

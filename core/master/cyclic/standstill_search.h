@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "channels/processor_holder.h"
+
+namespace syncline {
+
+/// Looks for whom the cyclic thread had to wait although it has real-time priority. A thread of its own without
+/// priority counts when it begins and, at most once a second, after each standstill; a run without one costs nothing
+/// more.
+class StandstillSearch {
+ public:
+  /// `priority`: that of the cyclic thread.
+  explicit StandstillSearch(int priority);
+  ~StandstillSearch();
+  StandstillSearch(const StandstillSearch&) = delete;
+  StandstillSearch& operator=(const StandstillSearch&) = delete;
+
+  /// Cyclic thread; neither waits.
+  void note_standstill();
+  /// True when `holder` is newer than what was read last.
+  bool read(ProcessorHolder& holder);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace syncline
