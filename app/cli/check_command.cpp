@@ -9,6 +9,7 @@
 #include "app/cli/counted.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal_reason.h"
 #include "check/check_network.h"
 #include "eni/check/eni_check.h"
 
@@ -88,7 +89,7 @@ void check(Context& context, const CheckOptions& options) {
   if (options.rules) return print_rules(context, options.json);
   if (options.file.empty()) {
     return context.fail_with(
-        Error{.code = ErrorCode::kBadValue, .subject = "FILE", .detail = "name an ENI file, or --rules"});
+        Error{.code = ErrorCode::kBadValue, .subject = "FILE", .detail = in_terminal("name an ENI file, or --rules")});
   }
   auto checked = eni::check_eni(options.file);
   if (!checked) return context.fail_with(checked.error());

@@ -3,6 +3,8 @@
 
 #include <charconv>
 
+#include "app/cli/terminal_reason.h"
+
 namespace syncline::cli {
 
 Result<Nanoseconds> parse_duration(std::string_view text) {
@@ -17,7 +19,7 @@ Result<Nanoseconds> parse_duration(std::string_view text) {
   if (unit == "h") scale = 3600e9;
   // Ten days: more is a slip of the keys, and keeps the product far inside 64 bit.
   if (error != std::errc{} || scale == 0 || !(value > 0) || value * scale > 864e12) {
-    return fail(ErrorCode::kBadValue, std::string(text), "use a duration such as 20s, 500ms or 2min");
+    return fail(ErrorCode::kBadValue, std::string(text), in_terminal("use a duration such as 20s, 500ms or 2min"));
   }
   return static_cast<Nanoseconds>(value * scale);
 }

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <iterator>
 
+#include "app/cli/terminal_reason.h"
+
 namespace syncline::cli {
 namespace {
 
@@ -15,7 +17,7 @@ Result<std::uint32_t> parse_number(std::string_view text, std::string_view whole
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, is_hex ? 16 : 10);
   if (error != std::errc{} || end != digits.data() + digits.size()) {
-    return fail(ErrorCode::kBadValue, std::string(whole), std::string(kForm));
+    return fail(ErrorCode::kBadValue, std::string(whole), in_terminal(kForm));
   }
   return value;
 }
@@ -28,7 +30,7 @@ Result<Identity> parse_identity(std::string_view text) {
   std::size_t count = 0;
   auto rest = text;
   for (;;) {
-    if (count == std::size(fields)) return fail(ErrorCode::kBadValue, std::string(text), std::string(kForm));
+    if (count == std::size(fields)) return fail(ErrorCode::kBadValue, std::string(text), in_terminal(kForm));
     const auto colon = rest.find(':');
     const auto number = parse_number(rest.substr(0, colon), text);
     if (!number) return tl::unexpected(number.error());
@@ -36,7 +38,7 @@ Result<Identity> parse_identity(std::string_view text) {
     if (colon == std::string_view::npos) break;
     rest = rest.substr(colon + 1);
   }
-  if (count < 2) return fail(ErrorCode::kBadValue, std::string(text), std::string(kForm));
+  if (count < 2) return fail(ErrorCode::kBadValue, std::string(text), in_terminal(kForm));
   return identity;
 }
 

@@ -7,6 +7,7 @@
 #include "app/cli/options.h"
 #include "app/cli/project_advice.h"
 #include "app/cli/project_create.h"
+#include "app/cli/terminal_reason.h"
 #include "app/composition/load_config.h"
 #include "eni/project/project_file.h"
 #include "settings/settings_keys.h"
@@ -24,7 +25,7 @@ struct FileOptions {
 Status apply(Project& project, const std::vector<std::string>& assignments) {
   for (const auto& argument : assignments) {
     const auto equals = argument.find('=');
-    if (equals == std::string::npos) return fail(ErrorCode::kBadValue, argument, "use KEY=VALUE");
+    if (equals == std::string::npos) return fail(ErrorCode::kBadValue, argument, in_terminal("use KEY=VALUE"));
     const auto status = set_setting(project, std::string_view(argument).substr(0, equals),
                                     std::string_view(argument).substr(equals + 1));
     if (!status) return status;
@@ -113,8 +114,8 @@ void add_create(CLI::App& project, Context& context) {
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] {
     if (options->scan.empty() && options->devices.empty() && options->eni.empty()) {
-      return context.fail_with(
-          Error{ErrorCode::kBadValue, "project create", "give --scan LINK, --device VENDOR:PRODUCT or --eni FILE"});
+      return context.fail_with(Error{ErrorCode::kBadValue, "project create",
+                                     in_terminal("give --scan LINK, --device VENDOR:PRODUCT or --eni FILE")});
     }
     create_project(context, *options);
   });

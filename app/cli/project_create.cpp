@@ -7,6 +7,7 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/terminal_reason.h"
 #include "app/composition/open_link.h"
 #include "engine/describe_slaves.h"
 #include "engine/scan_bus.h"
@@ -98,7 +99,8 @@ Result<std::vector<SettingValue>> edits_of(const CreateOptions& options) {
   if (!options.reference_clock.empty()) edits.push_back({"master.dc.reference_clock", options.reference_clock});
   for (const auto& text : options.op_modes) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos) return fail(ErrorCode::kBadValue, "--op-mode " + text, "use POSITION=NAME");
+    if (equals == std::string::npos)
+      return fail(ErrorCode::kBadValue, "--op-mode " + text, in_terminal("use POSITION=NAME"));
     edits.push_back({"slave." + text.substr(0, equals) + ".dc.op_mode", text.substr(equals + 1)});
   }
   return edits;

@@ -7,6 +7,7 @@
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal_reason.h"
 #include "record/recording_reader.h"
 #include "support/output_file.h"
 #include "trace/csv.h"
@@ -116,7 +117,8 @@ Status write_document(RecordingReader& reader, const RecordingOptions& options) 
     if (auto status = file->write(document.body); !status) return status;
     return file->finish();
   }
-  return fail(ErrorCode::kBadValue, "--document", "the recording holds a \"project\" and a \"configuration\"");
+  return fail(ErrorCode::kBadValue, "--document",
+              in_terminal("the recording holds a \"project\" and a \"configuration\""));
 }
 
 void export_to(Context& context, const RecordingOptions& options) {

@@ -18,6 +18,7 @@
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
 #include "app/cli/run_recording.h"
+#include "app/cli/terminal_reason.h"
 #include "app/composition/open_link.h"
 #include "engine/run_network.h"
 #include "findings/error_text.h"
@@ -112,14 +113,15 @@ class RunFiles {
 Result<std::vector<SlaveRequest>> requests_of(const RunOptions& options, std::size_t slaves) {
   std::vector<SlaveRequest> requests;
   for (const auto& text : options.sdo_reads) {
-    const auto bad = [&](std::string why) { return fail(ErrorCode::kBadValue, "--sdo-read " + text, std::move(why)); };
+    const auto bad = [&](Reason why) { return fail(ErrorCode::kBadValue, "--sdo-read " + text, std::move(why)); };
     const auto colon = text.find(':');
     std::uint16_t slave = 0;
     const auto* const end = text.data() + std::min(colon, text.size());
     const auto [rest, failed] = std::from_chars(text.data(), end, slave);
     if (colon == std::string::npos || failed != std::errc() || rest != end)
-      return bad("use SLAVE:INDEX:SUB, e.g. 1:0x1018:01");
-    if (slave >= slaves) return bad(fmt::format("the configuration has only {} slaves, counted from 0", slaves));
+      return bad(in_terminal("use SLAVE:INDEX:SUB, e.g. 1:0x1018:01"));
+    if (slave >= slaves)
+      return bad(in_terminal(fmt::format("the configuration has only {} slaves, counted from 0", slaves)));
     const auto object = object_name(text.substr(colon + 1));
     if (!object) return bad(object.error().detail);
     requests.emplace_back(requests::SdoRead{slave, {object->index, object->sub_index}});
@@ -137,8 +139,10 @@ Json answer_json(const SlaveRequest& request, const SlaveAnswer& answer) {
 /// What the run has shown of its host, for a scenario's `[host] profile`.
 Status save_host(const RunOptions& options, const HostRecorder& host, const NetworkConfig& config) {
   if (host.cycles() == 0) {
-    return fail(Error{
-        ErrorCode::kFileNotWritable, {}, "the bus was not in OP, so there is nothing to save", options.save_host});
+    return fail(Error{ErrorCode::kFileNotWritable,
+                      {},
+                      in_terminal("the bus was not in OP, so there is nothing to save"),
+                      options.save_host});
   }
   const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link,
                                  host.cycles(), config.cycle_time() / kMicrosecond);
@@ -149,7 +153,8 @@ void execute(Context& context, const RunOptions& options) {
   const auto duration = parse_duration(options.duration);
   if (!duration) return context.fail_with(duration.error());
   const auto target = al_state_from_name(options.state);
-  if (!target) return context.fail_with(Error{ErrorCode::kBadValue, "--state", "use INIT, PREOP, SAFEOP or OP"});
+  if (!target)
+    return context.fail_with(Error{ErrorCode::kBadValue, "--state", in_terminal("use INIT, PREOP, SAFEOP or OP")});
   const auto compiled = load_with_overrides(options.file, options.network, options.overrides);
   if (!compiled) return context.fail_with(compiled.error());
   print(context.console.err, compiled->findings);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/terminal_reason.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
 #include "protocol/registers.h"
@@ -23,7 +24,7 @@ Result<std::vector<Override>> parse(std::span<const std::string> texts) {
   std::vector<Override> overrides;
   for (const auto& text : texts) {
     const auto equals = text.find('=');
-    if (equals == std::string::npos) return fail(ErrorCode::kBadValue, text, "use KEY=VALUE");
+    if (equals == std::string::npos) return fail(ErrorCode::kBadValue, text, in_terminal("use KEY=VALUE"));
     auto key = text.substr(0, equals);
     if (key.starts_with(kShort)) key = std::string(kPrefix) + key.substr(kShort.size());
     overrides.push_back({std::move(key), text.substr(equals + 1)});
@@ -65,7 +66,7 @@ std::string_view why_not(const NetworkConfig& config, std::string_view key) {
 Status set_all(NetworkConfig& config, std::span<const Override> overrides) {
   for (const auto& [key, value] : overrides) {
     if (const auto reason = why_not(config, key); !reason.empty()) {
-      return fail(ErrorCode::kBadValue, key, std::string(reason));
+      return fail(ErrorCode::kBadValue, key, in_terminal(reason));
     }
   }
   // The rules of a project's settings hold; its slaves play no part in these.

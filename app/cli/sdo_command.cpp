@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/options.h"
+#include "app/cli/terminal_reason.h"
 #include "app/cli/visit_options.h"
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/object_dictionary_reader.h"
@@ -121,7 +122,8 @@ void with_object(Context& context, const SdoOptions& options, ObjectWork work) {
   const auto name = object_name(options.object);
   if (!name) return context.fail_with(name.error());
   if (options.complete && name->sub_index > 1) {
-    return context.fail_with({ErrorCode::kBadValue, "INDEX", "complete access begins at sub-index 0 or 1"});
+    return context.fail_with(
+        {ErrorCode::kBadValue, "INDEX", in_terminal("complete access begins at sub-index 0 or 1")});
   }
   if (!options.type.empty()) {
     if (const auto type = data_type_code(options.type); !type) return context.fail_with(type.error());

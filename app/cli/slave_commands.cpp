@@ -5,6 +5,7 @@
 
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal_reason.h"
 #include "app/cli/visit_options.h"
 #include "app/composition/open_link.h"
 #include "master/mailbox/diagnosis_history_reader.h"
@@ -74,7 +75,7 @@ void show_history(Context& context, const SlavesOptions& options) {
 void change_state(Context& context, const SlavesOptions& options) {
   const auto target = al_state_from_name(options.state);
   if (!target || *target == AlState::kNone) {
-    return context.fail_with({ErrorCode::kBadValue, "STATE", "one of INIT, PREOP, BOOT, SAFEOP, OP"});
+    return context.fail_with({ErrorCode::kBadValue, "STATE", in_terminal("one of INIT, PREOP, BOOT, SAFEOP, OP")});
   }
   const InterruptGuard interrupt;
   auto slave = options.slave;

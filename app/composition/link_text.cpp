@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/composition/link_text.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
+
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::string_view kForms = "use sim:FILE[?virtual][&seed=N][&network=N], nic:NAME or replay:FILE";
-
 constexpr std::uint64_t kMostNetworks = 256;
+
+Reason forms() { return because("use sim:FILE[?virtual][&seed=N][&network=N], nic:NAME or replay:FILE"); }
 
 /// True when `option` is `key` and a number.
 bool number_option(std::string_view option, std::string_view key, std::uint64_t& number) {
@@ -34,7 +34,7 @@ Status apply_option(LinkText& link, std::string_view option, std::string_view wh
     link.network = static_cast<unsigned>(number);
     return {};
   }
-  return fail(ErrorCode::kBadValue, std::string(whole), fmt::format("unknown option '{}'; {}", option, kForms));
+  return fail(ErrorCode::kBadValue, std::string(whole), because("unknown option '{option}'; {forms}", option, forms()));
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ Result<LinkText> parse_link_text(std::string_view text) {
   } else if (scheme == "replay") {
     link.kind = LinkKind::kReplay;
   } else {
-    return fail(ErrorCode::kBadValue, std::string(text), std::string(kForms));
+    return fail(ErrorCode::kBadValue, std::string(text), forms());
   }
   auto rest = text.substr(colon + 1);
   if (link.kind == LinkKind::kSimulated) {
@@ -65,7 +65,7 @@ Result<LinkText> parse_link_text(std::string_view text) {
       options = end == std::string_view::npos ? std::string_view{} : options.substr(end + 1);
     }
   }
-  if (rest.empty()) return fail(ErrorCode::kBadValue, std::string(text), std::string(kForms));
+  if (rest.empty()) return fail(ErrorCode::kBadValue, std::string(text), forms());
   link.target = std::string(rest);
   return link;
 }

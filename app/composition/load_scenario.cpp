@@ -12,6 +12,7 @@
 #include "eni/project/project_file.h"
 #include "eni/xml/xml_text.h"
 #include "protocol/sii.h"
+#include "reasons/because.h"
 #include "recover/simulated_network.h"
 #include "sim/scenario/scenario_loader.h"
 
@@ -41,7 +42,7 @@ class DeviceFiles {
       if (match == nullptr || device.identity.revision_no > match->identity.revision_no) match = &device;
     }
     if (match == nullptr) {
-      return fail(ErrorCode::kUnknownDevice, wanted(query), fmt::format("not in {}", query.path));
+      return fail(ErrorCode::kUnknownDevice, wanted(query), because("not in {file}", query.path));
     }
     return sim::ScenarioDevice{*match, {}};
   }
@@ -68,7 +69,7 @@ class DeviceFiles {
     found.device.identity.serial_no = image->serial_no;
     if (!query.type.empty() && query.type != found.device.type) {
       return fail(ErrorCode::kUnknownDevice, query.type,
-                  fmt::format("{} is the EEPROM of {}", query.path, found.device.type));
+                  because("{file} is the EEPROM of {device}", query.path, found.device.type));
     }
     return found;
   }
@@ -90,7 +91,8 @@ Result<SimConfig> simulated_file(const std::string& path, const std::string& net
   const auto config = eni::read_eni(path);
   if (!config) return tl::unexpected(config.error());
   if (config->slaves.empty()) {
-    return fail(Error{.code = ErrorCode::kBadValue, .subject = path, .detail = "it has no slaves to simulate"});
+    return fail(
+        Error{.code = ErrorCode::kBadValue, .subject = path, .detail = because("it has no slaves to simulate")});
   }
   return simulated_network(*config);
 }
@@ -111,7 +113,7 @@ Result<SimConfig> load_network(const std::string& path, unsigned network, const 
   if (is_project) return config;
   if (network >= config->networks) {
     return fail(ErrorCode::kBadValue, fmt::format("network={}", network),
-                fmt::format("{} has {}, counted from 0", path, config->networks));
+                because("{file} has {count}, counted from 0", path, config->networks));
   }
   return config->of_network(network);
 }

@@ -8,6 +8,7 @@
 
 #include "app/composition/eeprom_journal.h"
 #include "app/composition/open_link.h"
+#include "reasons/because.h"
 #include "support/whole_file.h"
 
 namespace syncline {
@@ -58,8 +59,7 @@ Result<SiiWriteReport> with_journal(const EepromRequest& request, Write write) {
   auto report =
       with_slave_of(request, [&](Bus& bus, const SlaveAddress& slave) { return write(bus, slave, SiiIntent(keep)); });
   // An error that leaves the EEPROM half written keeps its journal: the next start can try again.
-  const bool whole =
-      report || report.error().code == ErrorCode::kCancelled || report.error().detail.ends_with(kOldContentIsBack);
+  const bool whole = report || report.error().code == ErrorCode::kCancelled || old_content_is_back(report.error());
   if (whole && (kept || report)) drop_journal(request.link, request.position);
   return report;
 }
@@ -85,7 +85,7 @@ Result<SiiWriteReport> load_eeprom(const EepromRequest& request, const std::stri
 Result<SiiWriteReport> set_eeprom_alias(const EepromRequest& request, std::uint16_t alias) {
   if (find_journal(request.link, request.position)) {
     return fail(ErrorCode::kSii, fmt::format("slave {}", request.position),
-                "a write of it was cut short; end that first with \"sii finish\", or write a whole image");
+                because("a write of it was cut short; end that first with \"sii finish\", or write a whole image"));
   }
   return with_journal(request, [&](Bus& bus, const SlaveAddress& slave, const SiiIntent& intent) {
     return write_alias(bus, slave, alias, intent);
@@ -96,20 +96,19 @@ Result<SiiWriteReport> finish_eeprom(const EepromRequest& request, bool undo) {
   const auto journal = find_journal(request.link, request.position);
   if (!journal) {
     return fail(ErrorCode::kBadValue, fmt::format("slave {} on {}", request.position, request.link),
-                "no EEPROM write of this slave was cut short");
+                because("no EEPROM write of this slave was cut short"));
   }
-  return with_journal(request,
-                      [&](Bus& bus, const SlaveAddress& slave, const SiiIntent& intent) -> Result<SiiWriteReport> {
-                        const auto now = read_eeprom(bus, slave, {}, journal->before.size());
-                        if (!now) return tl::unexpected(now.error());
-                        if (foreign_words(*now, *journal) > 1) {
-                          return fail(ErrorCode::kSii, "slave",
-                                      "it holds neither what was there nor what was to be written: another slave, or "
-                                      "written since; write the image "
-                                      "that it is to have with \"sii write\"");
-                        }
-                        return write_image(bus, slave, undo ? journal->before : journal->after, intent);
-                      });
+  return with_journal(
+      request, [&](Bus& bus, const SlaveAddress& slave, const SiiIntent& intent) -> Result<SiiWriteReport> {
+        const auto now = read_eeprom(bus, slave, {}, journal->before.size());
+        if (!now) return tl::unexpected(now.error());
+        if (foreign_words(*now, *journal) > 1) {
+          return fail(ErrorCode::kSii, "slave",
+                      because("it holds neither what was there nor what was to be written: another slave, or written "
+                              "since; write the image that it is to have with \"sii write\""));
+        }
+        return write_image(bus, slave, undo ? journal->before : journal->after, intent);
+      });
 }
 
 }  // namespace syncline

@@ -32,7 +32,7 @@ Result<std::vector<std::string>> files_of(const std::string& path) {
   if (error) {
     const bool missing = error == std::errc::no_such_file_or_directory;
     return fail(Error{.code = missing ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable,
-                      .detail = error.message(),
+                      .detail = Reason::phrase(error.message()),
                       .file = path});
   }
   std::ranges::sort(files);  // the same folder gives the same report on every machine

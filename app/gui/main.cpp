@@ -21,6 +21,7 @@
 #include "app/gui/fault_pictures.h"
 #include "app/gui/screenshots.h"
 #include "link/pcap_link.h"
+#include "reasons/because.h"
 #include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
@@ -108,7 +109,7 @@ ui::EepromRepairs eeprom_repairs() {
     const auto slave = static_cast<std::uint16_t>(position);
     if (find_journal(link.toStdString(), slave)) {
       return fail(ErrorCode::kSii, "slave " + std::to_string(position),
-                  "a write of it was cut short; go offline and end that first");
+                  because("a write of it was cut short; go offline and end that first"));
     }
     return keep_journal({link.toStdString(), slave, {}, before, after});
   };

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "channels/snapshot.h"
+#include "reasons/because.h"
 #include "support/result.h"
 
 /// What an application asks the master synchronisation, answered from the snapshot (emDcmGetStatus, emDcmGetAdjust,
@@ -27,7 +28,8 @@ struct DcmAnswer {
 /// application's: mode master-shift-by-app, or control off.
 [[nodiscard]] inline Result<double> dcm_adjust(const Snapshot& snapshot) {
   if (snapshot.dcm.control_off) return snapshot.dcm.adjust_permil;
-  return fail(ErrorCode::kNotSupported, "master.dc.control_off", "the controller moves the timer; set it to on first");
+  return fail(ErrorCode::kNotSupported, "master.dc.control_off",
+              because("the controller moves the timer; set it to on first"));
 }
 
 [[nodiscard]] inline bool dcm_bus_shift_configured(const Snapshot& snapshot) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reasons/because.h"
 #include "support/overloaded.h"
 
 namespace syncline {
@@ -26,13 +27,13 @@ struct Room {
 Result<Room> up_to(std::size_t bytes, std::size_t most, Room room) {
   if (bytes <= most) return room;
   return fail(ErrorCode::kBadValue, "request",
-              fmt::format("{} bytes are more than the {} that are possible", bytes, most));
+              because("{bytes} bytes are more than the {most} that are possible", bytes, most));
 }
 
 /// kBadValue when the request is beyond its limits.
 Result<Room> room_for(const SlaveRequest& request) {
   using namespace requests;
-  const auto nothing = [] { return fail(ErrorCode::kBadValue, "request", "it is about no bytes at all"); };
+  const auto nothing = [] { return fail(ErrorCode::kBadValue, "request", because("it is about no bytes at all")); };
   return std::visit(
       Overloaded{[](const SdoRead& r) {
                    return up_to(r.limit, SdoRead::kMost, {r.limit, 0});
@@ -61,7 +62,8 @@ Result<Room> room_for(const SlaveRequest& request) {
                  },
                  [&](const EepromWrite& r) -> Result<Room> {
                    if (r.data.empty() || r.data.size() % 2 != 0)
-                     return fail(ErrorCode::kBadValue, "request", "an EEPROM is written in words of two bytes");
+                     return fail(ErrorCode::kBadValue, "request",
+                                 because("an EEPROM is written in words of two bytes"));
                    return up_to(2 * std::size_t{r.word} + r.data.size(), kEeprom,
                                 {0, r.data.size() + kEepromConfiguration + kPiece});
                  },
@@ -106,7 +108,7 @@ SlaveAnswer answer_of(RequestTicket& ticket) {
   if (ticket.failure) {
     answer.error = ticket.failure->about(whole_subject(ticket));
     const bool words = ticket.failure->code == ErrorCode::kFileTransfer && !ticket.bytes.empty();
-    if (words) answer.error->detail.assign(ticket.bytes.begin(), ticket.bytes.end());
+    if (words) answer.error->detail = Reason::verbatim({ticket.bytes.begin(), ticket.bytes.end()});
     return answer;
   }
   const auto asked = information_of(ticket.request);
@@ -132,7 +134,7 @@ Result<RequestId> RequestDesk::submit(SlaveRequest request) {
   if (!room) return tl::unexpected(room.error());
   if (static_cast<std::size_t>(on_their_way) >= kCapacity) {
     return fail(ErrorCode::kConfiguration, "request",
-                fmt::format("{} others are on their way already; wait for one of them", kCapacity));
+                because("{count} others are on their way already; wait for one of them", kCapacity));
   }
   auto ticket = std::make_unique<RequestTicket>();
   ticket->id = ++last_;

@@ -16,6 +16,7 @@
 #include "compile/slave_findings.h"
 #include "compile/task_plan.h"
 #include "compile/variables.h"
+#include "reasons/because.h"
 #include "settings/predicates.h"
 
 namespace syncline::compiler {
@@ -167,16 +168,16 @@ void Compilation::run(const Project& project, const CompileOptions& options, con
 
 Status check_buildable(const Project& project) {
   if (project.slaves.empty()) {
-    return fail(ErrorCode::kConfiguration, "project", "it has no slaves");
+    return fail(ErrorCode::kConfiguration, "project", because("it has no slaves"));
   }
   constexpr std::size_t kMaxSlaves = 65'535;
   if (project.slaves.size() > kMaxSlaves) {
-    return fail(ErrorCode::kConfiguration, "project", "more slaves than addresses");
+    return fail(ErrorCode::kConfiguration, "project", because("more slaves than addresses"));
   }
   const Nanoseconds cycle = project.master.cycle_time;
   if (!settings::is_bus_cycle(cycle)) {
     return fail(ErrorCode::kBadValue, "master.cycle_time_us",
-                fmt::format("{} ns is outside 31.25 us to 100 ms", cycle));
+                because("{cycle} ns is outside 31.25 us to 100 ms", cycle));
   }
   return {};
 }

@@ -78,7 +78,7 @@ std::vector<DcmProblem> dcm_problems(const NetworkConfig& config, Nanoseconds pr
   const auto& dcm = config.dc.dcm;
   if (auto status = check_dcm_settings(dcm, config.cycle_time()); !status) {
     problems.push_back(
-        {problem("dcm-setting-invalid", {-1, status.error().subject}, fig::text<"reason">(status.error().detail)),
+        {problem("dcm-setting-invalid", {-1, status.error().subject}, fig::reason<"reason">(status.error().detail)),
          status.error().subject == "master.dc.set_value_us" ? dc::kDcmErrorInvalidSetValue : 0});
   }
   if (!config.dc.enabled || !any_slave_uses_dc(config)) return problems;
@@ -101,8 +101,9 @@ Status check_dcm(const NetworkConfig& config) {
   const auto problems = dcm_problems(config);
   if (problems.empty()) return {};
   const Finding& first = problems.front().finding;
-  Error error{ErrorCode::kBadValue, first.place.key, facts_text(first)};
-  if (error.detail.ends_with('.')) error.detail.pop_back();
+  auto facts = facts_text(first);
+  if (facts.ends_with('.')) facts.pop_back();
+  Error error{ErrorCode::kBadValue, first.place.key, Reason::verbatim(std::move(facts))};
   error.received = problems.front().code;
   return fail(std::move(error));
 }

@@ -96,7 +96,7 @@ void find_family_problems(FindingList& findings, const SlavePlan& slave, const S
   }
   check_minimum_cycle(findings, slave);
   if (const auto status = check_sync_settings(*slave.settings); !status) {
-    findings.add_at(status.error().subject, "sync-setting-invalid", fig::text<"reason">(status.error().detail));
+    findings.add_at(status.error().subject, "sync-setting-invalid", fig::reason<"reason">(status.error().detail));
   }
   check_contradictions(findings, slave);
 }

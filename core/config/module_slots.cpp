@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
@@ -234,14 +236,14 @@ Status plug_module(SlaveSettings& slave, std::uint16_t number, std::optional<std
   const auto places = slot_places(slave.device);
   if (number >= places.size()) {
     return fail(ErrorCode::kBadValue, {},
-                fmt::format("the device has {} places for modules, counted from 0", places.size()));
+                because("the device has {count} places for modules, counted from 0", places.size()));
   }
   const SlotPlace& place = places[number];
   const ModuleDescription* module = ident ? slave.device.module(*ident) : nullptr;
   if (ident && (module == nullptr || !accepts(*place.slot, *module))) {
     return fail(ErrorCode::kBadValue, {},
-                fmt::format("module 0x{:08x} does not fit into place {}; these do: {}", *ident, number,
-                            allowed_modules(slave, *place.slot)));
+                because("module 0x{module} does not fit into place {place}; these do: {modules}",
+                        fmt::format("{:08x}", *ident), number, allowed_modules(slave, *place.slot)));
   }
   const auto before = plugged_module(slave, number);
   if (before == ident) return {};

@@ -9,6 +9,7 @@
 #include "engine/open_bus.h"
 #include "findings/scan_words.h"
 #include "findings/sentence.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -22,7 +23,7 @@ void mark_unknown(BusScan& scan, const ReplayNotes& notes, const std::string& fi
                      !note.alias,     !note.state,        !note.ports,       !note.dc};
     if (slave.sii_error) {
       slave.sii_error = Error{ErrorCode::kScanScope, fmt::format("slave {}", slave.position),
-                              fmt::format("its EEPROM, of which the capture holds {} words", note.sii_words)};
+                              because("its EEPROM, of which the capture holds {words} words", note.sii_words)};
     }
   }
   // Of wiring that nobody recorded nothing can be wrong.
@@ -37,7 +38,7 @@ void mark_unknown(BusScan& scan, const ReplayNotes& notes, const std::string& fi
   if (notes.broken_off) {
     scan.findings.push_back(make_finding<words::kScan>("scan-capture-broken-off", {}, fig::text<"file">(file),
                                                        fig::count<"frames">(notes.frames),
-                                                       fig::text<"reason">(notes.broken_off->detail)));
+                                                       fig::reason<"reason">(notes.broken_off->detail)));
   }
 }
 

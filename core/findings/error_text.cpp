@@ -138,8 +138,8 @@ std::optional<Figure> figure_of(std::string_view name, const Error& error) {
   const auto text = [&](std::string value) { return Figure{name, Unit::kText, 0, 0, std::move(value)}; };
   const auto phrase = [&](std::string_view value) { return Figure{name, Unit::kPhrase, 0, 0, std::string(value)}; };
   if (name == "subject") return text(error.subject);
-  if (name == "detail") return phrase(error.detail);
-  if (name == "because") return Figure{name, Unit::kAside, 0, 0, error.detail};
+  if (name == "detail") return Figure{name, Unit::kPhrase, 0, 0, {}, error.detail};
+  if (name == "because") return Figure{name, Unit::kAside, 0, 0, {}, error.detail};
   if (name == "file") return text(error.file);
   if (name == "where") return text(where_text(error));
   if (name == "expected") return Figure{name, Unit::kCount, error.expected};

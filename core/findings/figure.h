@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "reasons/reason.h"
 #include "support/types.h"
 
 namespace syncline {
@@ -34,6 +35,7 @@ struct Figure {
   Unit unit = Unit::kCount;
   std::int64_t value = 0, other = 0;
   std::string text{};  // kText, kPhrase, kAside, kSlave, kSlaves; kCount, kTimes: "at least" when it is not empty
+  Reason reason{};     // kPhrase, kAside: what stands there instead of `text`
   bool operator==(const Figure&) const = default;
 };
 

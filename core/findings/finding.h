@@ -54,8 +54,8 @@ struct FindingWords {
 [[nodiscard]] std::string_view sentence_of(const FindingWords& words, std::string_view variant);
 /// All rows, family by family: the ENI's rules in the order of docs/check.md first.
 [[nodiscard]] std::span<const FindingWords> all_finding_words();
-/// Words of ours that figures bring into the sentences: what units kPhrase, kAside and kAlCode say. Those of
-/// reason_words.h have placeholders of their own: see reasons.h.
+/// Words of ours that figures bring into the sentences: what units kPhrase, kAside and kAlCode say, and the
+/// rows of core/reasons, which have placeholders of their own.
 [[nodiscard]] std::span<const std::string_view> finding_phrases();
 
 /// What stands between the braces of a placeholder: {name} is the figure, {name:# frame was|# frames were} the words

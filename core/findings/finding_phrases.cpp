@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "findings/finding.h"
-#include "findings/reason_words.h"
 #include "protocol/al_state.h"
 #include "protocol/coe_abort_code.h"
 #include "protocol/dcm_error.h"
 #include "protocol/foe.h"
+#include "reasons/reason_words.h"
 
 namespace syncline {
 namespace {

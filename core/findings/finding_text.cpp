@@ -96,10 +96,13 @@ std::string figure_text(const Figure& figure) {
     }
     case Unit::kAlCode:
       return al_code(static_cast<std::uint16_t>(figure.value));
-    case Unit::kAside:
-      return figure.text.empty() ? std::string() : ": " + figure.text;
-    case Unit::kText:
+    case Unit::kAside: {
+      auto text = figure.reason.empty() ? figure.text : figure.reason.text();
+      return text.empty() ? text : ": " + text;
+    }
     case Unit::kPhrase:
+      return figure.reason.empty() ? figure.text : figure.reason.text();
+    case Unit::kText:
       return figure.text;
   }
   return {};

@@ -88,6 +88,11 @@ template <FigureName kName>
 [[nodiscard]] Named<kName> aside(std::string_view value) {
   return of<kName>(Figure::Unit::kAside, 0, 0, std::string(value));
 }
+/// Why something failed, from an Error.
+template <FigureName kName>
+[[nodiscard]] Named<kName> reason(Reason value) {
+  return {{Named<kName>::kText.view(), Figure::Unit::kPhrase, 0, 0, {}, std::move(value)}};
+}
 /// "slave 3 (Drive)"
 template <FigureName kName>
 [[nodiscard]] Named<kName> slave(std::size_t position, std::string name = {}) {

@@ -61,7 +61,7 @@ bool is_up(unsigned flags) { return (flags & IFF_UP) != 0 && (flags & IFF_RUNNIN
 Result<std::vector<AdapterInfo>> list_adapters() {
   // getifaddrs needs no permission; pcap_findalldevs hides cards from users who may not open them.
   ifaddrs* raw = nullptr;
-  if (::getifaddrs(&raw) != 0) return fail(ErrorCode::kLinkIo, "network adapters", std::strerror(errno));
+  if (::getifaddrs(&raw) != 0) return fail(ErrorCode::kLinkIo, "network adapters", Reason::of_system(errno));
   const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> list(raw, &::freeifaddrs);
 
   std::vector<AdapterInfo> adapters;

@@ -14,6 +14,7 @@
 
 #include "link/send_socket.h"
 #include "protocol/frame.h"
+#include "reasons/because.h"
 #include "support/calendar_stamp.h"
 
 namespace syncline {
@@ -34,31 +35,33 @@ Result<AdapterInfo> find_adapter(const std::string& name) {
     std::string names;
     for (const auto& adapter : *adapters) names += (names.empty() ? "" : ", ") + adapter.name;
     return fail(ErrorCode::kLinkNotFound, name,
-                names.empty() ? "this machine has no Ethernet adapter" : "there are: " + names);
+                names.empty() ? because("this machine has no Ethernet adapter") : because("there are: {names}", names));
   }
-  if (!found->up) return fail(ErrorCode::kLinkDown, name, up_command(name));
+  if (!found->up) return fail(ErrorCode::kLinkDown, name, Reason::verbatim(up_command(name)));
   return *found;
 }
 
 Status set_filter(pcap_t* handle, const std::string& name) {
   bpf_program program{};
   if (pcap_compile(handle, &program, "ether proto 0x88a4", 1, PCAP_NETMASK_UNKNOWN) != 0) {
-    return fail(ErrorCode::kLinkIo, name, pcap_geterr(handle));
+    return fail(ErrorCode::kLinkIo, name, Reason::phrase(pcap_geterr(handle)));
   }
   const int result = pcap_setfilter(handle, &program);
   pcap_freecode(&program);
-  if (result != 0) return fail(ErrorCode::kLinkIo, name, pcap_geterr(handle));
+  if (result != 0) return fail(ErrorCode::kLinkIo, name, Reason::phrase(pcap_geterr(handle)));
   return {};
 }
 
 Status activate(pcap_t* handle, const std::string& adapter) {
   const int result = pcap_activate(handle);
   if (result == PCAP_ERROR_PERM_DENIED || result == PCAP_ERROR_PROMISC_PERM_DENIED) {
-    return fail(ErrorCode::kLinkPermission, adapter, permission_command());
+    return fail(ErrorCode::kLinkPermission, adapter, Reason::verbatim(permission_command()));
   }
-  if (result == PCAP_ERROR_IFACE_NOT_UP) return fail(ErrorCode::kLinkDown, adapter, up_command(adapter));
-  if (result < 0) return fail(ErrorCode::kLinkIo, adapter, pcap_geterr(handle));
-  if (pcap_datalink(handle) != DLT_EN10MB) return fail(ErrorCode::kNotSupported, adapter, "not an Ethernet adapter");
+  if (result == PCAP_ERROR_IFACE_NOT_UP)
+    return fail(ErrorCode::kLinkDown, adapter, Reason::verbatim(up_command(adapter)));
+  if (result < 0) return fail(ErrorCode::kLinkIo, adapter, Reason::phrase(pcap_geterr(handle)));
+  if (pcap_datalink(handle) != DLT_EN10MB)
+    return fail(ErrorCode::kNotSupported, adapter, because("not an Ethernet adapter"));
   return {};
 }
 
@@ -114,7 +117,7 @@ Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock, bool sta
 
   char text[PCAP_ERRBUF_SIZE] = {};
   PcapHandle handle(pcap_create(adapter.c_str(), text));
-  if (!handle) return fail(ErrorCode::kLinkIo, adapter, text);
+  if (!handle) return fail(ErrorCode::kLinkIo, adapter, Reason::phrase(text));
   pcap_set_snaplen(handle.get(), static_cast<int>(kMaxEthernetFrame) + 4);
   pcap_set_promisc(handle.get(), 1);
   pcap_set_immediate_mode(handle.get(), 1);
@@ -123,7 +126,7 @@ Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock, bool sta
   if (auto status = activate(handle.get(), adapter); !status) return tl::unexpected(status.error());
   if (auto status = set_filter(handle.get(), adapter); !status) return tl::unexpected(status.error());
   const bool sees_own = pcap_setdirection(handle.get(), PCAP_D_IN) != 0;
-  if (pcap_setnonblock(handle.get(), 1, text) != 0) return fail(ErrorCode::kLinkIo, adapter, text);
+  if (pcap_setnonblock(handle.get(), 1, text) != 0) return fail(ErrorCode::kLinkIo, adapter, Reason::phrase(text));
   const int fd = pcap_get_selectable_fd(handle.get());
   return RawPort(std::unique_ptr<Impl>(
       new Impl{std::move(handle), std::move(*info), clock, fd, sees_own, nanoseconds ? 1 : kMicrosecond,
@@ -136,19 +139,19 @@ RawPort& RawPort::operator=(RawPort&&) noexcept = default;
 RawPort::~RawPort() = default;
 
 /// What a failed call means: an adapter that is away may come back, anything else is final.
-Error RawPort::failed(std::string_view why) {
+Error RawPort::failed(Reason why) {
   auto& adapter = impl_->adapter;
   if (is_running(adapter.name)) {
     // It was away for a moment, and its sockets have not got over it.
     if (auto again = open(adapter.name, impl_->clock, impl_->stamps_sending)) {
       impl_ = std::move(again->impl_);
-      return {ErrorCode::kLinkDown, impl_->adapter.name, "it was away for a moment"};
+      return {ErrorCode::kLinkDown, impl_->adapter.name, because("it was away for a moment")};
     }
-    return {ErrorCode::kLinkIo, adapter.name, std::string(why)};
+    return {ErrorCode::kLinkIo, adapter.name, std::move(why)};
   }
   adapter.up = false;
   impl_->away = impl_->clock.now();
-  return {ErrorCode::kLinkDown, adapter.name, std::string(why)};
+  return {ErrorCode::kLinkDown, adapter.name, std::move(why)};
 }
 
 /// False as long as the adapter is away.
@@ -169,7 +172,7 @@ Result<std::optional<RawPort::Frame>> RawPort::poll() {
   pcap_pkthdr* header = nullptr;
   const u_char* bytes = nullptr;
   const int found = pcap_next_ex(impl_->handle.get(), &header, &bytes);
-  if (found < 0) return tl::unexpected(failed(std::string(pcap_geterr(impl_->handle.get()))));
+  if (found < 0) return tl::unexpected(failed(Reason::phrase(pcap_geterr(impl_->handle.get()))));
   if (found == 0) return std::optional<Frame>{};
   return Frame{{bytes, header->caplen}, impl_->arrival_time(*header)};
 }
@@ -189,12 +192,12 @@ Status RawPort::send(std::span<const std::uint8_t> frame) {
     const auto before = impl_->clock.now();
     if (auto status = way_out->send(frame); !status) return tl::unexpected(failed(status.error().detail));
     // The kernel drops what finds no carrier, as it drops what finds no room.
-    if (way_out->dropped() && !is_running(impl_->adapter.name)) return tl::unexpected(failed("no carrier"));
+    if (way_out->dropped() && !is_running(impl_->adapter.name)) return tl::unexpected(failed(because("no carrier")));
     if (const auto stamp = way_out->take_stamp()) impl_->sent_at = impl_->stamps.to_clock(*stamp, before);
     return {};
   }
   if (pcap_inject(impl_->handle.get(), frame.data(), frame.size()) != static_cast<int>(frame.size())) {
-    return tl::unexpected(failed(std::string(pcap_geterr(impl_->handle.get()))));
+    return tl::unexpected(failed(Reason::phrase(pcap_geterr(impl_->handle.get()))));
   }
   return {};
 }

@@ -49,7 +49,7 @@ class RawPort {
  private:
   struct Impl;
   explicit RawPort(std::unique_ptr<Impl> impl);
-  [[nodiscard]] Error failed(std::string_view why);
+  [[nodiscard]] Error failed(Reason why);
   [[nodiscard]] bool come_back();
   std::unique_ptr<Impl> impl_;
 };

@@ -104,7 +104,7 @@ Status SendSocket::send(std::span<const std::uint8_t> frame) {
     dropped_ = true;
     return {};
   }
-  return fail(ErrorCode::kLinkIo, "network adapter", std::strerror(errno));
+  return fail(ErrorCode::kLinkIo, "network adapter", Reason::of_system(errno));
 }
 
 std::optional<Nanoseconds> SendSocket::take_stamp() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "protocol/frame.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 #include "support/random.h"
 
@@ -34,7 +35,7 @@ class SimulatedLink final : public Link {
     const auto start = wire_start();
     if (field.offset > frame.size() || frame.size() - field.offset < field.size ||
         (field.size != 4 && field.size != 8)) {
-      return fail(ErrorCode::kMalformedData, name_, "the place of the send time is not in the frame");
+      return fail(ErrorCode::kMalformedData, name_, because("the place of the send time is not in the frame"));
     }
     auto& slot = take_slot();
     slot.bytes.assign(frame.begin(), frame.end());

@@ -6,6 +6,7 @@
 
 #include "master/cyclic/acyclic_requests.h"
 #include "master/operation.h"
+#include "reasons/because.h"
 #include "support/real_time.h"
 
 namespace syncline {
@@ -76,7 +77,7 @@ void MasterService::Impl::go_offline() {
 }
 
 void MasterService::Impl::execute(const RequestStateCommand& command) {
-  if (!operation) return tell(Error{ErrorCode::kConfiguration, "state request", "the bus is offline"});
+  if (!operation) return tell(Error{ErrorCode::kConfiguration, "state request", because("the bus is offline")});
   if (auto status = operation->change_to(command.state); !status) tell(status.error());
 }
 
@@ -85,7 +86,8 @@ void MasterService::Impl::execute(const ClearStatisticsCommand&) {
 }
 
 void MasterService::Impl::execute(const ConfigureDcmCommand& command) {
-  if (!operation) return tell(Error{ErrorCode::kConfiguration, "master synchronisation", "the bus is offline"});
+  if (!operation)
+    return tell(Error{ErrorCode::kConfiguration, "master synchronisation", because("the bus is offline")});
   if (auto status = operation->configure_dcm(command.settings); !status) tell(status.error());
 }
 
@@ -94,12 +96,13 @@ void MasterService::Impl::execute(const ResetDcmStatusCommand&) {
 }
 
 void MasterService::Impl::execute(const CompensateDelaysCommand& command) {
-  if (!operation) return tell(Error{ErrorCode::kConfiguration, "continuous delay compensation", "the bus is offline"});
+  if (!operation)
+    return tell(Error{ErrorCode::kConfiguration, "continuous delay compensation", because("the bus is offline")});
   operation->compensate_delays(command.on);
 }
 
 void MasterService::Impl::execute(const ForceOutputCommand& command) {
-  if (!operation) return tell(Error{ErrorCode::kConfiguration, "outputs", "the bus is offline"});
+  if (!operation) return tell(Error{ErrorCode::kConfiguration, "outputs", because("the bus is offline")});
   if (auto status = operation->force(command); !status) tell(status.error());
 }
 

@@ -10,6 +10,8 @@
 #include "protocol/dc_registers.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
+#include "reasons/brief_reason.h"
 #include "settings/dc_check.h"
 #include "support/byte_order.h"
 
@@ -39,12 +41,12 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
 }
 
 Status Operation::check() const {
-  if (config_.slaves.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no slaves");
-  if (config_.cyclic.empty()) return fail(ErrorCode::kConfiguration, "network", "it has no cyclic frames");
+  if (config_.slaves.empty()) return fail(ErrorCode::kConfiguration, "network", because("it has no slaves"));
+  if (config_.cyclic.empty()) return fail(ErrorCode::kConfiguration, "network", because("it has no cyclic frames"));
   if (config_.dc.dcm.mode == DcmMode::kLinkLayerRefClock && !exchange_.link().describe().corrects_send_time) {
     return fail(Error{.code = ErrorCode::kNotSupported,
                       .subject = "master.dc.mode",
-                      .detail = "link-layer-ref-clock: this link cannot put its send time into frames",
+                      .detail = because("link-layer-ref-clock: this link cannot put its send time into frames"),
                       .received = dc::kDcmErrorInvalidHardwareLayer});
   }
   if (auto status = check_dc(config_); !status) return status;
@@ -170,7 +172,7 @@ bool Operation::serve_state_request() {
 void Operation::end_requests() {
   constexpr Nanoseconds kPatience = 2 * kSecond;
   auto& requests = task_.acyclic().requests();
-  constexpr BriefError kOffline{.code = ErrorCode::kCancelled, .why = "the bus goes offline{2}"};
+  constexpr BriefError kOffline{.code = ErrorCode::kCancelled, .why = brief("the bus goes offline{which}")};
   requests.cancel_all(kOffline, clock_.now());
   const auto end = clock_.now() + kPatience;
   while (requests.busy() && clock_.now() < end) {
@@ -239,14 +241,14 @@ void Operation::compensate_delays(bool on) { delays_.set_enabled(on, clock_.now(
 
 Status Operation::force(const ForceOutputCommand& wanted) {
   if (!task_.forces().force(wanted))
-    return fail(ErrorCode::kConfiguration, "outputs", "the process image has no such bits");
+    return fail(ErrorCode::kConfiguration, "outputs", because("the process image has no such bits"));
   tell_forced();
   return {};
 }
 
 Status Operation::release(const ReleaseOutputCommand& wanted) {
   if (!task_.forces().release(wanted))
-    return fail(ErrorCode::kConfiguration, "outputs", "the process image has no such bits");
+    return fail(ErrorCode::kConfiguration, "outputs", because("the process image has no such bits"));
   tell_forced();
   return {};
 }

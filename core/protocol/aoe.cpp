@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline::aoe {
@@ -41,7 +42,7 @@ Result<Header> decode(std::span<const std::uint8_t> data) {
   header.length = reader.u32();
   header.error_code = reader.u32();
   header.invoke_id = reader.u32();
-  if (!reader.ok()) return fail(ErrorCode::kMalformedData, "AoE message", fmt::format("only {} bytes", data.size()));
+  if (!reader.ok()) return fail(ErrorCode::kMalformedData, "AoE message", because("only {bytes} bytes", data.size()));
   return header;
 }
 

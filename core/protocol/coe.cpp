@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reasons/brief_reason.h"
 #include "support/byte_order.h"
 
 namespace syncline::coe {
@@ -82,12 +83,10 @@ class Encoder {
   ByteWriter writer_;
 };
 
-constexpr const char* kTooShort = "only {0} bytes";
-
-tl::unexpected<BriefError> malformed(const char* why, std::int64_t number = 0) {
-  return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why, .a = number});
+tl::unexpected<BriefError> malformed(BriefReason why) {
+  return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why});
 }
-tl::unexpected<BriefError> too_short(std::size_t size) { return malformed(kTooShort, static_cast<std::int64_t>(size)); }
+tl::unexpected<BriefError> too_short(std::size_t size) { return malformed(brief("only {bytes} bytes", size)); }
 tl::unexpected<Error> in_words(const BriefError& error) { return fail(error.about("CoE message")); }
 
 ObjectAddress read_object(ByteReader& reader) {
@@ -202,7 +201,7 @@ Result<Request> read_request(ByteReader& reader, std::uint8_t byte) {
     case kUploadSegment:
       return UploadSegmentRequest{bit4};
     default:
-      return in_words(malformed("SDO command 0x{0:02X} is not a request", byte).value());
+      return in_words(malformed(brief("SDO command 0x{command} is not a request", hex_number(byte, 2))).value());
   }
 }
 
@@ -233,7 +232,7 @@ tl::expected<ResponseView, BriefError> view_answer(ByteReader& reader, std::uint
       view.object = read_object(reader);
       return view;
     default:
-      return malformed("SDO command 0x{0:02X} is not a response", byte);
+      return malformed(brief("SDO command 0x{command} is not a response", hex_number(byte, 2)));
   }
 }
 
@@ -298,7 +297,7 @@ tl::expected<Service, BriefError> view_service(std::span<const std::uint8_t> dat
   ByteReader reader(data);
   const auto service = reader.u16() >> 12;
   if (!reader.ok()) return too_short(data.size());
-  if (service < 1 || service > 8) return malformed("service {0} does not exist", service);
+  if (service < 1 || service > 8) return malformed(brief("service {number} does not exist", service));
   return static_cast<Service>(service);
 }
 
@@ -311,7 +310,7 @@ Result<Service> service_of(std::span<const std::uint8_t> data) {
 Result<Request> decode_request(std::span<const std::uint8_t> data) {
   const auto service = service_of(data);
   if (!service) return tl::unexpected(service.error());
-  if (*service != Service::kSdoRequest) return in_words(malformed("it is not an SDO request").value());
+  if (*service != Service::kSdoRequest) return in_words(malformed(brief("it is not an SDO request")).value());
   ByteReader reader(data);
   reader.skip(2);
   const auto byte = reader.u8();
@@ -336,7 +335,7 @@ tl::expected<ResponseView, BriefError> view_response(std::span<const std::uint8_
   if (!reader.ok()) return too_short(data.size());
   const bool sdo = *service == Service::kSdoResponse || *service == Service::kSdoRequest;
   if (sdo && byte >> 5 == kAbort) return view_abort(reader, data.size());
-  if (*service != Service::kSdoResponse) return malformed("it is not an SDO response");
+  if (*service != Service::kSdoResponse) return malformed(brief("it is not an SDO response"));
   auto response = view_answer(reader, byte);
   if (response && !reader.ok()) return too_short(data.size());
   return response;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -78,7 +79,7 @@ Result<DiagnosisMessage> DiagnosisMessage::decode(std::span<const std::uint8_t> 
     message.parameters.push_back(std::move(parameter));
   }
   if (!reader.ok()) {
-    return fail(ErrorCode::kMalformedData, "diagnosis message", fmt::format("only {} bytes", bytes.size()));
+    return fail(ErrorCode::kMalformedData, "diagnosis message", because("only {bytes} bytes", bytes.size()));
   }
   return message;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline::eoe {
@@ -24,9 +25,9 @@ Result<Header> decode(std::span<const std::uint8_t> data) {
   ByteReader reader(data);
   const auto first = reader.u16();
   const auto second = reader.u16();
-  if (!reader.ok()) return fail(ErrorCode::kMalformedData, "EoE message", fmt::format("only {} bytes", data.size()));
+  if (!reader.ok()) return fail(ErrorCode::kMalformedData, "EoE message", because("only {bytes} bytes", data.size()));
   if ((first & 0x0F) > static_cast<unsigned>(Kind::kGetFilterResponse)) {
-    return fail(ErrorCode::kMalformedData, "EoE message", fmt::format("type {} does not exist", first & 0x0F));
+    return fail(ErrorCode::kMalformedData, "EoE message", because("type {number} does not exist", first & 0x0F));
   }
   Header header;
   header.kind = static_cast<Kind>(first & 0x0F);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reasons/brief_reason.h"
 #include "support/byte_order.h"
 
 namespace syncline::foe {
@@ -42,16 +43,16 @@ std::vector<std::uint8_t> encode(const Message& message) {
 }
 
 tl::expected<MessageView, BriefError> view(std::span<const std::uint8_t> data) {
-  const auto bad = [](const char* why, std::int64_t number) {
-    return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why, .a = number});
+  const auto bad = [](BriefReason why) {
+    return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why});
   };
   ByteReader reader(data);
   const auto opcode = reader.u8();
   reader.skip(1);
   const auto value = reader.u32();
-  if (!reader.ok()) return bad("only {0} bytes", static_cast<std::int64_t>(data.size()));
+  if (!reader.ok()) return bad(brief("only {bytes} bytes", data.size()));
   if (opcode < static_cast<unsigned>(OpCode::kRead) || opcode > static_cast<unsigned>(OpCode::kBusy))
-    return bad("opcode {0} does not exist", opcode);
+    return bad(brief("opcode {number} does not exist", opcode));
   return MessageView{static_cast<OpCode>(opcode), value, reader.take(reader.remaining())};
 }
 

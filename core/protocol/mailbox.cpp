@@ -5,13 +5,18 @@
 
 #include <algorithm>
 
+#include "reasons/because.h"
+#include "reasons/brief_reason.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
 constexpr std::uint16_t kErrorService = 1;
-constexpr const char* kLies = "its header promises {0} bytes of data, {1} bytes came with the header";
+
+BriefReason lies(std::size_t promised, std::size_t came) {
+  return brief("its header promises {promised} bytes of data, {count} bytes came with the header", promised, came);
+}
 
 }  // namespace
 
@@ -41,7 +46,7 @@ Result<MailboxMessage> MailboxMessage::decode(std::span<const std::uint8_t> byte
   message.counter = (type >> 4) & 0x07;
   const auto data = reader.take(length);
   if (!reader.ok()) {
-    return fail(ErrorCode::kMalformedData, "mailbox message", fmt::format(kLies, length, bytes.size()));
+    return fail(ErrorCode::kMalformedData, "mailbox message", lies(length, bytes.size()).in_full());
   }
   message.data.assign(data.begin(), data.end());
   return message;
@@ -54,8 +59,7 @@ tl::expected<MailboxMessageView, BriefError> view_mailbox_message(std::span<cons
   const auto type = reader.u8();
   const auto data = reader.take(length);
   if (!reader.ok()) {
-    return tl::unexpected(BriefError{
-        .code = ErrorCode::kMalformedData, .why = kLies, .a = length, .b = static_cast<std::int64_t>(bytes.size())});
+    return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = lies(length, bytes.size())});
   }
   return MailboxMessageView{static_cast<MailboxType>(type & 0x0F), static_cast<std::uint8_t>((type >> 4) & 7U), data};
 }
@@ -80,7 +84,7 @@ Result<MailboxError> MailboxError::decode(std::span<const std::uint8_t> data) {
   const auto detail = reader.u16();
   if (!reader.ok() || service != kErrorService) {
     return fail(ErrorCode::kMalformedData, "mailbox error reply",
-                fmt::format("{} bytes, service {}", data.size(), service));
+                because("{bytes} bytes, service {number}", data.size(), service));
   }
   return MailboxError{static_cast<MailboxErrorDetail>(detail)};
 }
@@ -88,25 +92,25 @@ Result<MailboxError> MailboxError::decode(std::span<const std::uint8_t> data) {
 std::string_view mailbox_error_text(MailboxErrorDetail detail) {
   switch (detail) {
     case MailboxErrorDetail::kSyntax:
-      return "syntax of the mailbox header";
+      return reason_words("syntax of the mailbox header");
     case MailboxErrorDetail::kUnsupportedProtocol:
-      return "the slave does not support this protocol";
+      return reason_words("the slave does not support this protocol");
     case MailboxErrorDetail::kInvalidChannel:
-      return "the channel does not exist";
+      return reason_words("the channel does not exist");
     case MailboxErrorDetail::kServiceNotSupported:
-      return "the slave does not support this service of the protocol";
+      return reason_words("the slave does not support this service of the protocol");
     case MailboxErrorDetail::kInvalidHeader:
-      return "the protocol's header is wrong";
+      return reason_words("the protocol's header is wrong");
     case MailboxErrorDetail::kSizeTooShort:
-      return "the message is too short";
+      return reason_words("the message is too short");
     case MailboxErrorDetail::kNoMoreMemory:
-      return "the slave is out of memory";
+      return reason_words("the slave is out of memory");
     case MailboxErrorDetail::kInvalidSize:
-      return "the length in the message is inconsistent";
+      return reason_words("the length in the message is inconsistent");
     case MailboxErrorDetail::kServiceInWork:
-      return "the slave is still busy with another service";
+      return reason_words("the slave is still busy with another service");
   }
-  return "unknown mailbox error";
+  return reason_words("unknown mailbox error");
 }
 
 std::string_view mailbox_type_name(MailboxType type) {

@@ -61,6 +61,7 @@ struct MailboxError {
   /// The data behind the mailbox header. A detail that no table knows is kept as it is.
   [[nodiscard]] static Result<MailboxError> decode(std::span<const std::uint8_t> data);
 };
+/// A row of the table of reasons.
 [[nodiscard]] std::string_view mailbox_error_text(MailboxErrorDetail detail);
 [[nodiscard]] std::string_view mailbox_type_name(MailboxType type);  // "CoE"; "unknown"
 

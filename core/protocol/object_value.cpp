@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "protocol/coe_data_type.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -113,7 +114,7 @@ Result<std::uint16_t> data_type_code(std::string_view name) {
   for (const auto& type : coe::data_types()) {
     if (type.code != 0) names.push_back(type.name);
   }
-  return fail(ErrorCode::kBadValue, "--type", fmt::format("\"{}\" is none of {}", name, fmt::join(names, ", ")));
+  return fail(ErrorCode::kBadValue, "--type", because("\"{text}\" is none of {words}", name, fmt::join(names, ", ")));
 }
 
 std::string data_type_name(std::uint16_t code) {
@@ -152,7 +153,7 @@ Result<std::vector<std::uint8_t>> value_bytes(std::uint16_t code, std::string_vi
     bytes = type->kind == ValueKind::kReal ? real_bytes(*type, text) : integer_bytes(*type, text);
   }
   if (bytes && !bytes->empty()) return *bytes;
-  return fail(ErrorCode::kBadValue, "VALUE", fmt::format("\"{}\" is no {}", text, data_type_name(code)));
+  return fail(ErrorCode::kBadValue, "VALUE", because("\"{text}\" is no {type}", text, data_type_name(code)));
 }
 
 Result<ObjectName> object_name(std::string_view text) {
@@ -162,7 +163,7 @@ Result<ObjectName> object_name(std::string_view text) {
   name.has_sub_index = colon != std::string_view::npos;
   const auto sub = name.has_sub_index ? number<std::uint8_t>(without_0x(text.substr(colon + 1)), 16) : std::uint8_t{0};
   if (!index || !sub) {
-    return fail(ErrorCode::kBadValue, "INDEX", fmt::format("\"{}\" is no object; write 0x1018:01", text));
+    return fail(ErrorCode::kBadValue, "INDEX", because("\"{text}\" is no object; write 0x1018:01", text));
   }
   name.index = *index;
   name.sub_index = *sub;

@@ -7,6 +7,8 @@
 
 #include "protocol/coe.h"
 #include "protocol/mailbox.h"
+#include "reasons/because.h"
+#include "reasons/brief_reason.h"
 #include "support/byte_order.h"
 
 namespace syncline::coe {
@@ -25,7 +27,7 @@ constexpr std::uint8_t kOpcodeMask = 0x7F;
 constexpr std::uint8_t kIncomplete = 0x80;
 constexpr std::size_t kHeaderSize = 6;  // CoE header and SDO information header
 
-tl::unexpected<Error> malformed_information(std::string detail) {
+tl::unexpected<Error> malformed_information(Reason detail) {
   return fail(ErrorCode::kMalformedData, "SDO information", std::move(detail));
 }
 
@@ -93,7 +95,7 @@ Result<InformationResponse> read_object_list(ByteReader& reader) {
   ObjectList list;
   list.list = static_cast<ObjectListType>(reader.u16());
   while (reader.ok() && reader.remaining() >= 2) list.indices.push_back(reader.u16());
-  if (!reader.ok()) return malformed_information("the object list is too short");
+  if (!reader.ok()) return malformed_information(because("the object list is too short"));
   return list;
 }
 
@@ -103,7 +105,7 @@ Result<InformationResponse> read_object_description(ByteReader& reader) {
   object.data_type = reader.u16();
   object.max_sub_index = reader.u8();
   object.code = static_cast<ObjectCode>(reader.u8());
-  if (!reader.ok()) return malformed_information("the object description is too short");
+  if (!reader.ok()) return malformed_information(because("the object description is too short"));
   object.name = read_text(reader);
   return object;
 }
@@ -127,8 +129,8 @@ Result<InformationResponse> read_entry(ByteReader& reader) {
   value(value_info::kMinimum, entry.minimum);
   value(value_info::kMaximum, entry.maximum);
   if (!reader.ok())
-    return malformed_information(
-        fmt::format("the description of 0x{:04X}:{:02X} is too short", entry.index, entry.sub_index));
+    return malformed_information(because("the description of 0x{index}:{sub} is too short",
+                                         fmt::format("{:04X}", entry.index), fmt::format("{:02X}", entry.sub_index)));
   entry.name = read_text(reader);
   return entry;
 }
@@ -164,8 +166,8 @@ std::vector<std::vector<std::uint8_t>> encode(const InformationResponse& respons
 }
 
 tl::expected<InformationFragmentView, BriefError> view_information_fragment(std::span<const std::uint8_t> data) {
-  const auto bad = [](const char* why, std::int64_t number) {
-    return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why, .a = number});
+  const auto bad = [](BriefReason why) {
+    return tl::unexpected(BriefError{.code = ErrorCode::kMalformedData, .why = why});
   };
   ByteReader reader(data);
   const auto service = reader.u16() >> 12;
@@ -173,8 +175,9 @@ tl::expected<InformationFragmentView, BriefError> view_information_fragment(std:
   reader.skip(1);
   InformationFragmentView fragment;
   fragment.fragments_left = reader.u16();
-  if (!reader.ok()) return bad("only {0} bytes", static_cast<std::int64_t>(data.size()));
-  if (service != static_cast<unsigned>(Service::kSdoInformation)) return bad("it is CoE service {0}", service);
+  if (!reader.ok()) return bad(brief("only {bytes} bytes", data.size()));
+  if (service != static_cast<unsigned>(Service::kSdoInformation))
+    return bad(brief("it is CoE service {number}", service));
   fragment.opcode = opcode & kOpcodeMask;
   fragment.incomplete = (opcode & kIncomplete) != 0;
   fragment.data = reader.take(reader.remaining());
@@ -228,9 +231,9 @@ Result<InformationRequest> decode_information_request(std::span<const std::uint8
       break;
     }
     default:
-      return malformed_information(fmt::format("opcode {} is not a request", fragment->opcode));
+      return malformed_information(because("opcode {number} is not a request", fragment->opcode));
   }
-  if (!reader.ok()) return malformed_information("the request is too short");
+  if (!reader.ok()) return malformed_information(because("the request is too short"));
   return request;
 }
 
@@ -245,11 +248,11 @@ Result<InformationResponse> decode_information_response(std::uint8_t opcode, std
       return read_entry(reader);
     case kError: {
       const InformationError error{reader.u32()};
-      if (!reader.ok()) return malformed_information("the error is too short");
+      if (!reader.ok()) return malformed_information(because("the error is too short"));
       return error;
     }
     default:
-      return malformed_information(fmt::format("opcode {} is not a response", opcode));
+      return malformed_information(because("opcode {number} is not a response", opcode));
   }
 }
 

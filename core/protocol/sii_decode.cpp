@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "protocol/sii.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline::sii {
@@ -18,9 +19,10 @@ struct Category {
   std::span<const std::uint8_t> data;
 };
 
-tl::unexpected<Error> broken(const Category& category, std::string_view what) {
+tl::unexpected<Error> broken(const Category& category, Reason what) {
   return fail(ErrorCode::kSii, "slave",
-              fmt::format("category {} at word 0x{:04X} {}", category.type, category.word_offset, what));
+              because("category {category} at word 0x{word} {reason}", category.type,
+                      fmt::format("{:04X}", category.word_offset), std::move(what)));
 }
 
 Result<std::vector<Category>> split(std::span<const std::uint8_t> bytes) {
@@ -35,7 +37,7 @@ Result<std::vector<Category>> split(std::span<const std::uint8_t> bytes) {
     const std::size_t words = reader.u16();
     if (category.type == 0 && words == 0) break;  // never written: zeros to the end
     category.data = reader.take(2 * words);
-    if (!reader.ok()) return broken(category, fmt::format("of {} words reaches beyond the image", words));
+    if (!reader.ok()) return broken(category, because("of {words} words reaches beyond the image", words));
     if (category.type != 0) categories.push_back(category);  // type 0 fills space
   }
   return categories;
@@ -49,7 +51,7 @@ class StringTable {
     for (unsigned i = 0; i < count; ++i) {
       const auto length = reader.u8();
       const auto text = reader.take(length);
-      if (!reader.ok()) return broken(category, fmt::format("ends inside string {} of {}", i + 1, count));
+      if (!reader.ok()) return broken(category, because("ends inside string {number} of {count}", i + 1, count));
       strings_.emplace_back(text.begin(), text.end());
     }
     return {};
@@ -64,7 +66,7 @@ class StringTable {
 };
 
 Result<General> read_general(const Category& category, const StringTable& strings) {
-  if (category.data.size() < kGeneralMinimum) return broken(category, "is too short for general information");
+  if (category.data.size() < kGeneralMinimum) return broken(category, because("is too short for general information"));
   ByteReader reader(category.data);
   General general;
   general.group = strings.at(reader.u8());
@@ -86,7 +88,7 @@ Result<General> read_general(const Category& category, const StringTable& string
 
 Status read_sync_managers(const Category& category, std::vector<SyncM>& out) {
   ByteReader reader(category.data);
-  if (category.data.size() % kSyncMBytes != 0) return broken(category, "holds a part of a SyncManager");
+  if (category.data.size() % kSyncMBytes != 0) return broken(category, because("holds a part of a SyncManager"));
   while (reader.remaining() > 0) {
     SyncM sm;
     sm.start = reader.u16();
@@ -122,7 +124,7 @@ Status read_pdos(const Category& category, const StringTable& strings, std::vect
     pdo.name = strings.at(reader.u8());
     pdo.flags = reader.u16();
     for (unsigned i = 0; i < entries && reader.ok(); ++i) pdo.entries.push_back(read_entry(reader, strings));
-    if (!reader.ok()) return broken(category, fmt::format("ends inside PDO 0x{:04X}", pdo.index));
+    if (!reader.ok()) return broken(category, because("ends inside PDO 0x{index}", fmt::format("{:04X}", pdo.index)));
     out.push_back(std::move(pdo));
   }
   return {};
@@ -130,7 +132,7 @@ Status read_pdos(const Category& category, const StringTable& strings, std::vect
 
 Status read_dc_modes(const Category& category, const StringTable& strings, std::vector<DcMode>& out) {
   ByteReader reader(category.data);
-  if (category.data.size() % kDcModeBytes != 0) return broken(category, "holds a part of a DC mode");
+  if (category.data.size() % kDcModeBytes != 0) return broken(category, because("holds a part of a DC mode"));
   while (reader.remaining() > 0) {
     DcMode mode;
     mode.cycle_time_sync0 = reader.u32();
@@ -216,7 +218,7 @@ Status read_category(const Category& category, const StringTable& strings, Image
 Result<Image> decode(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kFixedPart) {
     return fail(ErrorCode::kSii, "slave",
-                fmt::format("{} bytes are fewer than the {} of its fixed part", bytes.size(), kFixedPart));
+                because("{bytes} bytes are fewer than the {least} of its fixed part", bytes.size(), kFixedPart));
   }
   auto image = read_fixed(bytes);
   const auto categories = split(bytes);

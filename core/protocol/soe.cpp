@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline::soe {
@@ -21,9 +22,9 @@ Result<Header> decode(std::span<const std::uint8_t> data) {
   Header header;
   header.elements = reader.u8();
   header.idn = reader.u16();
-  if (!reader.ok()) return fail(ErrorCode::kMalformedData, "SoE message", fmt::format("only {} bytes", data.size()));
+  if (!reader.ok()) return fail(ErrorCode::kMalformedData, "SoE message", because("only {bytes} bytes", data.size()));
   if ((first & 0x07U) == 0 || (first & 0x07U) == 7) {
-    return fail(ErrorCode::kMalformedData, "SoE message", fmt::format("operation {} does not exist", first & 0x07U));
+    return fail(ErrorCode::kMalformedData, "SoE message", because("operation {number} does not exist", first & 0x07U));
   }
   header.op_code = static_cast<OpCode>(first & 0x07U);
   header.incomplete = (first & 0x08U) != 0;

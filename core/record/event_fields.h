@@ -77,8 +77,9 @@ struct EventFields {
   }
   void operator()(events::RealTimeRefused& e) { use(38, e.what); }
   void operator()(events::Failure& e) {
+    WordedReason worded{e.error.detail};
     use(39, e.error.code, e.error.subject, e.error.detail, e.error.file, e.error.line, e.error.expected,
-        e.error.received, e.error.extra);
+        e.error.received, e.error.extra, worded);
   }
   void operator()(events::MasterStopped& e) { use(40, e.text); }
   void operator()(events::EventsLost& e) { use(41, e.count); }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "reasons/because.h"
 #include "record/recording_writer.h"
 
 namespace syncline {
@@ -23,8 +24,8 @@ Status has_room(const std::string& path, std::size_t cycles) {
   const auto space = std::filesystem::space(folder, error);
   if (error || space.available >= cycles * kBytesOfCycle + kLeaveFree) return {};
   return fail(Error{.code = ErrorCode::kFileNotWritable,
-                    .detail = fmt::format("it needs about {} MiB, and the disk has {} MiB left",
-                                          (cycles * kBytesOfCycle + kLeaveFree) >> 20, space.available >> 20),
+                    .detail = because("it needs about {need} MiB, and the disk has {left} MiB left",
+                                      (cycles * kBytesOfCycle + kLeaveFree) >> 20, space.available >> 20),
                     .file = path});
 }
 

@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <utility>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
 constexpr double kMiB = 1024.0 * 1024.0;
 
-Recorder::Stop failed(const Error& error) { return {error.detail, error}; }
+Recorder::Stop failed(const Error& error) { return {error.detail.text(), error}; }
 
 }  // namespace
 
@@ -127,7 +129,7 @@ std::optional<Recorder::Stop> Recorder::bound_reached() const {
   std::error_code error;
   if (!std::filesystem::exists(writer_.path(), error)) {
     return failed({.code = ErrorCode::kFileNotWritable,
-                   .detail = "the file is gone: it, or its folder, was deleted or moved while it was recorded",
+                   .detail = because("the file is gone: it, or its folder, was deleted or moved while it was recorded"),
                    .file = writer_.path()});
   }
   const auto bytes = writer_.bytes();
@@ -138,8 +140,8 @@ std::optional<Recorder::Stop> Recorder::bound_reached() const {
   const auto space = std::filesystem::space(folder, error);
   if (error || space.available >= options_.keep_free_bytes) return std::nullopt;
   return failed({.code = ErrorCode::kFileNotWritable,
-                 .detail = fmt::format("only {:.0f} MiB are left on the disk; the recording is whole up to here",
-                                       static_cast<double>(space.available) / kMiB),
+                 .detail = because("only {left} MiB are left on the disk; the recording is whole up to here",
+                                   fmt::format("{:.0f}", static_cast<double>(space.available) / kMiB)),
                  .file = writer_.path()});
 }
 

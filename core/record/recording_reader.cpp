@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "reasons/because.h"
 #include "record/column_codec.h"
 #include "record/sample_columns.h"
 
@@ -76,13 +77,13 @@ Status RecordingReader::read_about(RecordingInfo& info) {
   status = each("SELECT position, name, vendor_id, product_code, revision_no FROM slave ORDER BY position",
                 [&](const SqlStatement& row) -> Status {
                   if (row.integer(0) != static_cast<std::int64_t>(about.slaves.size()) || row.integer(0) > kMostSlaves)
-                    return damaged_recording(database_, "its slaves are not numbered in a row");
+                    return damaged_recording(database_, because("its slaves are not numbered in a row"));
                   about.slaves.push_back({std::string(row.text(1)), static_cast<std::uint32_t>(row.integer(2)),
                                           static_cast<std::uint32_t>(row.integer(3)),
                                           static_cast<std::uint32_t>(row.integer(4))});
                   return {};
                 });
-  if (status && about.limits.cycle_time <= 0) return damaged_recording(database_, "it has no cycle time");
+  if (status && about.limits.cycle_time <= 0) return damaged_recording(database_, because("it has no cycle time"));
   return status;
 }
 
@@ -146,7 +147,7 @@ Status RecordingReader::blocks(const std::function<Status(const Block&)>& take) 
                                     block.cycles <= kMostBlockCycles &&
                                     block.cycles - 1 <= block.last_cycle - block.first_cycle;
                 if (block.number != number || !cycles || block.end < block.begin)
-                  return damaged_recording(database_, fmt::format("block {} is none", block.number));
+                  return damaged_recording(database_, because("block {number} is none", block.number));
                 ++number;
                 next_cycle = block.last_cycle + 1;
                 return take(block);
@@ -173,7 +174,7 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
   const auto unread = [&](std::int64_t series) {
     const auto signal = static_cast<std::size_t>(series % kBusSeries);
     const auto key = signal < kSignalCount ? signals()[signal].key : std::string_view("a signal");
-    return damaged_recording(database_, fmt::format("{} of block {} cannot be read", key, block.number));
+    return damaged_recording(database_, because("{signal} of block {number} cannot be read", key, block.number));
   };
   std::int64_t columns = 0;
   std::optional<std::int64_t> bad;
@@ -203,7 +204,7 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
   if (columns != block.columns || !is(out.front().cycle, block.first_cycle) ||
       !is(out.back().cycle, block.last_cycle) || out.front().send_time != block.begin ||
       out.back().send_time != block.end) {
-    return damaged_recording(database_, fmt::format("block {} holds other cycles than it says", block.number));
+    return damaged_recording(database_, because("block {number} holds other cycles than it says", block.number));
   }
   return {};
 }
@@ -264,8 +265,8 @@ Result<RecordingReader::Points> RecordingReader::points(Signal signal, int slave
         row->integer(0) == 0 && decode_times(row->blob(2), count, times) && decode_floats(row->blob(3), count, values);
     row->reset();
     if (!good) {
-      return damaged_recording(database_,
-                               fmt::format("{} of block {} cannot be read", syncline::info(signal).key, block.number));
+      return damaged_recording(
+          database_, because("{signal} of block {number} cannot be read", syncline::info(signal).key, block.number));
     }
     result.times.insert(result.times.end(), times.begin(), times.end());
     result.values.insert(result.values.end(), values.begin(), values.end());
@@ -298,8 +299,8 @@ Status RecordingReader::check_sums(const Block& block, std::span<const CycleSamp
                              : count == 0;
     row->reset();
     if (!same) {
-      return damaged_recording(
-          database_, fmt::format("the sums of {} in block {} are not those of its values", signal.key, block.number));
+      return damaged_recording(database_, because("the sums of {signal} in block {number} are not those of its values",
+                                                  signal.key, block.number));
     }
   }
   return {};
@@ -308,7 +309,7 @@ Status RecordingReader::check_sums(const Block& block, std::span<const CycleSamp
 Result<std::uint64_t> RecordingReader::verify() {
   std::string found;
   auto status = each("PRAGMA integrity_check(1)", [&](const SqlStatement& row) { found = row.text(0); });
-  if (status && found != "ok") status = damaged_recording(database_, found);
+  if (status && found != "ok") status = damaged_recording(database_, Reason::verbatim(found));
   RecordingInfo about;
   if (status) status = read_about(about);
   if (status) status = read_told(about);
@@ -324,7 +325,7 @@ Result<std::uint64_t> RecordingReader::verify() {
   if (status) {
     status = each("SELECT max(id) FROM data", [&](const SqlStatement& row) -> Status {
       if (row.is_null(0) || row.integer(0) / kSeriesPerBlock < static_cast<std::int64_t>(count)) return {};
-      return damaged_recording(database_, "there are values of blocks that are not there");
+      return damaged_recording(database_, because("there are values of blocks that are not there"));
     });
   }
   for (const auto& signal : signals()) {

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
@@ -56,7 +58,7 @@ Status look_at(const std::string& path) {
   if (std::filesystem::is_directory(path, error) || !file.good() ||
       std::string_view(header.data(), 15) != "SQLite format 3") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
-                      .detail = "a recording that \"synclinectl run --record\" has written",
+                      .detail = because("a recording that \"synclinectl run --record\" has written"),
                       .file = path});
   }
   return {};
@@ -66,7 +68,7 @@ Status look_at(const std::string& path) {
 
 tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error) {
   const bool damaged = is_damaged(error);
-  auto detail = damaged ? fmt::format("it is damaged or cut off ({})", error.detail) : error.detail;
+  auto detail = damaged ? because("it is damaged or cut off ({words})", error.detail) : error.detail;
   return fail(Error{.code = ErrorCode::kFileNotReadable,
                     .detail = std::move(detail),
                     .file = database.path(),
@@ -80,9 +82,9 @@ tl::unexpected<Error> write_error(const SqlDatabase& database, const Error& erro
                     .received = error.received});
 }
 
-tl::unexpected<Error> damaged_recording(const SqlDatabase& database, std::string what) {
+tl::unexpected<Error> damaged_recording(const SqlDatabase& database, Reason what) {
   return fail(Error{.code = ErrorCode::kFileNotReadable,
-                    .detail = fmt::format("it is damaged: {}", std::move(what)),
+                    .detail = because("it is damaged: {words}", std::move(what)),
                     .file = database.path()});
 }
 
@@ -90,7 +92,7 @@ Result<SqlDatabase> create_recording(const std::string& path) {
   std::error_code error;
   if (std::filesystem::exists(path, error)) {
     return fail(Error{.code = ErrorCode::kFileNotWritable,
-                      .detail = "there is one of this name already, and a recording replaces nothing",
+                      .detail = because("there is one of this name already, and a recording replaces nothing"),
                       .file = path});
   }
   auto database = SqlDatabase::open(path);
@@ -117,16 +119,16 @@ Result<SqlDatabase> open_recording(const std::string& path) {
   if (!id) return read_error(*database, id.error());
   if (*id != kRecordingId) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
-                      .detail = "a recording; this database belongs to another program",
+                      .detail = because("a recording; this database belongs to another program"),
                       .file = path});
   }
   const auto version = recording_version(*database);
   if (!version) return read_error(*database, version.error());
   if (*version < 1 || *version > kRecordingVersion) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
-                      .detail = fmt::format("a recording of version {} or older; this one is of version {}, use the "
-                                            "program that has written it, or a newer one",
-                                            kRecordingVersion, *version),
+                      .detail = because("a recording of version {version} or older; this one is of version {other}, "
+                                        "use the program that has written it, or a newer one",
+                                        kRecordingVersion, *version),
                       .file = path});
   }
   return database;

@@ -36,6 +36,6 @@ inline constexpr std::int64_t kBusSeries = 256;
 /// What SQLite says, as an error of reading or of writing this file.
 [[nodiscard]] tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error);
 [[nodiscard]] tl::unexpected<Error> write_error(const SqlDatabase& database, const Error& error);
-[[nodiscard]] tl::unexpected<Error> damaged_recording(const SqlDatabase& database, std::string what);
+[[nodiscard]] tl::unexpected<Error> damaged_recording(const SqlDatabase& database, Reason what);
 
 }  // namespace syncline

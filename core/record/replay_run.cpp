@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "reasons/because.h"
 #include "record/typed_values.h"
 
 namespace syncline {
@@ -72,8 +73,9 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, NetworkConfig config, co
 Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, NetworkConfig config,
                                const ReplayOptions& options) {
   if (info.about.slaves.size() != config.slaves.size()) {
-    return fail(ErrorCode::kBadValue, "configuration",
-                fmt::format("it has {} slaves, the recording has {}", config.slaves.size(), info.about.slaves.size()));
+    return fail(
+        ErrorCode::kBadValue, "configuration",
+        because("it has {count} slaves, the recording has {other}", config.slaves.size(), info.about.slaves.size()));
   }
   ReplayedRun run{std::make_unique<RunRecord>(made_for(std::move(config), info, options.cycle_capacity)),
                   std::move(info)};

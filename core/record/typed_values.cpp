@@ -132,7 +132,10 @@ std::string encode_finding(const Finding& finding) {
   out(finding.code, finding.severity, sentence_name(finding), finding.from, finding.to);
   place_fields(out, finding.place);
   out(finding.figures.size());
-  for (const auto& figure : finding.figures) out(figure.name, figure.unit, figure.value, figure.other, figure.text);
+  for (const auto& figure : finding.figures) {
+    out(figure.name, figure.unit, figure.value, figure.other,
+        figure.reason.empty() ? figure.text : figure.reason.text());
+  }
   return out.take();
 }
 

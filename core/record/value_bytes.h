@@ -4,11 +4,15 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "channels/values/shared_text.h"
+#include "reasons/reason.h"
 
 /// Values one behind the other as zigzag LEB128 and counted texts, for what a recording holds of events and findings.
 /// What a later program has put behind them is passed over, and what an earlier one had not yet stays as it is.
@@ -17,6 +21,12 @@ namespace syncline {
 /// Largest value of each enumeration that is recorded: what is larger was not written by this program.
 template <class Enum>
 inline constexpr int kLargest = -1;
+
+/// A reason by its words, behind its sentence: programs that know them say it in their language, older ones and those
+/// that have other words as it was said.
+struct WordedReason {
+  Reason& reason;
+};
 
 class ValueWriter {
  public:
@@ -47,6 +57,14 @@ class ValueWriter {
   }
   void put(const std::string& text) { put(std::string_view(text)); }
   void put(const SharedText& text) { put(std::string_view(text.str())); }
+  void put(const Reason& reason) { put(reason.text()); }
+  void put(const WordedReason& worded) { put_words(worded.reason); }
+  void put_words(const Reason& reason) {
+    put(reason.words());
+    if (reason.words().empty()) return put(reason.text());
+    put(reason.given().size());
+    for (const Reason& given : reason.given()) put_words(given);
+  }
   template <class T, std::size_t size>
   void put(const std::array<T, size>& values) {
     for (const auto& value : values) put(value);
@@ -89,6 +107,40 @@ class ValueReader {
     if (!good_) return;
     text = bytes_.substr(0, size);
     bytes_.remove_prefix(size);
+  }
+  void take(Reason& reason) {
+    std::string text;
+    take(text);
+    reason = Reason::phrase(text);
+  }
+  void take(WordedReason& worded) {
+    if (bytes_.empty() || !good_) return;
+    auto reason = take_words(0);
+    if (good_ && reason && reason->text() == worded.reason.text()) worded.reason = *std::move(reason);
+  }
+  /// Nothing where the program has other words today.
+  std::optional<Reason> take_words(int depth) {
+    constexpr int kDeepest = 8;
+    constexpr std::uint64_t kMost = 16;
+    good_ = good_ && !bytes_.empty();
+    if (!good_) return std::nullopt;
+    std::string words;
+    take(words);
+    if (words.empty()) {
+      take(words);
+      return Reason::verbatim(std::move(words));
+    }
+    std::uint64_t count = 0;
+    take(count);
+    good_ = good_ && count <= kMost && depth < kDeepest;
+    std::vector<Reason> given;
+    bool known = true;
+    for (std::uint64_t i = 0; good_ && i < count; ++i) {
+      auto one = take_words(depth + 1);
+      known = known && one;
+      if (one) given.push_back(*std::move(one));
+    }
+    return known ? reason_of_words(words, std::move(given)) : std::nullopt;
   }
   void take(SharedText& shared) {
     std::string text;

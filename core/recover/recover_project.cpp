@@ -108,7 +108,7 @@ RecoveredProject recover_project(const NetworkConfig& config, const DeviceLookup
   if (const auto compiled = compile(recovered.project, {recovered.dialect})) {
     recovered.differences = compare_networks(config, compiled->config);
   } else {
-    of_master.add("project-not-compiled", fig::text<"reason">(compiled.error().detail));
+    of_master.add("project-not-compiled", fig::reason<"reason">(compiled.error().detail));
   }
   return recovered;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "reasons/because.h"
 #include "settings/predicates.h"
 #include "settings/settings_table.h"
 #include "settings/tables.h"
@@ -40,8 +41,8 @@ Status check_dc(const NetworkConfig& config) {
   const auto& clock = config.dc.reference_clock;
   if (clock && !settings::is_position(config.slaves.size(), *clock)) {
     return fail(ErrorCode::kBadValue, "master.dc.reference_clock",
-                fmt::format("there is no slave at position {}, the last one is at {}", *clock,
-                            static_cast<std::int64_t>(config.slaves.size()) - 1));
+                because("there is no slave at position {position}, the last one is at {last}", *clock,
+                        static_cast<std::int64_t>(config.slaves.size()) - 1));
   }
   return {};
 }

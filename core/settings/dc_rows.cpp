@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "protocol/dc_registers.h"
+#include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
@@ -39,8 +40,8 @@ Setting reference_clock_row() {
   row.write = [apply = row.write](Project& project, const Place& place, const Value& value) -> Status {
     const auto* position = std::get_if<std::int64_t>(&value);
     if (position != nullptr && !is_position(project.slaves.size(), *position)) {
-      return bad_value(
-          fmt::format("there is no slave at position {}; the project has {}", *position, project.slaves.size()));
+      return bad_value(because("there is no slave at position {position}; the project has {count}", *position,
+                               project.slaves.size()));
     }
     return apply(project, place, value);
   };

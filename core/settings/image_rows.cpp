@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/number_text.h"
@@ -30,7 +31,7 @@ Status set_item(std::vector<T>& list, std::uint32_t number, Result<std::optional
   }
   for (auto other = list.begin(); other != list.end(); ++other) {
     if (other != place && other->name == (*item)->name) {
-      return bad_value(fmt::format("\"{}\" is the name of number {} already", other->name, other - list.begin()));
+      return bad_value(because("\"{name}\" is the name of number {number} already", other->name, other - list.begin()));
     }
   }
   if (place != list.end()) {
@@ -47,8 +48,8 @@ Result<std::optional<TaskSettings>> parse_task(std::string_view text) {
   const auto mark = text.rfind(" x");
   const auto multiple = mark == std::string_view::npos ? std::nullopt : parse_integer(text.substr(mark + 2));
   if (!multiple || *multiple < 1 || *multiple > limits::kLargestMultiple) {
-    return bad_value(
-        fmt::format("\"{}\" is no NAME xMULTIPLE like Slow x4, with 1..{} bus cycles", text, limits::kLargestMultiple));
+    return bad_value(because("\"{text}\" is no NAME xMULTIPLE like Slow x4, with 1..{most} bus cycles", text,
+                             limits::kLargestMultiple));
   }
   auto name = parse_name(text.substr(0, mark));
   if (!name) return tl::unexpected(name.error());

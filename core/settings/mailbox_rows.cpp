@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/dotted_address.h"
+#include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
@@ -111,7 +112,7 @@ Status set_soe(SlaveSettings& slave, std::uint32_t number, std::string_view text
     if (number < slave.soe_startup.size()) slave.soe_startup.erase(place);
     return {};
   }
-  if (!slave.device.mailbox || !slave.device.mailbox->soe) return bad_value("the device has no SoE mailbox");
+  if (!slave.device.mailbox || !slave.device.mailbox->soe) return bad_value(because("the device has no SoE mailbox"));
   auto command = parse_soe(text);
   if (!command) return tl::unexpected(command.error());
   if (number < slave.soe_startup.size()) {
@@ -168,7 +169,7 @@ Setting unit_row(const char* direction, const char* label, std::string SlaveSett
       std::string names;
       for (const SyncUnit& unit : units) names += (names.empty() ? "" : ", ") + unit.name;
       return bad_value(
-          fmt::format("there is no Sync Unit \"{}\"; the project has {}", text, names.empty() ? "none" : names));
+          because("there is no Sync Unit \"{name}\"; the project has {names}", text, names.empty() ? "none" : names));
     }
     at_slave(project, place).*field = text;
     return {};

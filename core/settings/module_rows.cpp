@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reasons/because.h"
 #include "settings/limits.h"
 #include "settings/number_text.h"
 #include "settings/pdo_places.h"
@@ -18,7 +19,7 @@ constexpr std::int64_t kLargestIdent = 0xFFFF'FFFF;
 Result<Value> parse_ident(std::string_view text) {
   const auto number = parse_integer(text);
   if (number && *number >= 0 && *number <= kLargestIdent) return Value{*number};
-  return bad_value(fmt::format("\"{}\" is neither none nor a module ident", text));
+  return bad_value(because("\"{text}\" is neither none nor a module ident", text));
 }
 
 Setting module_row() {
@@ -73,7 +74,8 @@ Status set_factor(SlaveSettings& slave, std::uint16_t index, const Value& value)
     return {};
   }
   if (const auto range = factors_of(slave, index); !range.contains(*factor)) {
-    return bad_value(fmt::format("\"{}\" is neither auto nor a factor from {} to {}", *factor, range.low, range.high));
+    return bad_value(
+        because("\"{text}\" is neither auto nor a factor from {least} to {most}", *factor, range.low, range.high));
   }
   if (known) {
     found->factor = static_cast<std::uint16_t>(*factor);
@@ -104,7 +106,8 @@ Setting oversampling_row() {
   row.parse = [](const Project& project, const Place& place, std::string_view text) -> Result<Value> {
     if (const auto factor = parse_integer(text)) return Value{*factor};
     const auto range = factors_of(project.slaves[place.slave], place.item);
-    return bad_value(fmt::format("\"{}\" is neither auto nor a factor from {} to {}", text, range.low, range.high));
+    return bad_value(
+        because("\"{text}\" is neither auto nor a factor from {least} to {most}", text, range.low, range.high));
   };
   row.write = [](Project& project, const Place& place, const Value& value) {
     return set_factor(project.slaves[place.slave], static_cast<std::uint16_t>(place.item), value);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/module_slots.h"
+#include "reasons/because.h"
 #include "settings/number_text.h"
 #include "settings/pdo_places.h"
 #include "settings/tables.h"
@@ -42,13 +43,15 @@ Status check_assignment(const std::vector<Pdo>& pdos, const PdoIndices& chosen) 
   for (const auto index : chosen) {
     const Pdo* pdo = find(pdos, index);
     if (pdo == nullptr) {
-      return bad_value(
-          fmt::format("the device has no PDO 0x{:04x} in this direction; it has {}", index, index_list(pdos)));
+      return bad_value(because("the device has no PDO 0x{index} in this direction; it has {indices}",
+                               fmt::format("{:04x}", index), index_list(pdos)));
     }
-    if (std::ranges::count(chosen, index) > 1) return bad_value(fmt::format("0x{:04x} stands there twice", index));
+    if (std::ranges::count(chosen, index) > 1)
+      return bad_value(because("0x{index} stands there twice", fmt::format("{:04x}", index)));
     for (const auto excluded : pdo->exclude) {
       if (excluded != index && std::ranges::find(chosen, excluded) != chosen.end()) {
-        return bad_value(fmt::format("0x{:04x} and 0x{:04x} exclude each other", index, excluded));
+        return bad_value(because("0x{index} and 0x{other} exclude each other", fmt::format("{:04x}", index),
+                                 fmt::format("{:04x}", excluded)));
       }
     }
   }
@@ -119,7 +122,7 @@ Result<PdoEntry> parse_entry(std::string_view text) {
       return entry;
     }
   }
-  return bad_value(fmt::format("\"{}\" is no entry INDEX:SUB:BITS like 0x6040:00:16", text));
+  return bad_value(because("\"{text}\" is no entry INDEX:SUB:BITS like 0x6040:00:16", text));
 }
 
 /// Name and type as the device's description knows the object.
@@ -170,12 +173,12 @@ void store_mapping(SlaveSettings& slave, const Pdo& of_device, std::vector<PdoEn
 
 Status set_mapping(SlaveSettings& slave, std::uint32_t index, std::string_view text) {
   const auto of_device = pdo_of(slave, index);
-  if (!of_device) return bad_value("the device has no such PDO");
+  if (!of_device) return bad_value(because("the device has no such PDO"));
   const auto current = mapped_entries(slave, index);
   if (text == format_mapping(current)) return {};
-  if (of_device->fixed) return bad_value("the ESI says that the mapping of this PDO is fixed");
+  if (of_device->fixed) return bad_value(because("the ESI says that the mapping of this PDO is fixed"));
   if (!slave.device.mailbox || !slave.device.mailbox->coe || !slave.device.mailbox->coe->pdo_config) {
-    return bad_value("the device does not take another mapping (CoE PdoConfig in its ESI)");
+    return bad_value(because("the device does not take another mapping (CoE PdoConfig in its ESI)"));
   }
   auto entries = parse_mapping(text, slave, current);
   if (!entries) return tl::unexpected(entries.error());

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "reasons/because.h"
+
 namespace syncline::settings {
 
 std::string type_text(const Setting& setting) {
@@ -40,14 +42,14 @@ std::string text_with_unit(const Setting& setting, const Project& project, const
 
 Status set_value(const Setting& setting, Project& project, const Place& place, const Value& value) {
   if (std::holds_alternative<Unset>(value)) {
-    if (setting.unset.empty()) return bad_value("the setting needs a value");
+    if (setting.unset.empty()) return bad_value(because("the setting needs a value"));
   } else if (auto status = check_value(setting.type, value); !status) {
     return status;
   } else if (setting.options && std::holds_alternative<Choice>(setting.type)) {
     const auto options = setting.options(project, place);
     const bool offered =
         value == setting.read(project, place) || std::ranges::find(options, value, &Option::value) != options.end();
-    if (!offered) return bad_value(fmt::format("\"{}\" is not to be had here", format_value(setting.type, value)));
+    if (!offered) return bad_value(because("\"{text}\" is not to be had here", format_value(setting.type, value)));
   }
   return setting.write(project, place, value);
 }
@@ -78,7 +80,7 @@ Status check_number(const Setting& setting, const Project& project, const Place&
   if (number == nullptr) return {};
   const auto range = working_range(setting, project, place);
   if (range.contains(*number)) return {};
-  return fail(ErrorCode::kBadValue, setting.key, outside_text(std::get<Number>(setting.type), *number, range));
+  return fail(ErrorCode::kBadValue, setting.key, outside(std::get<Number>(setting.type), *number, range));
 }
 
 std::vector<Place> numbered(std::size_t slave, std::size_t count) {

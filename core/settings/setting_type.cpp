@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reasons/because.h"
 #include "settings/number_text.h"
 #include "support/utf8.h"
 
@@ -42,14 +43,14 @@ std::string byte_range(const Text& text) {
 Result<Value> parse_number(const Number& number, std::string_view text) {
   const auto value = number.nanoseconds_as_us ? parse_microseconds(text) : parse_integer(text);
   if (value) return Value{*value};
-  if (!number.nanoseconds_as_us) return bad_value(fmt::format("\"{}\" is no whole number", text));
-  return bad_value(fmt::format("\"{}\" is no number of microseconds with at most three decimals", text));
+  if (!number.nanoseconds_as_us) return bad_value(because("\"{text}\" is no whole number", text));
+  return bad_value(because("\"{text}\" is no number of microseconds with at most three decimals", text));
 }
 
 Result<Value> parse_switch(std::string_view text) {
   if (text == "on" || text == "true" || text == "1") return Value{true};
   if (text == "off" || text == "false" || text == "0") return Value{false};
-  return bad_value(fmt::format("\"{}\" is neither on nor off", text));
+  return bad_value(because("\"{text}\" is neither on nor off", text));
 }
 
 Result<Value> parse_choice(const Choice& choice, std::string_view text) {
@@ -57,7 +58,7 @@ Result<Value> parse_choice(const Choice& choice, std::string_view text) {
   for (const Option& option : choice.options) {
     if (option.word == text || (number && parse_integer(option.word) == number)) return option.value;
   }
-  return bad_value(fmt::format("\"{}\" is none of {}", text, words(choice)));
+  return bad_value(because("\"{text}\" is none of {words}", text, words(choice)));
 }
 
 Result<Value> parse_mac(std::string_view text) {
@@ -68,7 +69,7 @@ Result<Value> parse_mac(std::string_view text) {
     ok = byte && (i == 0 || text[3 * i - 1] == ':');
     bytes.push_back(byte.value_or(0));
   }
-  if (!ok) return bad_value(fmt::format("\"{}\" is no address like 01:23:45:67:89:ab", text));
+  if (!ok) return bad_value(because("\"{text}\" is no address like 01:23:45:67:89:ab", text));
   return Value{std::move(bytes)};
 }
 
@@ -80,7 +81,7 @@ Result<Value> parse_indices(std::string_view text) {
     const auto index = parse_integer(part);
     const bool cut = comma != std::string_view::npos && comma + 1 == text.size();
     if (!index || *index < 0 || *index > 0xFFFF || cut) {
-      return bad_value(fmt::format("\"{}\" is no PDO index", cut && index ? "" : part));
+      return bad_value(because("\"{text}\" is no PDO index", cut && index ? "" : part));
     }
     indices.push_back(static_cast<std::uint16_t>(*index));
     if (comma == std::string_view::npos) break;
@@ -90,24 +91,24 @@ Result<Value> parse_indices(std::string_view text) {
 }
 
 Status check_text(const Text& type, const std::string& text) {
-  if (text.empty()) return type.may_be_empty ? Status{} : Status(bad_value("a name cannot be empty"));
+  if (text.empty()) return type.may_be_empty ? Status{} : Status(bad_value(because("a name cannot be empty")));
   const bool control =
       std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
   if (std::cmp_greater(text.size(), type.most_bytes)) {
     return bad_value(
-        fmt::format("a {} has at most {} bytes", type.kind == "text" ? "name" : type.kind, type.most_bytes));
+        because("a {kind} has at most {bytes} bytes", type.kind == "text" ? "name" : type.kind, type.most_bytes));
   }
   if (type.fits != nullptr && !type.fits(text)) {
-    return bad_value(fmt::format("\"{}\" is no address like {}", text, type.example));
+    return bad_value(because("\"{text}\" is no address like {example}", text, type.example));
   }
-  if (control || !is_utf8(text)) return bad_value("a name is printable UTF-8 text");
+  if (control || !is_utf8(text)) return bad_value(because("a name is printable UTF-8 text"));
   return {};
 }
 
 Status check_number(const Number& number, std::int64_t value) {
-  if (!number.range.contains(value)) return bad_value(outside_text(number, value, number.range));
+  if (!number.range.contains(value)) return bad_value(outside(number, value, number.range));
   if (number.without_zero && value == 0)
-    return bad_value("the factor 0 gives no cycle; switch the operation mode off instead");
+    return bad_value(because("the factor 0 gives no cycle; switch the operation mode off instead"));
   return {};
 }
 
@@ -118,9 +119,9 @@ std::string range_text(const Number& number, const Range& range) {
   return fmt::format("{}..{}", number_text(number, range.low), number_text(number, range.high));
 }
 
-std::string outside_text(const Number& number, std::int64_t value, const Range& range) {
+Reason outside(const Number& number, std::int64_t value, const Range& range) {
   const std::string unit = number.unit.empty() ? "" : fmt::format(" {}", number.unit);
-  return fmt::format("{}{} is outside {}{}", number_text(number, value), unit, range_text(number, range), unit);
+  return because("{value} is outside {range}", number_text(number, value) + unit, range_text(number, range) + unit);
 }
 
 std::string type_text(const Type& type) {
@@ -189,17 +190,17 @@ Result<Value> parse_value(const Type& type, std::string_view text) {
 Status check_value(const Type& type, const Value& value) {
   if (const auto* number = std::get_if<Number>(&type)) {
     if (const auto* x = std::get_if<std::int64_t>(&value)) return check_number(*number, *x);
-    return bad_value("it is a number");
+    return bad_value(because("it is a number"));
   }
   if (const auto* text = std::get_if<Text>(&type)) {
     if (const auto* words_of = std::get_if<std::string>(&value)) return check_text(*text, *words_of);
-    return bad_value("it is a text");
+    return bad_value(because("it is a text"));
   }
   if (const auto* choice = std::get_if<Choice>(&type)) {
     const bool known =
         choice->options.empty() || std::ranges::find(choice->options, value, &Option::value) != choice->options.end();
     return known ? Status{}
-                 : Status(bad_value(fmt::format("{} is none of {}", format_value(type, value), words(*choice))));
+                 : Status(bad_value(because("{value} is none of {words}", format_value(type, value), words(*choice))));
   }
   const auto* record = std::get_if<Record>(&type);
   const bool fits =
@@ -209,7 +210,7 @@ Status check_value(const Type& type, const Value& value) {
       (std::holds_alternative<Indices>(type) && std::holds_alternative<std::vector<std::uint16_t>>(value)) ||
       (std::holds_alternative<MacAddress>(type) && std::holds_alternative<std::vector<std::uint8_t>>(value) &&
        std::get<std::vector<std::uint8_t>>(value).size() == kMacBytes);
-  return fits ? Status{} : Status(bad_value("the value is of another kind"));
+  return fits ? Status{} : Status(bad_value(because("the value is of another kind")));
 }
 
 }  // namespace syncline::settings

@@ -89,10 +89,10 @@ using Type = std::variant<Switch, Number, Choice, Text, MacAddress, Indices, Rec
 /// kBadValue when a value of the right kind is outside the type's range.
 [[nodiscard]] Status check_value(const Type& type, const Value& value);
 /// "1000 us is outside 0..500 us"
-[[nodiscard]] std::string outside_text(const Number& number, std::int64_t value, const Range& range);
+[[nodiscard]] Reason outside(const Number& number, std::int64_t value, const Range& range);
 /// "0..500", in the number's unit.
 [[nodiscard]] std::string range_text(const Number& number, const Range& range);
 
-inline tl::unexpected<Error> bad_value(std::string detail) { return fail(ErrorCode::kBadValue, {}, std::move(detail)); }
+inline tl::unexpected<Error> bad_value(Reason detail) { return fail(ErrorCode::kBadValue, {}, std::move(detail)); }
 
 }  // namespace syncline::settings

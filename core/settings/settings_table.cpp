@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/number_text.h"
 #include "settings/tables.h"
@@ -91,27 +92,27 @@ const std::vector<Setting>& table() {
 }
 
 Result<SettingRef> find(const Project& project, std::string_view key, bool to_set) {
-  const auto unknown = [key](std::string detail) {
+  const auto unknown = [key](Reason detail) {
     return fail(ErrorCode::kUnknownKey, std::string(key), std::move(detail));
   };
   for (const Setting& setting : table()) {
     const auto place = match(setting, key);
     if (!place) continue;
     if (setting.of_slave() && place->slave >= project.slaves.size()) {
-      return unknown(fmt::format("slaves in the project: {}, counted from 0", project.slaves.size()));
+      return unknown(because("slaves in the project: {count}, counted from 0", project.slaves.size()));
     }
     if (setting.items) {
       const auto items = setting.items(project, place->slave);
       const bool exists = std::ranges::find(items, *place) != items.end();
       const bool extends = to_set && setting.extendable && place->item == items.size();
       if (!exists && !extends) {
-        return unknown(setting.of_slave() ? fmt::format("slave {} has no such item", place->slave)
-                                          : std::string("there is no such item"));
+        return unknown(setting.of_slave() ? because("slave {position} has no such item", place->slave)
+                                          : because("there is no such item"));
       }
     }
     return SettingRef{&setting, *place};
   }
-  return unknown("list all with \"synclinectl project keys\"");
+  return unknown(because("list all with \"synclinectl project keys\""));
 }
 
 const Setting& row(std::string_view key) {

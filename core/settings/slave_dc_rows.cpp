@@ -5,6 +5,7 @@
 
 #include "config/dc_times.h"
 #include "protocol/dc_registers.h"
+#include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
@@ -37,7 +38,7 @@ Result<Value> parse_mode(const SlaveSettings& slave, std::string_view text) {
                                                              [text](const DcOpMode& m) { return m.name == text; }));
   if (known) return Value{std::string(text)};
   if (text == kOff) return Value{std::string()};
-  return bad_value(fmt::format("\"{}\" is none of {}", text, mode_names(slave)));
+  return bad_value(because("\"{text}\" is none of {words}", text, mode_names(slave)));
 }
 
 Setting op_mode_row() {
@@ -66,7 +67,7 @@ Setting op_mode_row() {
   row.write = [](Project& project, const Place& place, const Value& value) -> Status {
     auto& slave = at_slave(project, place);
     const auto* mode = std::get_if<std::string>(&value);
-    if (mode == nullptr) return bad_value("it is the name of an operation mode");
+    if (mode == nullptr) return bad_value(because("it is the name of an operation mode"));
     if (*mode != slave.dc.op_mode) select_op_mode(slave, *mode);
     return {};
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/number_text.h"
@@ -20,8 +21,8 @@ bool is_another(std::int64_t position, std::size_t own_position, std::size_t sla
   return is_position(slaves, position) && !std::cmp_equal(position, own_position);
 }
 
-std::string no_other_slave(std::int64_t position, std::size_t slaves) {
-  return fmt::format("slave {} is not another slave of the {} on the bus", position, slaves);
+Reason no_other_slave(std::int64_t position, std::size_t slaves) {
+  return because("slave {position} is not another slave of the {count} on the bus", position, slaves);
 }
 
 Result<Value> parse_previous(std::string_view text, std::size_t own_position, std::size_t slaves) {
@@ -29,7 +30,7 @@ Result<Value> parse_previous(std::string_view text, std::size_t own_position, st
   const auto position = parse_integer(text.substr(0, colon));
   const auto port = colon == std::string_view::npos ? std::string_view{"B"} : text.substr(colon + 1);
   if (!position || port.size() != 1 || port[0] < 'A' || port[0] > 'D') {
-    return bad_value(fmt::format("\"{}\" is neither none nor POSITION:PORT, like 0:B", text));
+    return bad_value(because("\"{text}\" is neither none nor POSITION:PORT, like 0:B", text));
   }
   if (!is_another(*position, own_position, slaves)) return bad_value(no_other_slave(*position, slaves));
   return Value{pack({static_cast<std::uint16_t>(*position), static_cast<std::uint8_t>(port[0] - 'A')})};
@@ -63,7 +64,7 @@ Setting previous_row() {
       return bad_value(no_other_slave(position, project.slaves.size()));
     }
     const auto port = *packed % kPortValues;
-    if (port >= kPorts) return bad_value("a slave has the ports A to D");
+    if (port >= kPorts) return bad_value(because("a slave has the ports A to D"));
     previous = {static_cast<std::uint16_t>(position), static_cast<std::uint8_t>(port)};
     return {};
   };

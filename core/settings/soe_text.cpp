@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "reasons/because.h"
 #include "settings/number_text.h"
 #include "settings/setting_type.h"
 #include "settings/startup_text.h"
@@ -29,12 +30,12 @@ Status parse_target(std::string_view text, SoeCommand& command) {
   const auto colon = text.find(':');
   const auto equals = text.find('=');
   if (colon == std::string_view::npos || equals == std::string_view::npos || colon > equals) {
-    return bad_value(fmt::format("\"{}\" is no DRIVE:IDN=DATA like 0:S-0-0047=00000000", text));
+    return bad_value(because("\"{text}\" is no DRIVE:IDN=DATA like 0:S-0-0047=00000000", text));
   }
   const auto drive = parse_integer(text.substr(0, colon));
   const auto idn = parse_idn(text.substr(colon + 1, equals - colon - 1));
   if (!drive || *drive < 0 || *drive > 7 || !idn) {
-    return bad_value(fmt::format("\"{}\" is no IDN of a drive 0..7", text.substr(0, equals)));
+    return bad_value(because("\"{text}\" is no IDN of a drive 0..7", text.substr(0, equals)));
   }
   auto data = parse_hex_data(text.substr(equals + 1));
   if (!data) return tl::unexpected(data.error());
@@ -54,7 +55,7 @@ Status parse_option(std::string_view word, SoeCommand& command) {
              word.starts_with(kTimeout) && ms && *ms >= 0 && *ms <= 0xFFFF'FFFF) {
     command.timeout_ms = static_cast<std::uint32_t>(*ms);
   } else {
-    return bad_value(fmt::format("\"{}\" is none of fixed, off, timeout=MS", word));
+    return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
   }
   return {};
 }
@@ -75,7 +76,7 @@ Result<SoeCommand> parse_soe(std::string_view text) {
   SoeCommand command;
   const auto mark = text.find(kCommentMark);
   if (mark != std::string_view::npos) command.comment = text.substr(mark + kCommentMark.size());
-  if (!is_utf8(command.comment)) return bad_value("the comment is no UTF-8 text");
+  if (!is_utf8(command.comment)) return bad_value(because("the comment is no UTF-8 text"));
   auto rest = text.substr(0, mark);
   if (auto status = parse_transitions(next_word(rest), command.transitions); !status) {
     return tl::unexpected(status.error());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "reasons/because.h"
 #include "settings/predicates.h"
 #include "settings/startup_text.h"
 #include "settings/tables.h"
@@ -12,7 +13,7 @@ Status set_command(SlaveSettings& slave, std::uint32_t number, std::string_view 
     if (number < slave.startup.size()) slave.startup.erase(place);
     return {};
   }
-  if (!slave.device.mailbox || !slave.device.mailbox->coe) return bad_value("the device has no CoE mailbox");
+  if (!slave.device.mailbox || !slave.device.mailbox->coe) return bad_value(because("the device has no CoE mailbox"));
   auto command = parse_startup(text);
   if (!command) return tl::unexpected(command.error());
   if (number < slave.startup.size()) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "reasons/because.h"
 #include "settings/number_text.h"
 #include "settings/setting_type.h"
 #include "support/utf8.h"
@@ -24,7 +25,7 @@ Status parse_transitions(std::string_view text, std::vector<Transition>& transit
     const auto comma = text.find(',');
     const auto name = text.substr(0, comma);
     const auto transition = transition_from_name(name);
-    if (!transition) return bad_value(fmt::format("\"{}\" is no state transition like PS or SO", name));
+    if (!transition) return bad_value(because("\"{text}\" is no state transition like PS or SO", name));
     transitions.push_back(*transition);
     if (comma == std::string_view::npos) return {};
     text.remove_prefix(comma + 1);
@@ -43,7 +44,7 @@ Result<std::vector<std::uint8_t>> parse_hex_data(std::string_view digits) {
   std::vector<std::uint8_t> data;
   for (std::size_t i = 0; i < digits.size(); i += 2) {
     const auto byte = parse_integer("0x" + std::string(digits.substr(i, 2)));
-    if (!byte || digits.size() % 2 != 0) return bad_value(fmt::format("\"{}\" are no whole hexadecimal bytes", digits));
+    if (!byte || digits.size() % 2 != 0) return bad_value(because("\"{text}\" are no whole hexadecimal bytes", digits));
     data.push_back(static_cast<std::uint8_t>(*byte));
   }
   return data;
@@ -55,12 +56,12 @@ Status parse_object(std::string_view text, StartupCommand& command) {
   const auto colon = text.find(':');
   const auto equals = text.find('=');
   if (colon == std::string_view::npos || equals == std::string_view::npos || colon > equals) {
-    return bad_value(fmt::format("\"{}\" is no INDEX:SUB=DATA like 0x6060:00=08", text));
+    return bad_value(because("\"{text}\" is no INDEX:SUB=DATA like 0x6060:00=08", text));
   }
   const auto index = parse_integer(text.substr(0, colon));
   const auto sub = parse_integer("0x" + std::string(text.substr(colon + 1, equals - colon - 1)));
   if (!index || *index < 1 || *index > 0xFFFF || !sub || *sub < 0 || *sub > 0xFF) {
-    return bad_value(fmt::format("\"{}\" is no object", text.substr(0, equals)));
+    return bad_value(because("\"{text}\" is no object", text.substr(0, equals)));
   }
   auto data = parse_hex_data(text.substr(equals + 1));
   if (!data) return tl::unexpected(data.error());
@@ -84,7 +85,7 @@ Status parse_option(std::string_view word, StartupCommand& command) {
              word.starts_with(kTimeout) && ms && *ms >= 0 && *ms <= 0xFFFF'FFFF) {
     command.timeout_ms = static_cast<std::uint32_t>(*ms);
   } else {
-    return bad_value(fmt::format("\"{}\" is none of complete, fixed, off, adapt, timeout=MS", word));
+    return bad_value(because("\"{text}\" is none of complete, fixed, off, adapt, timeout=MS", word));
   }
   return {};
 }
@@ -107,7 +108,7 @@ Result<StartupCommand> parse_startup(std::string_view text) {
   StartupCommand command;
   const auto mark = text.find(kCommentMark);
   if (mark != std::string_view::npos) command.comment = text.substr(mark + kCommentMark.size());
-  if (!is_utf8(command.comment)) return bad_value("the comment is no UTF-8 text");
+  if (!is_utf8(command.comment)) return bad_value(because("the comment is no UTF-8 text"));
   auto rest = text.substr(0, mark);
   if (auto status = parse_transitions(next_word(rest), command.transitions); !status)
     return tl::unexpected(status.error());

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "families/families.h"
+#include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
@@ -78,10 +79,10 @@ std::string pin_words(const families::PinObject& pins) {
 
 Status set_pin(SlaveSettings& slave, std::uint32_t number, std::string_view text) {
   const auto* pins = pins_of(slave);
-  if (pins == nullptr) return bad_value("the device has no output pins that are known");
+  if (pins == nullptr) return bad_value(because("the device has no output pins that are known"));
   const auto function = std::ranges::find(pins->functions, text, &families::PinFunction::word);
   if (function == pins->functions.end() && text != "auto") {
-    return bad_value(fmt::format("\"{}\" is none of {}", text, pin_words(*pins)));
+    return bad_value(because("\"{text}\" is none of {words}", text, pin_words(*pins)));
   }
   std::erase_if(slave.output_pins, [number](const OutputPin& pin) { return pin.pin == number; });
   if (function == pins->functions.end()) return {};

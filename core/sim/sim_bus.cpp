@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "protocol/registers.h"
+#include "reasons/because.h"
 #include "sim/dc/rate_changes.h"
 #include "sim/device/device.h"
 #include "sim/device/sii_from_device.h"
@@ -341,10 +342,11 @@ SimBus::SimBus(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SimBus::~SimBus() = default;
 
 Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseconds start, Work work) {
-  if (config.slaves.empty()) return fail(ErrorCode::kConfiguration, config.name, "the segment has no slaves");
+  if (config.slaves.empty()) return fail(ErrorCode::kConfiguration, config.name, because("the segment has no slaves"));
   for (std::size_t i = 0; i < config.slaves.size(); ++i) {
     if (config.slaves[i].parent.value_or(0) < config.slaves.size()) continue;
-    return fail(ErrorCode::kConfiguration, fmt::format("slave {}", i), "no slave is where it hangs; check parent");
+    return fail(ErrorCode::kConfiguration, fmt::format("slave {}", i),
+                because("no slave is where it hangs; check parent"));
   }
   const Wiring wiring(config.slaves);
   const auto path = segment_path(config.slaves, wiring, all_connected(config.slaves, wiring));
@@ -353,15 +355,15 @@ Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseco
     if (!passage.processed) continue;
     if (passage.slave != expected) {
       return fail(ErrorCode::kConfiguration, fmt::format("slave {}", expected),
-                  fmt::format("the wiring puts slave {} at this place of the frame's way; list the slaves in frame "
-                              "order (ports D, B, C; what hangs between another entry than A and port A comes first)",
-                              passage.slave));
+                  because("the wiring puts slave {slave} at this place of the frame's way; list the slaves in frame "
+                          "order (ports D, B, C; what hangs between another entry than A and port A comes first)",
+                          passage.slave));
     }
     ++expected;
   }
   if (expected != config.slaves.size()) {
     return fail(ErrorCode::kConfiguration, fmt::format("slave {}", expected),
-                "no frame reaches it; check parent and port");
+                because("no frame reaches it; check parent and port"));
   }
   return std::unique_ptr<SimBus>(new SimBus(std::make_unique<Impl>(config, start, work)));
 }

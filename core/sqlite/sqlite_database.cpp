@@ -17,7 +17,7 @@ tl::unexpected<Error> sql_error(sqlite3* database, int code) {
   // A file that ends within a page is damage, no trouble of the disk.
   if (database && sqlite3_extended_errcode(database) == SQLITE_IOERR_SHORT_READ) code = SQLITE_CORRUPT;
   return fail(Error{.code = ErrorCode::kCatalogue,
-                    .detail = database ? sqlite3_errmsg(database) : sqlite3_errstr(code),
+                    .detail = Reason::verbatim(std::string(database ? sqlite3_errmsg(database) : sqlite3_errstr(code))),
                     .file = name ? name : "",
                     .received = code & 0xFF});
 }
@@ -143,7 +143,7 @@ bool is_damaged(const Error& error) {
   return std::ranges::find(kDamages, error.received) != std::end(kDamages);
 }
 
-tl::unexpected<Error> damaged(const SqlDatabase& database, std::string detail) {
+tl::unexpected<Error> damaged(const SqlDatabase& database, Reason detail) {
   return fail(Error{
       .code = ErrorCode::kCatalogue, .detail = std::move(detail), .file = database.path(), .received = SQLITE_CORRUPT});
 }

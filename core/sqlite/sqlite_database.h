@@ -92,7 +92,7 @@ class SqlDatabase {
 /// True when the file is no database or a broken one: nothing in it can be trusted.
 [[nodiscard]] bool is_damaged(const Error& error);
 /// Such an error, with what was found.
-[[nodiscard]] tl::unexpected<Error> damaged(const SqlDatabase& database, std::string detail);
+[[nodiscard]] tl::unexpected<Error> damaged(const SqlDatabase& database, Reason detail);
 
 /// BEGIN now, ROLLBACK at the end unless commit() came before.
 class SqlTransaction {

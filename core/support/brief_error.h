@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
+#include "reasons/brief_reason.h"
 #include "support/result.h"
 
 namespace syncline {
@@ -13,9 +13,7 @@ namespace syncline {
 /// allocate makes an Error of them. Copied without allocating.
 struct BriefError {
   ErrorCode code = ErrorCode::kMalformedData;
-  const char* why = "";  // detail, for the program's life; {0} and {1} stand for the numbers, {2} for the word
-  std::int64_t a = 0, b = 0;
-  std::string_view word{};                             // for the program's life
+  BriefReason why{};                                   // detail
   std::int64_t expected = 0, received = 0, extra = 0;  // as in Error
 
   [[nodiscard]] Error about(std::string subject) const;

@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
@@ -113,7 +115,7 @@ int write_all(int descriptor, std::string_view bytes) {
   return 0;
 }
 
-Error not_writable(const std::string& path, std::string why) {
+Error not_writable(const std::string& path, Reason why) {
   return Error{.code = ErrorCode::kFileNotWritable, .detail = std::move(why), .file = path};
 }
 
@@ -126,10 +128,10 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   file.target_ = target.file;
   struct stat found {};
   const bool there = ::stat(file.target_.c_str(), &found) == 0;
-  if (!there && errno != ENOENT) return fail(not_writable(path, std::strerror(errno)));
-  if (there && S_ISDIR(found.st_mode)) return fail(not_writable(path, "it is a folder"));
-  if (there && S_ISBLK(found.st_mode)) return fail(not_writable(path, "it is a disk, not a file"));
-  if (there && S_ISSOCK(found.st_mode)) return fail(not_writable(path, "it is a socket, not a file"));
+  if (!there && errno != ENOENT) return fail(not_writable(path, Reason::of_system(errno)));
+  if (there && S_ISDIR(found.st_mode)) return fail(not_writable(path, because("it is a folder")));
+  if (there && S_ISBLK(found.st_mode)) return fail(not_writable(path, because("it is a disk, not a file")));
+  if (there && S_ISSOCK(found.st_mode)) return fail(not_writable(path, because("it is a socket, not a file")));
   const bool in_place = there && (target.in_place || !S_ISREG(found.st_mode));
   if (auto status = in_place ? file.open_in_place() : file.open_temporary(); !status)
     return tl::unexpected(status.error());
@@ -199,7 +201,7 @@ Status OutputFile::failed(int number) {
   if (number == EINTR) {
     status_ = fail(Error{.code = ErrorCode::kCancelled, .file = path_});
   } else {
-    status_ = fail(not_writable(path_, std::strerror(number)));
+    status_ = fail(not_writable(path_, Reason::of_system(number)));
   }
   discard();
   return status_;

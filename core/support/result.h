@@ -6,6 +6,8 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
+#include "reasons/reason.h"
+
 namespace syncline {
 
 /// What went wrong. The words stand in findings/error_text.h, one English template each, so that the
@@ -66,7 +68,7 @@ enum class ErrorCode : std::uint16_t {
 struct Error {
   ErrorCode code = ErrorCode::kMalformedData;
   std::string subject{};
-  std::string detail{};
+  Reason detail{};
   std::string file{};
   int line = 0;
   std::int64_t expected = 0;
@@ -81,7 +83,7 @@ using Result = tl::expected<T, Error>;
 using Status = Result<void>;
 
 inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }
-inline tl::unexpected<Error> fail(ErrorCode code, std::string subject = {}, std::string detail = {}) {
+inline tl::unexpected<Error> fail(ErrorCode code, std::string subject = {}, Reason detail = {}) {
   return tl::unexpected<Error>(Error{code, std::move(subject), std::move(detail)});
 }
 

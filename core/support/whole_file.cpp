@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "reasons/because.h"
 #include "support/output_file.h"
 
 namespace syncline {
@@ -29,12 +30,12 @@ struct InputFile {
 tl::unexpected<Error> not_readable(const std::string& path, int number) {
   if (number == EINTR) return fail(Error{.code = ErrorCode::kCancelled, .file = path});
   const auto code = number == ENOENT ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable;
-  return fail(Error{.code = code, .detail = std::strerror(number), .file = path});
+  return fail(Error{.code = code, .detail = Reason::of_system(number), .file = path});
 }
 
 tl::unexpected<Error> too_long(const std::string& path, std::size_t largest) {
   return fail(Error{
-      .code = ErrorCode::kFileLimit, .detail = fmt::format("it has more than {} MB", largest >> 20), .file = path});
+      .code = ErrorCode::kFileLimit, .detail = because("it has more than {limit} MB", largest >> 20), .file = path});
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
@@ -196,7 +198,7 @@ Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text) {
   std::optional<Header> header;
   std::vector<DcmLogRow> rows;
   int number = 0;
-  const auto bad = [&number](std::string detail) {
+  const auto bad = [&number](Reason detail) {
     return fail(Error{.code = ErrorCode::kMalformedData,
                       .subject = fmt::format("line {} of the DCM log", number),
                       .detail = std::move(detail),
@@ -210,7 +212,7 @@ Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text) {
     if (line.empty()) continue;
     if (!header) {
       header = read_header(line);
-      if (!header) return bad("it names none of the log's columns");
+      if (!header) return bad(because("it names none of the log's columns"));
       continue;
     }
     DcmLogRow row;
@@ -218,12 +220,12 @@ Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text) {
     for (std::size_t i = 0; i < values.size() && i < header->columns.size(); ++i) {
       if (!header->columns[i] || values[i].empty()) continue;
       const auto cell = parse_cell(values[i]);
-      if (!cell) return bad(fmt::format("\"{}\" is no number", values[i].substr(0, 40)));
+      if (!cell) return bad(because("\"{text}\" is no number", values[i].substr(0, 40)));
       store(row, *header->columns[i], *cell);
     }
     rows.push_back(row);
   }
-  if (!header) return bad("it is empty");
+  if (!header) return bad(because("it is empty"));
   return rows;
 }
 

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "reasons/because.h"
+
 namespace syncline::eni {
 namespace {
 
@@ -96,10 +98,10 @@ Result<SqlDatabase> open_catalogue_database(const std::string& path, std::string
   const bool named_as_ours =
       std::filesystem::path(path).extension() == ".sqlite" && path.find("esi-catalogue") != std::string::npos;
   if (!path.empty() && owner_of(path) == Owner::kOthers && !named_as_ours) {
-    return fail(Error{.code = ErrorCode::kCatalogue, .detail = "it is no device catalogue", .file = path});
+    return fail(Error{.code = ErrorCode::kCatalogue, .detail = because("it is no device catalogue"), .file = path});
   }
   auto database = try_open(path, replaced);
-  if (!database && is_damaged(database.error())) replaced = "it was damaged: " + database.error().detail;
+  if (!database && is_damaged(database.error())) replaced = "it was damaged: " + database.error().detail.text();
   if (replaced.empty()) return database;
   if (database) *database = {};  // closed before its file goes
   std::error_code ignored;

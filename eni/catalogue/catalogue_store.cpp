@@ -212,7 +212,7 @@ Status CatalogueStore::check() {
   if (!query) return tl::unexpected(query.error());
   std::string found;
   if (auto status = query->each([&] { found = query->text(0); }); !status) return status;
-  if (found != "ok") return damaged(database_, found);
+  if (found != "ok") return damaged(database_, Reason::verbatim(found));
   return database_.execute("INSERT INTO words(words) VALUES('integrity-check')");
 }
 

@@ -76,7 +76,7 @@ Result<FoundFiles> list_files(const std::string& folder) {
   if (const auto error = list_below(folder, found)) {
     const bool missing = error == std::errc::no_such_file_or_directory;
     return fail(Error{.code = missing ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable,
-                      .detail = error.message(),
+                      .detail = Reason::phrase(error.message()),
                       .file = folder});
   }
   std::ranges::sort(found.files, {}, &FoundFile::path);  // the same folder gives the same catalogue on every machine

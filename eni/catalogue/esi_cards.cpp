@@ -11,6 +11,7 @@
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -112,7 +113,7 @@ Result<EsiCards> read_cards(std::string_view text, const std::string& file_name)
   } else if (root.name() != "EtherCATModule" && root.name() != "EtherCATDict") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .subject = std::string(root.name()),
-                      .detail = fmt::format("an ESI file with the root <EtherCATInfo>, not <{}>", root.name()),
+                      .detail = because("an ESI file with the root <EtherCATInfo>, not <{root}>", root.name()),
                       .file = file_name,
                       .line = root.line()});
   }

@@ -12,6 +12,7 @@
 #include "eni/catalogue/catalogue_update.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 
@@ -55,7 +56,7 @@ struct EsiCatalogue::State {
     }
     auto result = action();
     if (result || !is_damaged(result.error()) || path.empty()) return result;
-    warn_replaced("it was damaged: " + result.error().detail);
+    warn_replaced("it was damaged: " + result.error().detail.text());
     store.reset();
     std::error_code ignored;
     for (const char* const beside : {"", "-journal", "-wal", "-shm"}) std::filesystem::remove(path + beside, ignored);
@@ -187,7 +188,7 @@ Result<CatalogueMatch> EsiCatalogue::match(const Identity& identity) const {
   auto match = best_match(*entries, identity);
   if (match) return std::move(*match);
   return fail(ErrorCode::kUnknownDevice, to_string(identity),
-              fmt::format("none of the {} devices in the ESI files has this vendor and product", device_count()));
+              because("none of the {count} devices in the ESI files has this vendor and product", device_count()));
 }
 
 Result<const DeviceDescription*> EsiCatalogue::device(const CatalogueEntry& entry) const {
@@ -204,7 +205,7 @@ Result<const DeviceDescription*> EsiCatalogue::device(const CatalogueEntry& entr
     if (error.line >= entry.line && (reason == nullptr || error.line < reason->line)) reason = &error;
   }
   if (reason != nullptr) return fail(*reason);
-  return fail(ErrorCode::kUnknownDevice, to_string(entry.identity), fmt::format("{} has it no longer", entry.file));
+  return fail(ErrorCode::kUnknownDevice, to_string(entry.identity), because("{file} has it no longer", entry.file));
 }
 
 Result<DeviceMatch> EsiCatalogue::device_for(const Identity& identity) const {

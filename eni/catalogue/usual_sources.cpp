@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "reasons/because.h"
+
 namespace syncline::eni {
 
 std::vector<std::string> usual_sources(const EsiCatalogue& catalogue, std::vector<std::string> own) {
@@ -29,7 +31,8 @@ Result<IndexReport> add_source(EsiCatalogue& catalogue, const std::string& path,
 std::vector<Error> unreadable_folders(const IndexReport& report) {
   std::vector<Error> errors;
   for (const auto& folder : report.unreadable)
-    errors.push_back({.code = ErrorCode::kFileNotReadable, .detail = "its ESI files are missing here", .file = folder});
+    errors.push_back(
+        {.code = ErrorCode::kFileNotReadable, .detail = because("its ESI files are missing here"), .file = folder});
   return errors;
 }
 

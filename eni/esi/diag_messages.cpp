@@ -10,6 +10,7 @@
 
 #include "eni/esi/esi_side_files.h"
 #include "eni/xml/xml_reader.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -87,7 +88,7 @@ Result<std::vector<DiagMessageText>> read_messages(const XmlDocument& document, 
   if (with_side_files) side_files.emplace(std::filesystem::path(file_name).parent_path(), reading);
   MessagesReader reader(identity, side_files ? &*side_files : nullptr);
   if (reader.read({document->RootElement(), reading})) return reader.take();
-  return fail(ErrorCode::kUnknownDevice, file_name, fmt::format("{} is not in the file", to_string(identity)));
+  return fail(ErrorCode::kUnknownDevice, file_name, because("{device} is not in the file", to_string(identity)));
 }
 
 }  // namespace

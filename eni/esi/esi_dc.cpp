@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -29,7 +30,7 @@ std::optional<OpModeTime> read_op_mode_time(const Node& node) {
 
 OpModeSyncManager read_sync_manager(const Node& node) {
   OpModeSyncManager manager;
-  if (!node.has("No")) node.fail(ErrorCode::kXmlBadValue, "the attribute No is missing");
+  if (!node.has("No")) node.fail(ErrorCode::kXmlBadValue, because("the attribute No is missing"));
   manager.number = node.number<std::uint8_t>("No").value_or(0);
   manager.sync_type = node.child_number<std::uint16_t>("SyncType");
   manager.cycle_time = read_op_mode_time(node.child("CycleTime"));

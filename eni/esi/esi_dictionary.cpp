@@ -7,6 +7,7 @@
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 /// The ESI describes objects by data types that name further data types; what a configurator needs is a list of
@@ -118,7 +119,8 @@ class DictionaryReader {
     const auto flags = read_flags(node.child("Flags"));
     if (type.child("SubItem")) {
       add_items(object, type, flags);
-      if (object.entries.size() > kMostEntries) node.fail(ErrorCode::kXmlBadValue, "it has too many sub-indices");
+      if (object.entries.size() > kMostEntries)
+        node.fail(ErrorCode::kXmlBadValue, because("it has too many sub-indices"));
       add_defaults(object, node.child("Info"));
     } else {
       object.entries.push_back(variable(node, object.name, type_name, flags));

@@ -5,6 +5,7 @@
 
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -27,7 +28,7 @@ std::vector<Transition> read_transitions(const Node& node) {
       transition.warn(fmt::format("\"{}\" is read as {}", text, transition_name(*meant)));
       transitions.push_back(*meant);
     } else {
-      transition.fail(ErrorCode::kXmlBadValue, fmt::format("\"{}\" is no state transition", text));
+      transition.fail(ErrorCode::kXmlBadValue, because("\"{text}\" is no state transition", text));
     }
   }
   if (transitions.empty() && node && node.reading().tolerant() && !node.child("Transition")) {

@@ -7,6 +7,7 @@
 #include "eni/esi/esi_words.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "reasons/because.h"
 
 /// Slots and Modules of modular devices.
 namespace syncline::eni {
@@ -36,7 +37,7 @@ void read_instances(const Node& node, SlotDescription& slot) {
   slot.max_instances = most.value_or(1);
   if (slot.min_instances > slot.max_instances) {
     node.fail(ErrorCode::kXmlBadValue,
-              fmt::format("MinInstances {} is more than MaxInstances {}", slot.min_instances, slot.max_instances));
+              because("MinInstances {least} is more than MaxInstances {most}", slot.min_instances, slot.max_instances));
   }
 }
 
@@ -61,7 +62,7 @@ ModulePdoGroup read_pdo_group(const Node& node) {
 }
 
 void read_type(const Node& type, ModuleDescription& module) {
-  if (!type.has("ModuleIdent")) type.fail(ErrorCode::kXmlBadValue, "the attribute ModuleIdent is missing");
+  if (!type.has("ModuleIdent")) type.fail(ErrorCode::kXmlBadValue, because("the attribute ModuleIdent is missing"));
   module.type = type.trimmed();
   module.ident = type.number<std::uint32_t>("ModuleIdent").value_or(0);
   module.module_class = type.attribute("ModuleClass");

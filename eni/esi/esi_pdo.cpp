@@ -6,6 +6,7 @@
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
 #include "protocol/coe_data_type.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -19,7 +20,7 @@ class Channel {
   [[nodiscard]] T number(const Node& node) const {
     const auto value = static_cast<std::int64_t>(node.number<T>()) + number_ * factor(node);
     if (value < 0 || value > static_cast<std::int64_t>(std::numeric_limits<T>::max())) {
-      node.fail(ErrorCode::kXmlBadValue, fmt::format("{} is out of range in channel {}", value, number_));
+      node.fail(ErrorCode::kXmlBadValue, because("{value} is out of range in channel {channel}", value, number_));
       return T{};
     }
     return static_cast<T>(value);
@@ -110,7 +111,7 @@ Pdo read_pdo(const Node& node, const PdoTemplates& templates) {
   }
   const auto found = templates.find(reference);
   if (found == templates.end()) {
-    node.fail(ErrorCode::kXmlBadValue, fmt::format("there is no Pdo with the RefName \"{}\"", reference));
+    node.fail(ErrorCode::kXmlBadValue, because("there is no Pdo with the RefName \"{name}\"", reference));
     return pdo;
   }
   read_content(found->second.with(node.reading()), Channel(node.number<std::uint8_t>("Chn").value_or(0)), pdo);
@@ -130,8 +131,8 @@ void check_pdo_indices(const Node& parent, const std::vector<Pdo>& rx_pdos, cons
     for (std::size_t i = 0; i < pdos.size() && i < nodes.size(); ++i) {
       const auto [first, is_new] = seen.emplace(pdos[i].index, nodes[i].line());
       if (is_new) continue;
-      nodes[i].fail(ErrorCode::kXmlBadValue, fmt::format("the PDO index 0x{:04x} is used twice; first in line {}",
-                                                         pdos[i].index, first->second));
+      nodes[i].fail(ErrorCode::kXmlBadValue, because("the PDO index 0x{index} is used twice; first in line {line}",
+                                                     fmt::format("{:04x}", pdos[i].index), first->second));
     }
   };
   check("RxPdo", rx_pdos);

@@ -12,6 +12,7 @@
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -42,7 +43,7 @@ class EsiDocument {
       add_modules(modules_of(root));
     } else {
       root.fail(ErrorCode::kNotThatKindOfFile,
-                fmt::format("an ESI file with the root <EtherCATInfo>, not <{}>", root.name()));
+                because("an ESI file with the root <EtherCATInfo>, not <{root}>", root.name()));
     }
   }
 
@@ -70,8 +71,8 @@ class EsiDocument {
     Error error = *part.error();
     part.warn(error.line, error.subject, fmt::format("{} is left out: {}", subject_of(node), describe(error)));
     const auto type = node.child("Type").trimmed();
-    error.detail =
-        type.empty() ? fmt::format("Device: {}", error.detail) : fmt::format("Device {}: {}", type, error.detail);
+    error.detail = type.empty() ? because("Device: {reason}", error.detail)
+                                : because("Device {device}: {reason}", type, error.detail);
     file_.rejected.push_back(std::move(error));
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -33,9 +34,10 @@ Result<SideFile*> SideFiles::open(const std::string& name) {
   if (const auto known = files_.find(relative); known != files_.end()) return known->second.get();
   const auto path = (folder_ / relative).string();
   if (leaves_folder(relative)) {
-    return fail(ErrorCode::kNotSupported, name, "it lies outside of the folder of the ESI file");
+    return fail(ErrorCode::kNotSupported, name, because("it lies outside of the folder of the ESI file"));
   }
-  if (files_.size() >= kMost) return fail(ErrorCode::kNotSupported, name, "the ESI file refers to too many files");
+  if (files_.size() >= kMost)
+    return fail(ErrorCode::kNotSupported, name, because("the ESI file refers to too many files"));
   auto document = load_xml(path);
   if (!document) return tl::unexpected(document.error());
   auto file = std::make_unique<SideFile>(std::move(*document), like_.of_file(path));

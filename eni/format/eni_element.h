@@ -61,7 +61,8 @@ class EniElement {
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;
 
   [[nodiscard]] const tinyxml2::XMLElement* element() const { return node_.element(); }
-  void report(ErrorCode code, std::string detail) const { node_.fail(code, std::move(detail)); }
+  /// With the value that cannot be used.
+  void report(ErrorCode code, std::string value) const { node_.fail(code, Reason::verbatim(std::move(value))); }
 
  private:
   template <std::integral T>

@@ -7,6 +7,7 @@
 #include "eni/format/eni_file.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -109,14 +110,14 @@ Result<NetworkConfig> read_eni_document(const tinyxml2::XMLElement* root, const 
   // "Encrypted..." is an OEM export whose content is plain in the field.
   if (root_name != "EtherCATConfig" && root_name != "EncryptedEtherCATConfig") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
-                      .detail = "an ENI file (root element EtherCATConfig)",
+                      .detail = because("an ENI file (root element EtherCATConfig)"),
                       .file = file_name});
   }
   Reading reading(file_name);
   const EniElement element(Node(root, reading));
   if (root_name == "EncryptedEtherCATConfig" && !element.child("Config")) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
-                      .detail = "an ENI file that others can read: its maker has encrypted it",
+                      .detail = because("an ENI file that others can read: its maker has encrypted it"),
                       .file = file_name});
   }
   return read_config(element, reading);

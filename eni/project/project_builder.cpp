@@ -9,6 +9,7 @@
 #include "findings/error_text.h"
 #include "findings/scan_words.h"
 #include "findings/sentence.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -106,7 +107,8 @@ Result<Project> project_from_devices(const std::vector<Identity>& devices, const
     if (!match) return tl::unexpected(match.error());
     if (!match->exact_revision) {
       return fail(ErrorCode::kUnknownDevice, to_string(identity),
-                  fmt::format("the ESI files have revision 0x{:08x}", match->device->identity.revision_no));
+                  because("the ESI files have revision 0x{revision}",
+                          fmt::format("{:08x}", match->device->identity.revision_no)));
     }
     project.slaves.push_back(default_slave(*match->device, static_cast<std::uint16_t>(project.slaves.size())));
   }

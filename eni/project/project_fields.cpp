@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -254,7 +255,7 @@ void FieldReader::indices(const char* name, std::vector<std::uint16_t>& values) 
     const auto word = rest.substr(0, rest.find_first_of(" \t\r\n"));
     const auto index = parse_number(word);
     if (!index || *index < 0 || *index > 0xFFFF) {
-      return found.fail(ErrorCode::kXmlBadValue, fmt::format("\"{}\" is no PDO index", word));
+      return found.fail(ErrorCode::kXmlBadValue, because("\"{text}\" is no PDO index", word));
     }
     values.push_back(static_cast<std::uint16_t>(*index));
     rest.remove_prefix(word.size());
@@ -265,7 +266,7 @@ void FieldReader::transitions(std::vector<Transition>& values) {
   values.clear();
   for (const Node& node : node_.children("Transition")) {
     const auto transition = transition_from_name(node.trimmed());
-    if (!transition) return node.fail(ErrorCode::kXmlBadValue, fmt::format("\"{}\" is no transition", node.trimmed()));
+    if (!transition) return node.fail(ErrorCode::kXmlBadValue, because("\"{text}\" is no transition", node.trimmed()));
     values.push_back(*transition);
   }
 }

@@ -16,6 +16,7 @@
 #include "eni/xml/xml_number.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_writer.h"
+#include "reasons/because.h"
 
 /// The fields of the project file, named once: the same function writes and reads them.
 namespace syncline::eni {
@@ -115,24 +116,24 @@ class FieldReader {
   void attribute(const char* name, std::optional<RevisionCheck>& rule) {
     if (!node_.has(name)) return;
     rule = revision_check_from_name(node_.attribute(name));
-    if (!rule) bad(name, "is no rule");
+    if (!rule) bad(name, because("is no rule"));
   }
   void attribute(const char* name, std::optional<SyncTypeChoice>& type) {
     if (!node_.has(name)) return;
     type = sync_type_from_name(node_.attribute(name));
-    if (!type) bad(name, "is no synchronisation type");
+    if (!type) bad(name, because("is no synchronisation type"));
   }
   void optional_text(const char* name, std::string& value) { text(name, value); }
   void attribute(const char* name, DcmMode& mode) {
     if (!node_.has(name)) return;
     const auto known = dcm_mode_from_name(node_.attribute(name));
-    if (!known) return bad(name, "is no mode");
+    if (!known) return bad(name, because("is no mode"));
     mode = *known;
   }
   void attribute(const char* name, std::array<std::uint8_t, 6>& mac) {
     if (!node_.has(name)) return;
     const auto bytes = parse_hex_bytes(node_.attribute(name));
-    if (!bytes || bytes->size() != mac.size()) return bad(name, "is no Ethernet address");
+    if (!bytes || bytes->size() != mac.size()) return bad(name, because("is no Ethernet address"));
     std::ranges::copy(*bytes, mac.begin());
   }
   void text(const char* name, std::string& value) {
@@ -174,8 +175,9 @@ class FieldReader {
   void init_cmd(StartupCommand& command);
 
  private:
-  void bad(const char* name, std::string_view problem) const {
-    node_.fail(ErrorCode::kXmlBadValue, fmt::format("{}=\"{}\" {}", name, node_.attribute(name), problem));
+  void bad(const char* name, Reason problem) const {
+    node_.fail(ErrorCode::kXmlBadValue,
+               because("{attribute}=\"{text}\" {reason}", name, node_.attribute(name), std::move(problem)));
   }
   Node node_;
 };

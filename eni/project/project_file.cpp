@@ -7,6 +7,7 @@
 
 #include "eni/project/project_fields.h"
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 #include "settings/sync_settings.h"
 
 namespace syncline::eni {
@@ -55,7 +56,7 @@ DeviceDescription read_embedded(const Node& outer) {
   if (!reading.ok()) outer.reading().fail(*reading.error());
   if (!warnings.empty()) {  // the program wrote this itself: what cannot be read was damaged
     const FileWarning& first = warnings.front();
-    outer.reading().fail(ErrorCode::kXmlBadValue, first.line, first.element, first.text);
+    outer.reading().fail(ErrorCode::kXmlBadValue, first.line, first.element, Reason::verbatim(first.text));
   }
   return device;
 }
@@ -80,7 +81,7 @@ Project read_network(const Node& node, const ReadDevices& devices) {
     const auto id = slave_node.attribute("Device");
     const auto device = devices.find(id);
     if (device == devices.end()) {
-      slave_node.fail(ErrorCode::kXmlBadValue, fmt::format("there is no device \"{}\" in the file", id));
+      slave_node.fail(ErrorCode::kXmlBadValue, because("there is no device \"{name}\" in the file", id));
     } else {
       slave.device = device->second;
       if (const auto status = check_sync_settings(slave); !status) {
@@ -89,7 +90,7 @@ Project read_network(const Node& node, const ReadDevices& devices) {
         const Node node_of_key = slave_node.child(element);
         (node_of_key ? node_of_key : slave_node)
             .fail(ErrorCode::kXmlBadValue,
-                  fmt::format("slave.{}.{}: {}", project.slaves.size() - 1, key, status.error().detail));
+                  because("slave.{position}.{key}: {reason}", project.slaves.size() - 1, key, status.error().detail));
       }
     }
   }
@@ -162,7 +163,7 @@ Result<Machine> parse_machine(std::string_view text, const std::string& file_nam
   if (!document) return tl::unexpected(document.error());
   Reading reading(file_name);
   const Node root((*document)->RootElement(), reading);
-  const auto other_kind = [&](std::string detail) {
+  const auto other_kind = [&](Reason detail) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .subject = std::string(root.name()),
                       .detail = std::move(detail),
@@ -170,10 +171,10 @@ Result<Machine> parse_machine(std::string_view text, const std::string& file_nam
                       .line = root.line()});
   };
   if (root.name() != kProjectRoot)
-    return other_kind(fmt::format("a project file with the root <{}>, not <{}>", kProjectRoot, root.name()));
+    return other_kind(because("a project file with the root <{wanted}>, not <{root}>", kProjectRoot, root.name()));
   if (root.number<int>("Version").value_or(kOneNetwork) > kSeveralNetworks) {
-    return other_kind(
-        fmt::format("a project file of version {} or older, not {}", kSeveralNetworks, root.attribute("Version")));
+    return other_kind(because("a project file of version {version} or older, not {other}", kSeveralNetworks,
+                              root.attribute("Version")));
   }
   auto machine = read_content(root);
   if (!reading.ok()) return tl::unexpected(*reading.error());
@@ -188,11 +189,11 @@ Result<std::size_t> find_network(const Machine& machine, std::string_view networ
   }
   if (network.empty()) {
     return fail(ErrorCode::kBadValue, "--network",
-                fmt::format("the file holds {} networks; choose one by number or name: {}", networks.size(),
-                            network_list(machine)));
+                because("the file holds {count} networks; choose one by number or name: {names}", networks.size(),
+                        network_list(machine)));
   }
   return fail(ErrorCode::kBadValue, fmt::format("--network {}", network),
-              fmt::format("the file holds {}", network_list(machine)));
+              because("the file holds {names}", network_list(machine)));
 }
 
 Result<Project> parse_project(std::string_view text, const std::string& file_name, std::string_view network) {

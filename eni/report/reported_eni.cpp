@@ -10,6 +10,7 @@
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
 #include "exports/export_report.h"
+#include "reasons/because.h"
 #include "settings/settings_table.h"
 #include "support/output_file.h"
 
@@ -55,7 +56,7 @@ Status save_reported_eni(const ReportedEni& reported, const std::string& eni_pat
   if (same_file(eni_path, report_path)) {
     Error error{ErrorCode::kFileNotWritable};
     error.file = report_path;
-    error.detail = "the ENI goes to this file";
+    error.detail = because("the ENI goes to this file");
     return fail(std::move(error));
   }
   const auto eni = write_eni(reported.config, style_of(reported.dialect));

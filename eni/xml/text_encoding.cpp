@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 #include "support/utf8.h"
 
 namespace syncline::eni {
@@ -146,13 +147,13 @@ Result<std::string_view> decode_text(std::string_view text, std::string& buffer,
   if (encoding.name == "UTF-8") return text;
   const Converter converter(encoding.name);
   if (!converter) {
-    return fail(
-        Error{.code = ErrorCode::kFileNotReadable,
-              .detail = fmt::format("it is written in the encoding \"{}\", which this system cannot convert; save "
-                                    "it as UTF-8",
-                                    encoding.name),
-              .file = file_name,
-              .line = 1});
+    return fail(Error{
+        .code = ErrorCode::kFileNotReadable,
+        .detail =
+            because("it is written in the encoding \"{name}\", which this system cannot convert; save it as UTF-8",
+                    encoding.name),
+        .file = file_name,
+        .line = 1});
   }
   const std::size_t converted = converter.convert(text, buffer);
   if (converted == text.size()) return std::string_view(buffer);
@@ -161,13 +162,12 @@ Result<std::string_view> decode_text(std::string_view text, std::string& buffer,
     return std::string_view(buffer);
   }
   const auto line = 1 + std::ranges::count(text.substr(0, converted), '\n');
-  return fail(
-      Error{.code = ErrorCode::kFileNotReadable,
-            .detail = fmt::format("it should be written in the encoding \"{}\", to which the byte 0x{:02x} does not "
-                                  "belong; save it as UTF-8",
-                                  encoding.name, byte_at(text, converted)),
-            .file = file_name,
-            .line = static_cast<int>(line)});
+  return fail(Error{.code = ErrorCode::kFileNotReadable,
+                    .detail = because("it should be written in the encoding \"{name}\", to which the byte 0x{byte} "
+                                      "does not belong; save it as UTF-8",
+                                      encoding.name, fmt::format("{:02x}", byte_at(text, converted))),
+                    .file = file_name,
+                    .line = static_cast<int>(line)});
 }
 
 }  // namespace syncline::eni

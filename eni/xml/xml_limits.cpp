@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "reasons/because.h"
+
 namespace syncline::eni {
 namespace {
 
@@ -38,13 +40,13 @@ class LimitCheck {
   Status declaration(std::string_view rest) {
     const auto head = rest.substr(0, rest.find('>'));
     if (head.starts_with("<!ENTITY") || head.find('[') != std::string_view::npos) {
-      return exceeded("it defines entities of its own, which are not read");
+      return exceeded(because("it defines entities of its own, which are not read"));
     }
     return skip_to(">", 2);
   }
 
   Status element() {
-    if (++elements_ > kMaxElements) return exceeded(fmt::format("more than {} elements", kMaxElements));
+    if (++elements_ > kMaxElements) return exceeded(because("more than {most} elements", kMaxElements));
     std::size_t attributes = 0;
     for (++at_; at_ < text_.size() && text_[at_] != '>'; ++at_) {
       const char c = text_[at_];
@@ -54,12 +56,12 @@ class LimitCheck {
     }
     attributes_ += attributes;
     if (attributes > kMaxAttributesOfElement) {
-      return exceeded(fmt::format("an element with more than {} attributes", kMaxAttributesOfElement));
+      return exceeded(because("an element with more than {most} attributes", kMaxAttributesOfElement));
     }
-    if (attributes_ > kMaxAttributes) return exceeded(fmt::format("more than {} attributes", kMaxAttributes));
+    if (attributes_ > kMaxAttributes) return exceeded(because("more than {most} attributes", kMaxAttributes));
     const bool closes_itself = at_ < text_.size() && text_[at_ - 1] == '/';
     if (!closes_itself && ++depth_ > kMaxDepth) {
-      return exceeded(fmt::format("elements are nested more than {} deep", kMaxDepth));
+      return exceeded(because("elements are nested more than {most} deep", kMaxDepth));
     }
     return {};
   }
@@ -70,7 +72,7 @@ class LimitCheck {
     return {};
   }
 
-  [[nodiscard]] Status exceeded(std::string detail) const {
+  [[nodiscard]] Status exceeded(Reason detail) const {
     const auto before = text_.substr(0, start_);
     const auto lines = std::ranges::count(before, '\n') + 1;
     return fail(Error{.code = ErrorCode::kFileLimit,
@@ -89,9 +91,10 @@ class LimitCheck {
 
 Status check_xml_limits(std::string_view text, const std::string& file_name) {
   if (text.size() > kMaxFileBytes) {
-    return fail(Error{.code = ErrorCode::kFileLimit,
-                      .detail = fmt::format("it has {} MB, the limit is {} MB", text.size() >> 20, kMaxFileBytes >> 20),
-                      .file = file_name});
+    return fail(
+        Error{.code = ErrorCode::kFileLimit,
+              .detail = because("it has {size} MB, the limit is {limit} MB", text.size() >> 20, kMaxFileBytes >> 20),
+              .file = file_name});
   }
   return LimitCheck(text, file_name).run();
 }

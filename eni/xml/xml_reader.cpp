@@ -8,33 +8,34 @@
 #include "eni/xml/text_encoding.h"
 #include "eni/xml/xml_limits.h"
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
 
-std::string_view malformed_text(tinyxml2::XMLError error) {
+Reason malformed_reason(tinyxml2::XMLError error) {
   switch (error) {
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "an end tag does not match its start tag";
+      return because("an end tag does not match its start tag");
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return "an attribute is written wrongly";
+      return because("an attribute is written wrongly");
     case tinyxml2::XML_ERROR_PARSING_ELEMENT:
-      return "an element is not complete";
+      return because("an element is not complete");
     case tinyxml2::XML_ERROR_PARSING_TEXT:
     case tinyxml2::XML_ERROR_PARSING_CDATA:
-      return "a text does not end";
+      return because("a text does not end");
     case tinyxml2::XML_ERROR_PARSING_COMMENT:
-      return "a comment does not end";
+      return because("a comment does not end");
     case tinyxml2::XML_ERROR_PARSING_DECLARATION:
-      return "the XML declaration is wrong";
+      return because("the XML declaration is wrong");
     case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
-      return "a <!...> section does not end";
+      return because("a <!...> section does not end");
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "the file is empty";
+      return because("the file is empty");
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      return "the elements are nested too deeply";
+      return because("the elements are nested too deeply");
     default:
-      return "the text ends too early or is no XML";
+      return because("the text ends too early or is no XML");
   }
 }
 
@@ -48,7 +49,7 @@ std::string element_of(const tinyxml2::XMLDocument& document) {
 
 }  // namespace
 
-void Reading::fail(ErrorCode code, int line, std::string subject, std::string detail) {
+void Reading::fail(ErrorCode code, int line, std::string subject, Reason detail) {
   if (error_) return;
   error_ = Error{.code = code, .subject = std::move(subject), .detail = std::move(detail), .file = file_, .line = line};
 }
@@ -84,7 +85,7 @@ Node Node::child(const char* name) const {
 Node Node::required(const char* name) const {
   const Node found = child(name);
   if (!found && element_)
-    reading_->fail(ErrorCode::kXmlMissingElement, line(), name, fmt::format("in <{}>", this->name()));
+    reading_->fail(ErrorCode::kXmlMissingElement, line(), name, because("in <{element}>", this->name()));
   return found;
 }
 
@@ -126,13 +127,13 @@ std::vector<std::uint8_t> Node::bytes() const {
   if (!parsed && reading_ != nullptr && reading_->tolerant() && (parsed = parse_hex_bytes("0" + value))) {
     warn(fmt::format("\"{}\" has an odd number of digits; a zero is put in front", trim(value)));
   }
-  if (!parsed) bad_value(name(), {}, value, "is no hexadecimal data");
+  if (!parsed) bad_value(name(), {}, value, "\"{text}\" is no hexadecimal data");
   return parsed ? std::move(*parsed) : std::vector<std::uint8_t>{};
 }
 
 bool Node::boolean() const {
   const auto value = parse_bool(text());
-  if (!value && element_) bad_value(name(), {}, text(), "is neither true nor false");
+  if (!value && element_) bad_value(name(), {}, text(), "\"{text}\" is neither true nor false");
   return value.value_or(false);
 }
 
@@ -144,11 +145,11 @@ std::string Node::attribute(const char* name) const {
 std::optional<bool> Node::boolean(const char* attribute_name) const {
   if (!has(attribute_name)) return std::nullopt;
   const auto value = parse_bool(attribute(attribute_name));
-  if (!value) bad_value(name(), attribute_name, attribute(attribute_name), "is neither true nor false");
+  if (!value) bad_value(name(), attribute_name, attribute(attribute_name), "\"{text}\" is neither true nor false");
   return value;
 }
 
-void Node::fail(ErrorCode code, std::string detail) const {
+void Node::fail(ErrorCode code, Reason detail) const {
   if (element_) reading_->fail(code, line(), std::string(name()), std::move(detail));
 }
 
@@ -168,13 +169,13 @@ std::optional<std::int64_t> Node::sloppy_number(std::string_view element, std::s
 }
 
 void Node::bad_value(std::string_view element, std::string_view attribute, std::string_view value,
-                     std::string_view problem) const {
+                     ReasonRow<1> problem) const {
   constexpr std::size_t kShown = 40;
   if (reading_ == nullptr) return;
   std::string shown(trim(value));
   if (shown.size() > kShown) shown = shown.substr(0, kShown) + "...";
   auto subject = attribute.empty() ? std::string(element) : fmt::format("{}@{}", element, attribute);
-  reading_->fail(ErrorCode::kXmlBadValue, line(), std::move(subject), fmt::format("\"{}\" {}", shown, problem));
+  reading_->fail(ErrorCode::kXmlBadValue, line(), std::move(subject), because(problem, shown));
 }
 
 Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_name) {
@@ -189,13 +190,14 @@ Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_nam
     const auto element = element_of(*document);
     return fail(Error{.code = ErrorCode::kXmlMalformed,
                       .subject = element,
-                      .detail = element.empty() ? std::string(malformed_text(status))
-                                                : fmt::format("{} (<{}>)", malformed_text(status), element),
+                      .detail = element.empty() ? malformed_reason(status)
+                                                : because("{reason} (<{element}>)", malformed_reason(status), element),
                       .file = file_name,
                       .line = document->ErrorLineNum()});
   }
   if (document->RootElement() == nullptr) {
-    return fail(Error{.code = ErrorCode::kXmlMalformed, .detail = "there is no element", .file = file_name, .line = 1});
+    return fail(Error{
+        .code = ErrorCode::kXmlMalformed, .detail = because("there is no element"), .file = file_name, .line = 1});
   }
   return document;
 }

@@ -14,6 +14,7 @@
 
 #include "eni/xml/file_warning.h"
 #include "eni/xml/xml_number.h"
+#include "reasons/because.h"
 #include "support/result.h"
 
 /// Reading XML that others wrote: values with their line, the first error kept, no exceptions.
@@ -39,7 +40,7 @@ class Reading {
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   [[nodiscard]] bool ok() const { return !error_; }
   [[nodiscard]] bool tolerant() const { return warnings_ != nullptr; }
-  void fail(ErrorCode code, int line, std::string subject, std::string detail);
+  void fail(ErrorCode code, int line, std::string subject, Reason detail);
   void fail(const Error& error);
   void warn(int line, std::string element, std::string text);
   /// "0x1A00", which ETG.2000 writes "#x1A00": told once a file, because it is in all of it or nowhere.
@@ -102,7 +103,7 @@ class Node {
     return found ? std::optional(found.number<T>()) : std::nullopt;
   }
 
-  void fail(ErrorCode code, std::string detail) const;
+  void fail(ErrorCode code, Reason detail) const;
   void warn(std::string text) const;
   [[nodiscard]] bool has_children() const { return element_ != nullptr && element_->FirstChildElement() != nullptr; }
 
@@ -113,7 +114,7 @@ class Node {
     if (number && reading_->tolerant() && value.find("0x") == 0) reading_->warn_of_prefix(line(), std::string(element));
     if (!number) number = sloppy_number(element, attribute, value);
     if (!number) {
-      bad_value(element, attribute, value, "is no number");
+      bad_value(element, attribute, value, "\"{text}\" is no number");
       return T{};
     }
     const bool negative_into_unsigned = std::unsigned_integral<T> && *number < 0;
@@ -122,7 +123,7 @@ class Node {
     const bool too_small =
         std::signed_integral<T> && *number < static_cast<std::int64_t>(std::numeric_limits<T>::min());
     if (negative_into_unsigned || too_big || too_small) {
-      bad_value(element, attribute, value, "is out of range");
+      bad_value(element, attribute, value, "\"{text}\" is out of range");
       return T{};
     }
     return static_cast<T>(*number);
@@ -131,7 +132,7 @@ class Node {
   [[nodiscard]] std::optional<std::int64_t> sloppy_number(std::string_view element, std::string_view attribute,
                                                           std::string_view value) const;
   void bad_value(std::string_view element, std::string_view attribute, std::string_view value,
-                 std::string_view problem) const;
+                 ReasonRow<1> problem) const;
 
   const tinyxml2::XMLElement* element_ = nullptr;
   Reading* reading_ = nullptr;

@@ -65,9 +65,9 @@ TEST_F(CliRecordEnd, KilledItIsWholeUpToTheLastSecond) {
     runs[static_cast<std::size_t>(i)]->signal(SIGKILL);
     EXPECT_EQ(runs[static_cast<std::size_t>(i)]->wait(), 128 + SIGKILL);
     auto reader = RecordingReader::open(file(i));
-    ASSERT_TRUE(reader) << reader.error().detail;
+    ASSERT_TRUE(reader) << reader.error().detail.text();
     const auto verified = reader->verify();
-    ASSERT_TRUE(verified) << verified.error().detail;
+    ASSERT_TRUE(verified) << verified.error().detail.text();
     const auto info = reader->info();
     ASSERT_TRUE(info);
     EXPECT_FALSE(info->ended);
@@ -118,7 +118,7 @@ TEST_F(CliRecordEnd, AFullDiskEndsItWithAMessageAndItOpens) {
   EXPECT_THAT(run.err(), HasSubstr("free space"));
   EXPECT_THAT(run.out(), HasSubstr("150000 cycles")) << "the run went on to its end";
   auto reader = RecordingReader::open(file);
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   EXPECT_TRUE(reader->verify());
   const auto info = reader->info();
   ASSERT_TRUE(info);

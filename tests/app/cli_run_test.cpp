@@ -141,7 +141,7 @@ TEST(CliRun, WritesTheLogOfTheMasterSynchronisationAndTakesItsParameters) {
   std::ostringstream text;
   text << file.rdbuf();
   const auto rows = read_dcm_log(text.str());
-  ASSERT_TRUE(rows) << rows.error().detail;
+  ASSERT_TRUE(rows) << rows.error().detail.text();
   ASSERT_GT(rows->size(), 2'000U);
   EXPECT_EQ(rows->back().set_value_ns, 400'000);
   EXPECT_TRUE(rows->back().dcm_in_sync);

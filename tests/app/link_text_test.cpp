@@ -25,7 +25,7 @@ TEST(LinkText, SaysWhatIsAccepted) {
     const auto link = parse_link_text(text);
     ASSERT_FALSE(link) << text;
     EXPECT_EQ(link.error().code, ErrorCode::kBadValue) << text;
-    EXPECT_THAT(link.error().detail, testing::HasSubstr("nic:NAME")) << text;
+    EXPECT_THAT(link.error().detail.text(), testing::HasSubstr("nic:NAME")) << text;
   }
 }
 

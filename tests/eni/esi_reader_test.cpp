@@ -207,7 +207,7 @@ TEST(EsiReader, OtherFilesAreRefusedWithTheirReason) {
   EXPECT_EQ(read_esi("/no/such/file.xml").error().code, ErrorCode::kFileNotFound);
   const auto other = parse_esi("<EtherCATConfig/>", "t.xml");
   EXPECT_EQ(other.error().code, ErrorCode::kNotThatKindOfFile);
-  EXPECT_THAT(other.error().detail, HasSubstr("EtherCATConfig"));
+  EXPECT_THAT(other.error().detail.text(), HasSubstr("EtherCATConfig"));
   const auto no_vendor = parse_esi("<EtherCATInfo>\n<Descriptions/></EtherCATInfo>", "t.xml");
   EXPECT_EQ(no_vendor.error().code, ErrorCode::kXmlMissingElement);
   EXPECT_EQ(no_vendor.error().subject, "Vendor");

@@ -60,8 +60,8 @@ TEST(MachineFile, ANetworkIsChosenByNameOrNumber) {
   const auto none = find_network(machine, "").error();
   EXPECT_EQ(none.code, ErrorCode::kBadValue);
   EXPECT_EQ(none.subject, "--network");
-  EXPECT_THAT(none.detail, HasSubstr("0 \"Feeder\", 1 \"Press\", 2 \"1\""));
-  EXPECT_THAT(find_network(machine, "Pump").error().detail, HasSubstr("\"Press\""));
+  EXPECT_THAT(none.detail.text(), HasSubstr("0 \"Feeder\", 1 \"Press\", 2 \"1\""));
+  EXPECT_THAT(find_network(machine, "Pump").error().detail.text(), HasSubstr("\"Press\""));
 }
 
 TEST(MachineFile, LoadingAProjectAsksWhich) {

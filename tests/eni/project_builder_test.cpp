@@ -93,7 +93,7 @@ TEST_F(ProjectBuilder, UnknownDevicesAreNamed) {
   EXPECT_EQ(unknown.error().subject, "0x000005ec:0x00000009:0x00000001");
   const auto revision = project_from_devices({{0x5EC, 2, 0x77, 0}}, catalogue_);
   EXPECT_EQ(revision.error().code, ErrorCode::kUnknownDevice);
-  EXPECT_THAT(revision.error().detail, HasSubstr("0x00000020"));
+  EXPECT_THAT(revision.error().detail.text(), HasSubstr("0x00000020"));
 }
 
 ScannedSlave scanned(std::uint16_t position, std::uint32_t product, std::uint32_t revision, DcCapability dc) {

@@ -146,7 +146,7 @@ TEST(ProjectFile, KeepsSynchronisationSettingsAndNamesThoseThatTheDeviceDoesNotT
     spoilt.replace(spoilt.find(cases[i].first), cases[i].first.size(), cases[i].second);
     const auto refused = parse_project(spoilt, "p.syncline");
     ASSERT_FALSE(refused) << keys[i];
-    EXPECT_THAT(refused.error().detail, HasSubstr(keys[i]));
+    EXPECT_THAT(refused.error().detail.text(), HasSubstr(keys[i]));
     EXPECT_EQ(refused.error().file, "p.syncline");
     EXPECT_GT(refused.error().line, 1);
   }

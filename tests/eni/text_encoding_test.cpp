@@ -32,7 +32,7 @@ std::string encode(const std::string& utf8, const char* encoding) {
 std::string decoded(const std::string& text) {
   std::string buffer;
   const auto result = decode_text(text, buffer, "x.xml");
-  return result ? std::string(*result) : result.error().detail;
+  return result ? std::string(*result) : result.error().detail.text();
 }
 
 std::string declared(const std::string& encoding, const std::string& content) {
@@ -84,7 +84,7 @@ TEST(TextEncoding, WhatCannotBeConvertedIsRefusedByName) {
   const auto broken = parse_xml(declared("gb2312", "\n\xFF\xFF"), "b.xml");
   ASSERT_FALSE(broken);
   EXPECT_EQ(broken.error().line, 2);
-  EXPECT_THAT(broken.error().detail, HasSubstr("0xff"));
+  EXPECT_THAT(broken.error().detail.text(), HasSubstr("0xff"));
 }
 
 TEST(TextEncoding, AnEsiFileInAnyOfThemHasItsNames) {

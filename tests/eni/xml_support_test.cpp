@@ -80,7 +80,7 @@ TEST(XmlReader, FirstErrorNamesLineAndElement) {
   EXPECT_EQ(reading.error()->code, ErrorCode::kXmlBadValue);
   EXPECT_EQ(reading.error()->line, 2);
   EXPECT_EQ(reading.error()->subject, "B@C");
-  EXPECT_THAT(reading.error()->detail, HasSubstr("out of range"));
+  EXPECT_THAT(reading.error()->detail.text(), HasSubstr("out of range"));
 }
 
 TEST(XmlReader, MalformedTextNamesItsLine) {
@@ -89,7 +89,7 @@ TEST(XmlReader, MalformedTextNamesItsLine) {
   EXPECT_EQ(document.error().code, ErrorCode::kXmlMalformed);
   EXPECT_EQ(document.error().file, "f.xml");
   EXPECT_GT(document.error().line, 0);
-  EXPECT_THAT(document.error().detail, HasSubstr("end tag"));
+  EXPECT_THAT(document.error().detail.text(), HasSubstr("end tag"));
   EXPECT_FALSE(parse_xml("", "f.xml"));
   EXPECT_FALSE(parse_xml("<!-- nothing -->", "f.xml"));
 }

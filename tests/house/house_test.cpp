@@ -26,7 +26,7 @@ struct Room {
   Names may;
 };
 
-const Names kValues{"core/support", "core/protocol", "core/findings", "core/config"};
+const Names kValues{"core/reasons", "core/support", "core/protocol", "core/findings", "core/config"};
 
 Names with(Names names, const Names& more) {
   names.insert(more.begin(), more.end());
@@ -36,11 +36,12 @@ Names with(Names names, const Names& more) {
 std::vector<Room> rooms() {
   const auto planned = with(kValues, {"core/families", "core/settings", "core/compile"});
   return {
-      {"core/support", {}},
-      {"core/protocol", {"core/support"}},
-      {"core/findings", {"core/support", "core/protocol"}},
-      {"core/sqlite", {"core/support"}},
-      {"core/config", {"core/support", "core/protocol"}},
+      {"core/reasons", {}},
+      {"core/support", {"core/reasons"}},
+      {"core/protocol", {"core/reasons", "core/support"}},
+      {"core/findings", {"core/reasons", "core/support", "core/protocol"}},
+      {"core/sqlite", {"core/reasons", "core/support"}},
+      {"core/config", {"core/reasons", "core/support", "core/protocol"}},
       {"core/families", kValues},
       {"core/settings", with(kValues, {"core/families"})},
       {"core/compile", with(kValues, {"core/families", "core/settings"})},

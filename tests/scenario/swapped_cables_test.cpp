@@ -21,7 +21,7 @@ TEST(SwappedCables, ScenarioNamesAParentThatFramesComeToLater) {
   const auto config = sim::load_scenario(path, [](const sim::DeviceQuery&) -> Result<sim::ScenarioDevice> {
     return sim::ScenarioDevice{test::io8(), {}};
   });
-  ASSERT_TRUE(config) << config.error().detail;
+  ASSERT_TRUE(config) << config.error().detail.text();
   EXPECT_EQ(config->slaves[1].parent, 2);
   EXPECT_TRUE(sim::SimBus::create(*config, 0));
 }

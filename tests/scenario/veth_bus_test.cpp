@@ -45,7 +45,7 @@ TEST_F(VethBus, ScanOverTheWireFindsWhatTheScenarioSays) {
   const auto simulated = scan_bus(open_link("sim:" + kMachine + "?virtual"));
   const auto wired = scan_bus(open_link(kMasterLink));
   ASSERT_TRUE(simulated);
-  ASSERT_TRUE(wired) << wired.error().detail;
+  ASSERT_TRUE(wired) << wired.error().detail.text();
   ASSERT_EQ(wired->slaves.size(), simulated->slaves.size());
   for (std::size_t i = 0; i < wired->slaves.size(); ++i) {
     EXPECT_EQ(wired->slaves[i].identity, simulated->slaves[i].identity) << i;
@@ -115,14 +115,14 @@ TEST_F(VethBus, MissingAndSleepingAdaptersAreNamedWithTheRemedy) {
   auto report = simulate_bus(load_network(kMachine, 0, {}), request);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kLinkNotFound);
-  EXPECT_THAT(report.error().detail, testing::HasSubstr(NetNamespace::kBusEnd));
+  EXPECT_THAT(report.error().detail.text(), testing::HasSubstr(NetNamespace::kBusEnd));
 
   request.adapter = NetNamespace::kBusEnd;
   ASSERT_TRUE(NetNamespace::set_up(NetNamespace::kBusEnd, false));
   report = simulate_bus(load_network(kMachine, 0, {}), request);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kLinkDown);
-  EXPECT_EQ(report.error().detail, std::string("sudo ip link set ") + NetNamespace::kBusEnd + " up");
+  EXPECT_EQ(report.error().detail.text(), std::string("sudo ip link set ") + NetNamespace::kBusEnd + " up");
 }
 
 TEST_F(VethBus, AnAdapterThatGoesAwayIsWaitedFor) {

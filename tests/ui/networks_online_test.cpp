@@ -221,7 +221,7 @@ TEST(NetworksOnOneLink, AreRefused) {
   workspace.setLink(QStringLiteral("nic:eth0"));
   const auto status = workspace.mayUse(workspace.link());
   ASSERT_FALSE(status);
-  EXPECT_NE(status.error().detail.find("Feeder"), std::string::npos);
+  EXPECT_NE(status.error().detail.text().find("Feeder"), std::string::npos);
   EXPECT_TRUE(workspace.mayUse(QStringLiteral("nic:eth1")));
   EXPECT_TRUE(workspace.mayUse(QStringLiteral("sim:machine.toml")));
   workspace.document().chooseNetwork(0);

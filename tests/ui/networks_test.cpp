@@ -121,7 +121,8 @@ TEST(Networks, AreComparedWithTheOneOfTheirName) {
   compare(machine.networks[1]);
   EXPECT_FALSE(comparison.result());
   ASSERT_TRUE(comparison.failure()) << "which names the file's networks";
-  EXPECT_NE(comparison.failure()->detail.find("Press"), std::string::npos) << comparison.failure()->detail;
+  EXPECT_NE(comparison.failure()->detail.text().find("Press"), std::string::npos)
+      << comparison.failure()->detail.text();
 }
 
 class NetworksInTheWindow : public test::RunningWindow {

@@ -2,9 +2,14 @@
 // What errors and counts say in the user's language.
 #include <gtest/gtest.h>
 
+#include <cerrno>
+#include <cstring>
+#include <string>
+
 #include "channels/event.h"
 #include "channels/event_finding.h"
 #include "findings/error_text.h"
+#include "reasons/because.h"
 #include "settings/setting_type.h"
 #include "support/result.h"
 #include "support/speak.h"
@@ -15,13 +20,24 @@ namespace syncline::ui {
 namespace {
 
 TEST(ReasonText, AnErrorsOwnWordsAreTranslatedWithItsFigures) {
-  const Error busy{ErrorCode::kSii, "slave 3", "the EEPROM stays busy at word 0x0040 (twice)"};
-  const Error number{ErrorCode::kXmlBadValue, "CycleTime", "\"1k\" is no number", "a.xml", 7};
+  const Error busy{ErrorCode::kSii, "slave 3",
+                   because("the EEPROM stays busy at word 0x{word}{which}", "0040", " (twice)")};
+  const Error number{ErrorCode::kXmlBadValue, "CycleTime", because("\"{text}\" is no number", "1k"), "a.xml", 7};
   const test::Speak speak(QStringLiteral("de"));
   EXPECT_TRUE(errorText(busy).contains(QStringLiteral("das EEPROM bleibt bei Wort 0x0040 beschäftigt (twice)")))
       << qPrintable(errorText(busy));
   EXPECT_TRUE(errorText(number).contains(QStringLiteral("\"1k\" ist keine Zahl"))) << qPrintable(errorText(number));
-  EXPECT_EQ(reasonText("Achse X"), QStringLiteral("Achse X"));
+  EXPECT_EQ(reasonText(Reason::verbatim(std::string("Achse X"))), QStringLiteral("Achse X"));
+}
+
+TEST(ReasonText, OneInAnothersPlaceIsTranslatedAndTheTextsOfOthersAreNot) {
+  const test::Speak speak(QStringLiteral("de"));
+  const auto device = because("Device {device}: {reason}", "{reason}", because("\"{text}\" is no number", "{text}"));
+  EXPECT_TRUE(reasonText(device).contains(QStringLiteral("{reason}: \"{text}\" ist keine Zahl")))
+      << qPrintable(reasonText(device));
+  EXPECT_EQ(reasonText(Reason::verbatim(std::string("no carrier"))), QStringLiteral("no carrier"));
+  EXPECT_EQ(reasonText(because("no carrier")), QStringLiteral("keine Verbindung am Kabel"));
+  EXPECT_NE(reasonText(Reason::of_system(ENOSPC)), QString::fromLocal8Bit(std::strerror(ENOSPC)));
 }
 
 TEST(ReasonText, WhatIsTypedWronglyIsSaidInTheUsersLanguage) {
@@ -30,7 +46,7 @@ TEST(ReasonText, WhatIsTypedWronglyIsSaidInTheUsersLanguage) {
   for (const auto& code : test::translatedLanguages()) {
     const test::Speak speak(code);
     const auto said = reasonText(typed.error().detail);
-    EXPECT_NE(said, QString::fromStdString(typed.error().detail)) << qPrintable(code);
+    EXPECT_NE(said, QString::fromStdString(typed.error().detail.text())) << qPrintable(code);
     EXPECT_TRUE(said.contains(QStringLiteral("abc"))) << qPrintable(said);
   }
 }

@@ -117,9 +117,9 @@ TEST_F(RecordingEnd, KilledItIsWholeUpToTheLastTwoSeconds) {
   ASSERT_TRUE(last);
   window.kill();
   auto reader = RecordingReader::open(file);
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   const auto verified = reader->verify();
-  ASSERT_TRUE(verified) << verified.error().detail;
+  ASSERT_TRUE(verified) << verified.error().detail.text();
   const auto info = reader->info();
   ASSERT_TRUE(info);
   EXPECT_FALSE(info->ended) << "cut short, and says so";
@@ -169,7 +169,7 @@ TEST_F(RecordingEnd, AFullDiskEndsItWithAMessageAndTheMachineGoesOn) {
   EXPECT_EQ(ended, 1);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, ErrorCode::kFileNotWritable);
-  EXPECT_NE(error->detail.find("disk"), std::string::npos) << error->detail;
+  EXPECT_NE(error->detail.text().find("disk"), std::string::npos) << error->detail.text();
   EXPECT_GT(workspace_.messages().count(Severity::kError), errors);
   EXPECT_FALSE(workspace_.disk().isRecording());
   EXPECT_FALSE(window_.findChild<Pill*>(QStringLiteral("statusRecording"))->isVisible());
@@ -177,7 +177,7 @@ TEST_F(RecordingEnd, AFullDiskEndsItWithAMessageAndTheMachineGoesOn) {
   EXPECT_EQ(workspace_.live().phase(), LiveSession::Phase::kOnline) << "the machine goes on";
   EXPECT_GT(newest(), before);
   auto reader = RecordingReader::open(file.toStdString());
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   EXPECT_TRUE(reader->verify());
 }
 

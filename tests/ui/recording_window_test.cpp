@@ -226,7 +226,7 @@ TEST_F(RecordingWindow, WithoutAMachineThatRunsNothingIsRecorded) {
   const auto status = workspace_.disk().start(path("none.slrec"));
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::kFileNotWritable);
-  EXPECT_THAT(status.error().detail, testing::HasSubstr("go online"));
+  EXPECT_THAT(status.error().detail.text(), testing::HasSubstr("go online"));
   EXPECT_FALSE(workspace_.disk().isRecording());
   EXPECT_FALSE(QFile::exists(path("none.slrec")));
 }
@@ -386,7 +386,7 @@ TEST_F(RecordingWindow, TheLastStretchComesOutOfMemory) {
   const auto last = workspace_.live().record()->samples().last_time();
   ASSERT_TRUE(workspace_.disk().saveLast(3 * kSecond, path("last.slrec")));
   ASSERT_TRUE(waitFor([&] { return saved; }));
-  ASSERT_FALSE(failed) << failed->detail;
+  ASSERT_FALSE(failed) << failed->detail.text();
   goOffline();
   open("last.slrec");
   ASSERT_TRUE(workspace_.recording().isOpen());

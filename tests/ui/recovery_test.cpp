@@ -156,7 +156,8 @@ TEST(ProjectLocks, TwoWindowsDoNotWriteOneFile) {
   EXPECT_TRUE(second.readOnly());
   const auto refused = second.save(path);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().detail.find("another window has it open"), std::string::npos) << refused.error().detail;
+  EXPECT_NE(refused.error().detail.text().find("another window has it open"), std::string::npos)
+      << refused.error().detail.text();
   const auto other = folder.filePath(QStringLiteral("copy.syncline"));
   ASSERT_TRUE(second.save(other).has_value());
   EXPECT_FALSE(second.readOnly());

@@ -81,7 +81,7 @@ TEST(Translations, GermanReachesTheClasses) {
 TEST(ErrorText, KeepsAFilesNameAndSaysWhatToDo) {
   EXPECT_EQ(errorText({ErrorCode::kXmlMalformed, {}, {}, "a.xml", 3}),
             QStringLiteral("a.xml:3: this is not well-formed XML."));
-  EXPECT_EQ(errorText({ErrorCode::kLinkPermission, "eth0", "sudo setcap"}),
+  EXPECT_EQ(errorText({ErrorCode::kLinkPermission, "eth0", Reason::verbatim(std::string("sudo setcap"))}),
             QStringLiteral("No permission to send raw frames on eth0. Grant it once with: sudo setcap"));
 }
 

@@ -7329,14 +7329,6 @@
         <translation>es enthält weder, was da war, noch, was geschrieben werden sollte: ein anderer Slave, oder seither beschrieben; das gewünschte Abbild mit "sii write" schreiben</translation>
     </message>
     <message>
-        <source>working counter {received} instead of {expected} in OP</source>
-        <translation>Working Counter {received} statt {expected} in OP</translation>
-    </message>
-    <message>
-        <source>OP was not reached</source>
-        <translation>OP wurde nicht erreicht</translation>
-    </message>
-    <message>
         <source>the other revision does not take it</source>
         <translation>die andere Revision nimmt es nicht</translation>
     </message>
@@ -8127,6 +8119,78 @@
     <message>
         <source>the network "{name}" runs on it: choose another link or take that one offline</source>
         <translation>Das Netzwerk „{name}“ läuft darauf: einen anderen Link wählen oder jenes offline nehmen</translation>
+    </message>
+    <message>
+        <source>; not all words could be put back: write them again before power is switched off</source>
+        <translation>; nicht alle Wörter ließen sich wiederherstellen: vor dem Ausschalten noch einmal schreiben</translation>
+    </message>
+    <message>
+        <source>; the old content was put back</source>
+        <translation>; der alte Inhalt wurde wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>block {number} holds other cycles than it says</source>
+        <translation>Block {number} enthält andere Zyklen, als er angibt</translation>
+    </message>
+    <message>
+        <source>block {number} is none</source>
+        <translation>Block {number} ist keiner</translation>
+    </message>
+    <message>
+        <source>it has no cycle time</source>
+        <translation>sie hat keine Zykluszeit</translation>
+    </message>
+    <message>
+        <source>it reads other words than it is asked for at word 0x{word}</source>
+        <translation>bei Wort 0x{word} liest es andere Wörter als die verlangten</translation>
+    </message>
+    <message>
+        <source>it was away for a moment</source>
+        <translation>er war einen Augenblick lang weg</translation>
+    </message>
+    <message>
+        <source>its slaves are not numbered in a row</source>
+        <translation>ihre Slaves sind nicht fortlaufend nummeriert</translation>
+    </message>
+    <message>
+        <source>slave {position} is not another slave of the {count} on the bus</source>
+        <translation>Slave {position} ist kein anderer der {count} Slaves am Bus</translation>
+    </message>
+    <message>
+        <source>the sums of {signal} in block {number} are not those of its values</source>
+        <translation>die Summen von {signal} in Block {number} sind nicht die seiner Werte</translation>
+    </message>
+    <message>
+        <source>there are values of blocks that are not there</source>
+        <translation>es gibt Werte von Blöcken, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>use sim:FILE[?virtual][&amp;seed=N][&amp;network=N], nic:NAME or replay:FILE</source>
+        <translation>sim:DATEI[?virtual][&amp;seed=N][&amp;network=N], nic:NAME oder replay:DATEI angeben</translation>
+    </message>
+    <message>
+        <source>{signal} of block {number} cannot be read</source>
+        <translation>{signal} von Block {number} ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>expected {wanted}, found {found}</source>
+        <translation>erwartet war {wanted}, gefunden wurde {found}</translation>
+    </message>
+    <message>
+        <source>it is at position {position}</source>
+        <translation>es steht an Position {position}</translation>
+    </message>
+    <message>
+        <source>it should be the first on the bus</source>
+        <translation>er sollte der erste am Bus sein</translation>
+    </message>
+    <message>
+        <source>it should follow {slave}</source>
+        <translation>er sollte auf {slave} folgen</translation>
+    </message>
+    <message>
+        <source>it should hang at port {port} of {slave}</source>
+        <translation>er sollte an Port {port} von {slave} hängen</translation>
     </message>
 </context>
 </TS>

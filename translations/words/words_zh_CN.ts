@@ -7329,14 +7329,6 @@
         <translation>其内容既不是原有的，也不是要写入的：可能是另一个从站，或之后又被写入；请用“sii write”写入所需映像</translation>
     </message>
     <message>
-        <source>working counter {received} instead of {expected} in OP</source>
-        <translation>OP 下工作计数器为 {received}，应为 {expected}</translation>
-    </message>
-    <message>
-        <source>OP was not reached</source>
-        <translation>未达到 OP</translation>
-    </message>
-    <message>
         <source>the other revision does not take it</source>
         <translation>另一修订版不接受它</translation>
     </message>
@@ -8127,6 +8119,78 @@
     <message>
         <source>the network "{name}" runs on it: choose another link or take that one offline</source>
         <translation>网络“{name}”正在使用它：请选择其他连接，或使该网络离线</translation>
+    </message>
+    <message>
+        <source>; not all words could be put back: write them again before power is switched off</source>
+        <translation>；未能恢复全部字：断电前请重新写入</translation>
+    </message>
+    <message>
+        <source>; the old content was put back</source>
+        <translation>；已恢复原来的内容</translation>
+    </message>
+    <message>
+        <source>block {number} holds other cycles than it says</source>
+        <translation>块 {number} 所含的周期与其声明不符</translation>
+    </message>
+    <message>
+        <source>block {number} is none</source>
+        <translation>块 {number} 无效</translation>
+    </message>
+    <message>
+        <source>it has no cycle time</source>
+        <translation>没有周期时间</translation>
+    </message>
+    <message>
+        <source>it reads other words than it is asked for at word 0x{word}</source>
+        <translation>在字 0x{word} 处读出的不是所要的字</translation>
+    </message>
+    <message>
+        <source>it was away for a moment</source>
+        <translation>它曾短暂消失</translation>
+    </message>
+    <message>
+        <source>its slaves are not numbered in a row</source>
+        <translation>其从站编号不连续</translation>
+    </message>
+    <message>
+        <source>slave {position} is not another slave of the {count} on the bus</source>
+        <translation>从站 {position} 不是总线上 {count} 个从站中的另一个</translation>
+    </message>
+    <message>
+        <source>the sums of {signal} in block {number} are not those of its values</source>
+        <translation>块 {number} 中 {signal} 的总和与其值不符</translation>
+    </message>
+    <message>
+        <source>there are values of blocks that are not there</source>
+        <translation>存在属于不存在的块的值</translation>
+    </message>
+    <message>
+        <source>use sim:FILE[?virtual][&amp;seed=N][&amp;network=N], nic:NAME or replay:FILE</source>
+        <translation>请用 sim:文件[?virtual][&amp;seed=N][&amp;network=N]、nic:名称 或 replay:文件</translation>
+    </message>
+    <message>
+        <source>{signal} of block {number} cannot be read</source>
+        <translation>块 {number} 的 {signal} 无法读取</translation>
+    </message>
+    <message>
+        <source>expected {wanted}, found {found}</source>
+        <translation>应为 {wanted}，实为 {found}</translation>
+    </message>
+    <message>
+        <source>it is at position {position}</source>
+        <translation>它位于位置 {position}</translation>
+    </message>
+    <message>
+        <source>it should be the first on the bus</source>
+        <translation>它应是总线上的第一个</translation>
+    </message>
+    <message>
+        <source>it should follow {slave}</source>
+        <translation>它应在 {slave} 之后</translation>
+    </message>
+    <message>
+        <source>it should hang at port {port} of {slave}</source>
+        <translation>它应接在 {slave} 的端口 {port} 上</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "reasons/because.h"
 #include "settings/settings_table.h"
 #include "ui/dialogs/cut_short_dialog.h"
 #include "ui/dialogs/error_dialog.h"
@@ -62,8 +63,9 @@ void BusCommands::showFound(const QString& link, const ScanOutcome& outcome) {
   connect(dialog, &FoundDialog::wanted, this, [this](const Project& project, const QStringList& lost) {
     workspace_.document().replace(tr("Scan"), project);
     for (const auto& key : lost) {
-      workspace_.report(Error{ErrorCode::kUnknownKey, key.toStdString(), "the other revision does not take it"},
-                        Severity::kWarning, tr("Scan"));
+      workspace_.report(
+          Error{ErrorCode::kUnknownKey, key.toStdString(), because("the other revision does not take it")},
+          Severity::kWarning, tr("Scan"));
     }
   });
   connect(dialog, &FoundDialog::touchWanted, this,

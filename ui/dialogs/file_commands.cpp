@@ -47,7 +47,7 @@ void FileCommands::open() {
 void FileCommands::openAny(const QString& path) {
   const auto refuse = [&](const QString& why) {
     showError(&window_, tr("%1 cannot be opened here.").arg(QFileInfo(path).fileName()),
-              Error{ErrorCode::kNotThatKindOfFile, path.toStdString(), why.toStdString()});
+              Error{ErrorCode::kNotThatKindOfFile, path.toStdString(), Reason::verbatim(why.toStdString())});
   };
   switch (fileKind(path)) {
     case FileKind::kProject:

@@ -142,7 +142,7 @@ NumberEdit* FieldBinder::numberField(const char* object_name, const char* key) {
       field->showValue(value, range);
     }
     if (!field->pending() && field->isEnabled() && !range.contains(value)) {
-      markField(*field, QString::fromStdString(settings::outside_text(numberType(key), value, range)));
+      markField(*field, reasonText(settings::outside(numberType(key), value, range)));
     }
   });
   return field;

@@ -132,7 +132,8 @@ std::vector<RecordPart> PdoMappingEditor::parts() {
            .put = [](const std::string& record, const QString& typed) -> Result<std::string> {
              const auto object = object_name(typed.trimmed().toStdString());
              if (!object) {
-               return settings::bad_value(tr("\"%1\" is no object like 0x6040:00").arg(typed).toStdString());
+               return settings::bad_value(
+                   Reason::verbatim(tr("\"%1\" is no object like 0x6040:00").arg(typed).toStdString()));
              }
              return entryText(objectText(object->index, object->sub_index), bitsOf(record));
            }},

@@ -102,20 +102,22 @@ RecordPart transitionPart(const Codec<Command>& codec, const char* name) {
 
 template <class Command>
 RecordPart timeoutPart(const Codec<Command>& codec, const char* name) {
-  return {.object_name = name,
-          .label = Words::tr("Time-out"),
-          .tip = Words::tr("ms for the answer; empty: the master's own (ENI InitCmd/Timeout)"),
-          .width = -1,
-          .text = codec.text([](const Command& command) {
-            return command.timeout_ms == 0 ? QString() : QString::number(command.timeout_ms);
-          }),
-          .put = codec.put([](Command& command, const QString& typed) -> Status {
-            bool good = true;
-            const auto ms = typed.trimmed().isEmpty() ? 0U : typed.trimmed().toUInt(&good);
-            if (!good) return settings::bad_value(Words::tr("a time-out is a whole number of ms").toStdString());
-            command.timeout_ms = ms;
-            return {};
-          })};
+  return {
+      .object_name = name,
+      .label = Words::tr("Time-out"),
+      .tip = Words::tr("ms for the answer; empty: the master's own (ENI InitCmd/Timeout)"),
+      .width = -1,
+      .text = codec.text([](const Command& command) {
+        return command.timeout_ms == 0 ? QString() : QString::number(command.timeout_ms);
+      }),
+      .put = codec.put([](Command& command, const QString& typed) -> Status {
+        bool good = true;
+        const auto ms = typed.trimmed().isEmpty() ? 0U : typed.trimmed().toUInt(&good);
+        if (!good)
+          return settings::bad_value(Reason::verbatim(Words::tr("a time-out is a whole number of ms").toStdString()));
+        command.timeout_ms = ms;
+        return {};
+      })};
 }
 
 template <class Command>
@@ -138,7 +140,8 @@ QString startupObjectText(const StartupCommand& command) {
 Status setObject(StartupCommand& command, const QString& typed) {
   const auto object = object_name(typed.trimmed().toStdString());
   if (!object || object->index == 0) {
-    return settings::bad_value(Words::tr("\"%1\" is no object like 0x6060:00").arg(typed).toStdString());
+    return settings::bad_value(
+        Reason::verbatim(Words::tr("\"%1\" is no object like 0x6060:00").arg(typed).toStdString()));
   }
   command.index = object->index;
   command.sub_index = object->sub_index;
@@ -171,7 +174,8 @@ Status setIdn(SoeCommand& command, const QString& typed) {
   auto text = QString::fromStdString(settings::format_soe(command));
   text.replace(u':' + idnText(command) + u'=', u':' + typed.trimmed() + u'=');
   auto changed = settings::parse_soe(text.toStdString());
-  if (!changed) return settings::bad_value(Words::tr("\"%1\" is no IDN like S-0-0047").arg(typed).toStdString());
+  if (!changed)
+    return settings::bad_value(Reason::verbatim(Words::tr("\"%1\" is no IDN like S-0-0047").arg(typed).toStdString()));
   command.idn = changed->idn;
   return {};
 }
@@ -179,7 +183,8 @@ Status setIdn(SoeCommand& command, const QString& typed) {
 Status setDrive(SoeCommand& command, const QString& typed) {
   bool good = false;
   const auto drive = typed.trimmed().toUInt(&good);
-  if (!good || drive > 7) return settings::bad_value(Words::tr("drives count from 0 to 7").toStdString());
+  if (!good || drive > 7)
+    return settings::bad_value(Reason::verbatim(Words::tr("drives count from 0 to 7").toStdString()));
   command.drive = static_cast<std::uint8_t>(drive);
   return {};
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "reasons/because.h"
 #include "ui/session/project_document.h"
 
 namespace syncline::ui {
@@ -68,7 +69,8 @@ bool Autosave::lockOwn() {
 
 void Autosave::keep() {
   timer_.stop();
-  if (!lockOwn()) return done(fail(ErrorCode::kFileNotWritable, folder_.toStdString(), "no file can be made there"));
+  if (!lockOwn())
+    return done(fail(ErrorCode::kFileNotWritable, folder_.toStdString(), because("no file can be made there")));
   kept_ = true;
   const KeptWork work{document_.path(), QDateTime::currentDateTimeUtc(), document_.undoStack().undoText(),
                       static_cast<int>(document_.project().slaves.size())};

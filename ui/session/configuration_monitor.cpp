@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <chrono>
 
+#include "reasons/because.h"
 #include "ui/session/project_document.h"
 
 namespace syncline::ui {
 
 ConfigurationMonitor::ConfigurationMonitor(ProjectDocument& document, QObject* parent)
-    : QObject(parent), document_(document), result_(fail(ErrorCode::kConfiguration, "project", "no slaves")) {
+    : QObject(parent), document_(document), result_(fail(ErrorCode::kConfiguration, "project", because("no slaves"))) {
   debounce_.setSingleShot(true);
   debounce_.setInterval(std::chrono::milliseconds(20));
   connect(&debounce_, &QTimer::timeout, this, &ConfigurationMonitor::compileNow);

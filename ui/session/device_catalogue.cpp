@@ -115,7 +115,7 @@ void DeviceCatalogue::tellProblems(const eni::EsiCatalogue& catalogue, const QSt
       return file == canonical || file.startsWith(canonical + u'/');
     });
     if (!ours) continue;
-    Error error{ErrorCode::kXmlBadValue, warning.element, warning.text, warning.file, warning.line};
+    Error error{ErrorCode::kXmlBadValue, warning.element, Reason::verbatim(warning.text), warning.file, warning.line};
     post([this, error] { Q_EMIT failed(error); });
   }
 }

@@ -9,6 +9,7 @@
 
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
+#include "reasons/because.h"
 #include "ui/session/network_run.h"
 #include "ui/session/run_findings.h"
 
@@ -77,7 +78,7 @@ Status DiskRecording::start(const QString& path) {
   if (recorder_ != nullptr) return {};
   const auto phase = run_.phase();
   if (phase != NetworkRun::Phase::kStarting && phase != NetworkRun::Phase::kOnline)
-    return fail(ErrorCode::kFileNotWritable, {}, "no machine runs: go online first");
+    return fail(ErrorCode::kFileNotWritable, {}, because("no machine runs: go online first"));
   const int number = number_ + 1;
   Recorder::Options options;
   options.by_clock = !run_.isVirtual();
@@ -155,14 +156,16 @@ Nanoseconds DiskRecording::memoryReach() const {
 }
 
 Status DiskRecording::saveLast(Nanoseconds duration, const QString& path) {
-  if (recent_.span() == 0) return fail(ErrorCode::kFileNotWritable, {}, "no cycle has run yet: go online first");
+  if (recent_.span() == 0)
+    return fail(ErrorCode::kFileNotWritable, {}, because("no cycle has run yet: go online first"));
   return saveRange(run_.record()->samples().last_time() - duration, INT64_MAX - 1, path);
 }
 
 Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString& path) {
   if (recent_.span() == 0 || to < recent_.begin())
-    return fail(ErrorCode::kFileNotWritable, {}, "no cycle of it is in memory any more");
-  if (saving_) return fail(ErrorCode::kFileNotWritable, {}, "another stretch is being written; try again in a moment");
+    return fail(ErrorCode::kFileNotWritable, {}, because("no cycle of it is in memory any more"));
+  if (saving_)
+    return fail(ErrorCode::kFileNotWritable, {}, because("another stretch is being written; try again in a moment"));
   if (saver_.joinable()) saver_.join();
   const auto& record = *run_.record();
   auto run = std::make_shared<RecentRun>();

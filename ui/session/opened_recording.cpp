@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "eni/format/eni_file.h"
+#include "reasons/because.h"
 #include "ui/models/message_model.h"
 #include "ui/text/recorded_text.h"
 
@@ -60,7 +61,7 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   if (!info) return tl::unexpected(info.error());
   if (info->cycles == 0) {
     return fail(Error{.code = ErrorCode::kFileNotReadable,
-                      .detail = "it holds no cycles: it was cut short before its first second",
+                      .detail = because("it holds no cycles: it was cut short before its first second"),
                       .file = path.toStdString()});
   }
   int told = -1;

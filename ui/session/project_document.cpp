@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "eni/project/project_file.h"
+#include "reasons/because.h"
 #include "settings/settings_table.h"
 
 namespace syncline::ui {
@@ -73,7 +74,7 @@ Status ProjectDocument::set(const QString& text, std::vector<SettingEdit> edits)
     if (!setting->of_slave()) {
       master = true;
     } else if (place.slave >= project_.slaves.size()) {
-      return fail(ErrorCode::kUnknownKey, settings::key_of(*setting, place), "the slave is gone");
+      return fail(ErrorCode::kUnknownKey, settings::key_of(*setting, place), because("the slave is gone"));
     } else if (std::ranges::find(slaves, place.slave) == slaves.end()) {
       slaves.push_back(place.slave);
     }
@@ -133,7 +134,7 @@ Status ProjectDocument::save(const QString& path) {
   const auto holder = lock_.holder(path);
   if (!holder.isEmpty()) {
     return fail(ErrorCode::kFileNotWritable, path.toStdString(),
-                fmt::format("another window has it open ({}): save under another name", holder.toStdString()));
+                because("another window has it open ({who}): save under another name", holder.toStdString()));
   }
   if (auto status = eni::save_machine(machine(), path.toStdString()); !status) return status;
   path_ = path;

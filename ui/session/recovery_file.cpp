@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "eni/project/project_file.h"
+#include "reasons/because.h"
 #include "support/whole_file.h"
 
 namespace syncline::ui {
@@ -18,7 +19,7 @@ Result<std::pair<QStringList, std::string>> parts(const QString& file) {
   const auto gap = content->find("\n\n");
   auto head = QString::fromStdString(content->substr(0, gap)).split(u'\n');
   if (gap == std::string::npos || head.front() != kTitle) {
-    return fail(ErrorCode::kNotThatKindOfFile, file.toStdString(), "no unsaved work of Syncline");
+    return fail(ErrorCode::kNotThatKindOfFile, file.toStdString(), because("no unsaved work of Syncline"));
   }
   return std::pair(std::move(head), content->substr(gap + 2));
 }

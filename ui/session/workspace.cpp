@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "findings/fold.h"
+#include "reasons/because.h"
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/recorded_text.h"
@@ -127,17 +128,19 @@ Status Workspace::mayUse(const QString& link) const {
   const int other = runs_.userOf(link);
   if (other < 0) return {};
   return fail(ErrorCode::kConfiguration, link.toStdString(),
-              fmt::format("the network \"{}\" runs on it: choose another link or take that one offline",
-                          document_.networks().value(other).toStdString()));
+              because("the network \"{name}\" runs on it: choose another link or take that one offline",
+                      document_.networks().value(other).toStdString()));
 }
 
 Status Workspace::goOnline() {
   if (recording_.isOpen())
-    return fail(ErrorCode::kNotSupported, "online", "a recording is shown: close it first (File, Close Recording)");
+    return fail(ErrorCode::kNotSupported, "online",
+                because("a recording is shown: close it first (File, Close Recording)"));
   const auto& compiled = configuration_.current();
   if (!compiled) return tl::unexpected(compiled.error());
   const auto worst = std::ranges::find(compiled->findings, Severity::kError, &Finding::severity);
-  if (worst != compiled->findings.end()) return fail(ErrorCode::kConfiguration, worst->place.key, describe(*worst));
+  if (worst != compiled->findings.end())
+    return fail(ErrorCode::kConfiguration, worst->place.key, Reason::verbatim(describe(*worst)));
   if (auto free = mayUse(link()); !free) return free;
   return live().goOnline(link(), {document_.project(), document_.path(), compiled->config});
 }

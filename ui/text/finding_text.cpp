@@ -5,10 +5,11 @@
 #include <QLocale>
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "findings/fold.h"
-#include "findings/reasons.h"
 #include "protocol/al_state.h"
+#include "reasons/reason.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 
@@ -25,21 +26,41 @@ class FindingSentences {
     return QString::fromStdString(text).replace(QStringLiteral(" to "), tr(" to "));
   }
   static QString slaves(const std::string& text) { return tr("Slaves %1").arg(ranges(text)); }
-  static QString reason(std::string_view text);
+  static QString reason(const Reason& reason);
+  static QString said(const Figure& figure) {
+    return figure.reason.empty() ? sentence(figure.text) : FindingSentences::reason(figure.reason);
+  }
   static QString sentence(std::string_view text) {
     return QCoreApplication::translate("Finding", std::string(text).c_str());
   }
 };
 
-QString FindingSentences::reason(std::string_view text) {
-  const auto found = find_reason(text);
-  if (!found) return sentence(text);
-  auto said = sentence(found->words);
-  for (const auto& [name, given] : found->given) {
-    said.replace(QStringLiteral("{%1}").arg(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()))),
-                 name == "reason" ? reason(given) : QString::fromStdString(given));
+/// A language may give the placeholders another order: each is found by its name.
+QString FindingSentences::reason(const Reason& reason) {
+  const auto words = reason.words();
+  if (words.empty()) return QString::fromStdString(reason.text());
+  const auto text = sentence(words);
+  if (reason.given().empty()) return text;
+  std::vector<std::pair<QString, QString>> given;
+  auto rest = words;
+  for (const Reason& one : reason.given()) {
+    const auto place = next_place(rest);
+    const auto name = rest.substr(place.open, place.end - place.open);
+    given.emplace_back(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())),
+                       FindingSentences::reason(one));
+    rest.remove_prefix(place.end);
   }
-  return said;
+  QString out;
+  qsizetype from = 0;
+  for (qsizetype open = text.indexOf(QLatin1Char('{')); open >= 0; open = text.indexOf(QLatin1Char('{'), from)) {
+    const auto end = text.indexOf(QLatin1Char('}'), open) + 1;
+    if (end <= 0) break;
+    const auto found = std::ranges::find(given, text.mid(open, end - open), &std::pair<QString, QString>::first);
+    out += QStringView(text).mid(from, open - from);
+    out += found == given.end() ? text.mid(open, end - open) : found->second;
+    from = end;
+  }
+  return out += QStringView(text).mid(from);
 }
 
 QString FindingSentences::of(const Figure& figure) {
@@ -76,9 +97,11 @@ QString FindingSentences::of(const Figure& figure) {
       return QStringLiteral("%1 (%2)").arg(hexText(code, 4), sentence(al_status_code_text(code).meaning));
     }
     case In::kPhrase:
-      return figure.text.empty() ? QString() : reason(figure.text);
-    case In::kAside:
-      return figure.text.empty() ? QString() : QStringLiteral(": ") + reason(figure.text);
+      return said(figure);
+    case In::kAside: {
+      const auto text = said(figure);
+      return text.isEmpty() ? text : QStringLiteral(": ") + text;
+    }
     default:
       return QString::fromStdString(figure_text(figure));
   }
@@ -127,7 +150,7 @@ QString findingWhole(const Finding& finding) {
   return advice.isEmpty() ? text : joinedSentences({text, advice});
 }
 
-QString reasonText(std::string_view text) { return FindingSentences::reason(text); }
+QString reasonText(const Reason& reason) { return FindingSentences::reason(reason); }
 
 QString findingKey(const Finding& finding) {
   if (!finding.place.key.empty()) return QString::fromStdString(finding.place.key);

@@ -18,9 +18,8 @@ namespace syncline::ui {
 /// Both, one behind the other.
 [[nodiscard]] QString findingWhole(const Finding& finding);
 
-/// A sentence that was made where something was found (Error::detail); others' texts and
-/// what has no row in core/findings/reason_words.h come back as they are.
-[[nodiscard]] QString reasonText(std::string_view text);
+/// Why something failed or is refused (Error::detail): its row in the user's language, others' texts as they are.
+[[nodiscard]] QString reasonText(const Reason& reason);
 
 /// Key of the setting that would mend it, "slave.3.dc.sync0.shift_us"; empty where there is none.
 [[nodiscard]] QString findingKey(const Finding& finding);

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
@@ -33,7 +35,7 @@ Result<PcapReader> PcapReader::from_stream(void* stream, const std::string& name
   auto* handle = pcap_fopen_offline_with_tstamp_precision(file, PCAP_TSTAMP_PRECISION_NANO, text);
   if (handle == nullptr) {
     std::fclose(file);
-    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, std::string("a pcap or pcapng capture; ") + text, name});
+    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, because("a pcap or pcapng capture; {words}", text), name});
   }
   auto impl = std::make_unique<Impl>();
   impl->handle.reset(handle);
@@ -42,7 +44,8 @@ Result<PcapReader> PcapReader::from_stream(void* stream, const std::string& name
     const char* kind = pcap_datalink_val_to_name(pcap_datalink(handle));
     return fail(Error{ErrorCode::kNotThatKindOfFile,
                       {},
-                      std::string("a capture of Ethernet frames; this one holds ") + (kind ? kind : "something else"),
+                      because("a capture of Ethernet frames; this one holds {reason}",
+                              kind ? Reason::verbatim(kind) : because("something else")),
                       name});
   }
   return PcapReader(std::move(impl));
@@ -52,7 +55,7 @@ Result<PcapReader> PcapReader::open(const std::string& path) {
   auto* file = std::fopen(path.c_str(), "rb");
   if (file == nullptr) {
     if (errno == ENOENT) return fail(Error{ErrorCode::kFileNotFound, {}, {}, path});
-    return fail(Error{ErrorCode::kFileNotReadable, {}, std::strerror(errno), path});
+    return fail(Error{ErrorCode::kFileNotReadable, {}, Reason::of_system(errno), path});
   }
   return from_stream(file, path);
 }
@@ -60,9 +63,9 @@ Result<PcapReader> PcapReader::open(const std::string& path) {
 Result<PcapReader> PcapReader::from_memory(std::span<const std::uint8_t> bytes, const std::string& name) {
   // fmemopen refuses size 0, and "rb" writes nothing into the buffer whatever its type says.
   if (bytes.empty())
-    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, "a pcap or pcapng capture; it is empty", name});
+    return fail(Error{ErrorCode::kNotThatKindOfFile, {}, because("a pcap or pcapng capture; it is empty"), name});
   auto* file = ::fmemopen(const_cast<std::uint8_t*>(bytes.data()), bytes.size(), "rb");
-  if (file == nullptr) return fail(Error{ErrorCode::kFileNotReadable, {}, std::strerror(errno), name});
+  if (file == nullptr) return fail(Error{ErrorCode::kFileNotReadable, {}, Reason::of_system(errno), name});
   return from_stream(file, name);
 }
 
@@ -72,7 +75,7 @@ Result<std::optional<CapturedFrame>> PcapReader::next() {
   const int found = pcap_next_ex(impl_->handle.get(), &header, &bytes);
   if (found == PCAP_ERROR_BREAK) return std::optional<CapturedFrame>{};
   if (found != 1) {
-    return fail(Error{ErrorCode::kFileNotReadable, {}, pcap_geterr(impl_->handle.get()), impl_->name});
+    return fail(Error{ErrorCode::kFileNotReadable, {}, Reason::phrase(pcap_geterr(impl_->handle.get())), impl_->name});
   }
   CapturedFrame frame;
   // The file decides about these: its seconds may be of 64 bits, and nanoseconds of 64 bits reach 292 years.
@@ -85,7 +88,7 @@ Result<std::optional<CapturedFrame>> PcapReader::next() {
     return fail(
         Error{ErrorCode::kFileNotReadable,
               {},
-              fmt::format("a frame's time stamp of {} s is outside of the years 1708 to 2292", header->ts.tv_sec),
+              because("a frame's time stamp of {time} s is outside of the years 1708 to 2292", header->ts.tv_sec),
               impl_->name});
   }
   frame.bytes.assign(bytes, bytes + header->caplen);

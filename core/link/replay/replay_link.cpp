@@ -10,6 +10,7 @@
 #include "link/replay/pcap_reader.h"
 #include "link/replay/recorded_bus.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -228,9 +229,9 @@ Result<std::unique_ptr<Link>> make_replay_link(const std::string& path, VirtualC
   }
   if (recorder.exchanges() == 0) {
     const auto why = found.cut_frames == 0
-                         ? std::string("a capture with EtherCAT frames and their answers")
-                         : fmt::format("a capture of whole frames; {} of its {} were captured in part only",
-                                       found.cut_frames, found.frames);
+                         ? because("a capture with EtherCAT frames and their answers")
+                         : because("a capture of whole frames; {cut} of its {frames} were captured in part only",
+                                   found.cut_frames, found.frames);
     return fail(Error{ErrorCode::kNotThatKindOfFile, {}, why, path});
   }
   for (const auto& slave : recorder.slaves()) found.slaves.push_back(note_of(slave));

@@ -10,6 +10,7 @@
 #include "master/clocks/dc_loop_values.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -72,11 +73,11 @@ Status DcSetup::choose_reference() {
     for (std::size_t i = 0; i < slaves_.size(); ++i) {
       if (can_lead(i)) return take(i, slaves_[i]);
     }
-    return fail(ErrorCode::kDcSetup, "master", "no slave on the bus has a system time");
+    return fail(ErrorCode::kDcSetup, "master", because("no slave on the bus has a system time"));
   }
   const auto configured = configured_reference_clock(config_);
   if (!configured || *configured >= config_.slaves.size()) {
-    return fail(ErrorCode::kDcSetup, "master", "no slave is configured as reference clock");
+    return fail(ErrorCode::kDcSetup, "master", because("no slave is configured as reference clock"));
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     const bool is_it = slaves_[i] == *configured;
@@ -86,9 +87,9 @@ Status DcSetup::choose_reference() {
   }
   if (network_.without_time) {
     return fail(ErrorCode::kDcSetup, fmt::format("slave {} ({})", *configured, config_.slaves[*configured].name),
-                "it has no system time and cannot be the reference clock, and no slave behind it can");
+                because("it has no system time and cannot be the reference clock, and no slave behind it can"));
   }
-  return fail(ErrorCode::kDcSetup, "master", "no slave that is there can be the reference clock");
+  return fail(ErrorCode::kDcSetup, "master", because("no slave that is there can be the reference clock"));
 }
 
 Status DcSetup::read_slaves() {
@@ -131,7 +132,7 @@ Status DcSetup::measure() {
   for (unsigned round = 0; round < std::max<unsigned>(config_.dc.delay_rounds, 1); ++round) {
     if (auto counted = latch_round(latch); !counted) return tl::unexpected(counted.error());
   }
-  if (latch.rounds() == 0) return fail(ErrorCode::kDcSetup, "master", "no answer to the receive time latch");
+  if (latch.rounds() == 0) return fail(ErrorCode::kDcSetup, "master", because("no answer to the receive time latch"));
   auto delays = segment_delays(latch.nodes(), segment_.dl_status, delay_options(config_.dc));
   network_.findings = std::move(delays.findings);
   const auto origin = delays.delay_ns[network_.reference_clock].value_or(0);
@@ -175,7 +176,7 @@ Status DcSetup::write_all(std::span<Write> writes) {
   if (auto status = bus_.transact(datagrams); !status) return status;
   for (std::size_t i = 0; i < writes.size(); ++i) {
     if (datagrams[i].wkc > 0 || writes[i].optional) continue;
-    return fail(ErrorCode::kDcSetup, subject(writes[i].slave), "it does not take its system time offset");
+    return fail(ErrorCode::kDcSetup, subject(writes[i].slave), because("it does not take its system time offset"));
   }
   return {};
 }
@@ -195,7 +196,7 @@ Status DcSetup::burst() {
   const auto outcome = DcBurst(bus_, plan).run();
   if (!outcome) return tl::unexpected(outcome.error());
   if (!outcome->answered) {
-    return fail(ErrorCode::kDcSetup, subject(network_.reference_clock), "its system time cannot be read");
+    return fail(ErrorCode::kDcSetup, subject(network_.reference_clock), because("its system time cannot be read"));
   }
   network_.host_time = outcome->host_time;
   network_.reference_time = outcome->reference_time;

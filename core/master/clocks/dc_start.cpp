@@ -10,6 +10,7 @@
 #include "dc/clock_registers.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -106,7 +107,7 @@ std::optional<Error> judge(const SyncReading& reading, const SlaveConfig& slave,
   const std::span<const std::uint8_t> unit(reading.unit);
   const auto name = fmt::format("slave {} ({})", position, slave.name);
   if ((unit[kActivationAt] & 0x01) == 0) {
-    return Error{ErrorCode::kDcSetup, name, "its SYNC unit is not active (0x0981)"};
+    return Error{ErrorCode::kDcSetup, name, because("its SYNC unit is not active (0x0981)")};
   }
   if (!reading.read_time.done()) return std::nullopt;
   const auto next = load_le<std::uint64_t>(unit.subspan(kNextAt));
@@ -117,8 +118,8 @@ std::optional<Error> judge(const SyncReading& reading, const SlaveConfig& slave,
   // Between the two readings of a frame a pulse may come.
   if ((unit[kStatusAt] & 0x01) == 0 || ahead > 0) return std::nullopt;
   return Error{ErrorCode::kDcSetup, name,
-               fmt::format("its SYNC0 will never come: the start time {} (0x0990) had passed by {} ns at {}", next,
-                           -ahead, now)};
+               because("its SYNC0 will never come: the start time {start} (0x0990) had passed by {late} ns at {time}",
+                       next, -ahead, now)};
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "reasons/brief_reason.h"
+
 namespace syncline {
 namespace {
 
-constexpr BriefError kGone{.code = ErrorCode::kNoResponse, .why = "the slave does not answer{2}"};
+constexpr BriefError kGone{.code = ErrorCode::kNoResponse, .why = brief("the slave does not answer{which}")};
 
 bool is_file(const SlaveRequest& request) {
   return std::holds_alternative<requests::FileRead>(request) || std::holds_alternative<requests::FileWrite>(request);
@@ -20,7 +22,8 @@ void refuse_requests(MasterChannels& channels, Nanoseconds now) {
   while (!channels.requests.empty() && channels.commands.empty()) {
     auto* ticket = channels.requests.pop();
     if (ticket == nullptr) return;
-    ticket->failure = BriefError{.code = ErrorCode::kConfiguration, .why = "the bus is offline; go online first"};
+    ticket->failure =
+        BriefError{.code = ErrorCode::kConfiguration, .why = brief("the bus is offline; go online first")};
     channels.requests.answer(*ticket, now);
   }
 }
@@ -39,8 +42,7 @@ void AcyclicRequests::accept(Nanoseconds now) {
     const auto slave = slave_of(ticket->request);
     if (slave >= names_.size()) {
       ticket->failure = BriefError{.code = ErrorCode::kConfiguration,
-                                   .why = "the configuration has only {0} slaves",
-                                   .a = static_cast<std::int64_t>(names_.size())};
+                                   .why = brief("the configuration has only {count} slaves", names_.size())};
       desk_.answer(*ticket, now);
       continue;
     }
@@ -68,14 +70,14 @@ std::optional<BriefError> AcyclicRequests::mailbox_refusal(const RequestTicket& 
   const auto slave = slave_of(ticket.request);
   const auto& mailbox = run_.config().slaves[slave].mailbox;
   const bool file = is_file(ticket.request);
-  const auto none = [](const char* why) { return BriefError{.code = ErrorCode::kNotSupported, .why = why}; };
-  if (!mailbox) return none("it has no mailbox");
-  if (!file && !mailbox->coe) return none("it does not speak CoE");
+  const auto none = [](BriefReason why) { return BriefError{.code = ErrorCode::kNotSupported, .why = why}; };
+  if (!mailbox) return none(brief("it has no mailbox"));
+  if (!file && !mailbox->coe) return none(brief("it does not speak CoE"));
   const auto state = al_state_of(run_.snapshot.slaves[slave].al_status);
   const bool up = state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp;
   if (up || (file && state == AlState::kBoot)) return std::nullopt;
-  auto why = none("its mailbox works from PREOP on, and it is in {2}; lead it there first");
-  why.word = al_state_name(state);
+  auto why = none(brief("its mailbox works from PREOP on, and it is in {state}; lead it there first"));
+  why.why.word = al_state_name(state);
   return why;
 }
 
@@ -197,7 +199,7 @@ Result<bool> AcyclicRequests::run_round(Bus& bus) {
   if (datagram != nullptr) {
     auto copy = *datagram;
     if (auto status = bus.transact(copy); !status) {
-      refuse_asked({.code = status.error().code, .why = "no frame comes back"});
+      refuse_asked({.code = status.error().code, .why = brief("no frame comes back")});
       settle(bus.clock().now());
       return tl::unexpected(status.error());
     }
@@ -228,7 +230,7 @@ void AcyclicRequests::cancel_files() {
 }
 
 void AcyclicRequests::give_up_mailboxes() {
-  constexpr BriefError kAgain{.code = ErrorCode::kCancelled, .why = "the bus is brought up again"};
+  constexpr BriefError kAgain{.code = ErrorCode::kCancelled, .why = brief("the bus is brought up again")};
   for (auto& slot : slots_) {
     if (slot->ticket() != nullptr && place_of(slot->ticket()->request) == RequestPlace::kMailbox) slot->give_up(kAgain);
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/frame_time.h"
+#include "reasons/brief_reason.h"
 
 namespace syncline {
 namespace {
@@ -58,12 +59,11 @@ void AcyclicScheduler::add_request(const Room& room, Nanoseconds now) {
   const auto needed = wire_time_ns(size_of(*datagram) + kFrameOverhead);
   const auto left = latest_return(room.cycle_time) - room.cyclic_wire_time;
   if (needed > left) {
-    requests_.refuse_asked({.code = ErrorCode::kNotSupported,
-                            .why =
-                                "its datagram of {0} bytes takes {1} us on the wire, and the cycle leaves no room for "
-                                "it; choose a longer cycle",
-                            .a = static_cast<std::int64_t>(datagram->data.size()),
-                            .b = needed / kMicrosecond});
+    requests_.refuse_asked(
+        {.code = ErrorCode::kNotSupported,
+         .why = brief("its datagram of {bytes} bytes takes {time} us on the wire, and the cycle leaves "
+                      "no room for it; choose a longer cycle",
+                      datagram->data.size(), needed / kMicrosecond)});
     return;
   }
   request_asked_ = needed + wire_time() <= left && add(*datagram);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
@@ -85,7 +87,7 @@ Status AcyclicWindow::send_new() {
   for (auto& slot : *slots_) {
     if (open_.empty() || in_flight >= window_) return {};
     if (slot.frame.in_flight()) continue;
-    if (!fill(slot)) return fail(ErrorCode::kMalformedData, "datagram", "it is longer than a frame");
+    if (!fill(slot)) return fail(ErrorCode::kMalformedData, "datagram", because("it is longer than a frame"));
     if (auto status = send(slot); !status) return status;
     ++in_flight;
   }

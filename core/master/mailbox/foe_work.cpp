@@ -66,7 +66,7 @@ std::string FoeWork::subject() const {
 Status FoeWork::result() const {
   if (!failure_) return {};
   auto error = failure_->about(subject());
-  if (!words_.empty()) error.detail.assign(words_.begin(), words_.end());
+  if (!words_.empty()) error.detail = Reason::verbatim({words_.begin(), words_.end()});
   return fail(std::move(error));
 }
 
@@ -164,7 +164,8 @@ void FoeWork::take_answer(Nanoseconds now) {
       break;
   }
   refuse(foe::error::kIllegal,
-         protocol_error(writes_ ? "no acknowledgement where one was to come" : "no data where data were asked for"),
+         writes_ ? protocol_error("no acknowledgement where one was to come")
+                 : protocol_error("no data where data were asked for"),
          now);
 }
 
@@ -180,12 +181,11 @@ void FoeWork::take_data(const foe::MessageView& packet, Nanoseconds now) {
   if (packet.value + 1 == packet_no_ && packet_no_ > 1 && ++duplicates_ < kMostDuplicates) return send_again(now);
   if (packet.value != packet_no_) {
     return refuse(foe::error::kPacketNumber,
-                  protocol_error("packet {0} where {1} was to come", packet.value, packet_no_), now);
+                  protocol_error("packet {number} where {expected} was to come", packet.value, packet_no_), now);
   }
   if (into_->size() - begin_ + packet.rest.size() > limit_) {
-    return refuse(
-        foe::error::kDiskFull,
-        protocol_error("the file is longer than the {0} bytes that are taken", static_cast<std::int64_t>(limit_)), now);
+    return refuse(foe::error::kDiskFull,
+                  protocol_error("the file is longer than the {bytes} bytes that are taken", limit_), now);
   }
   const auto size = packet.rest.size();
   into_->insert(into_->end(), packet.rest.begin(), packet.rest.end());
@@ -205,7 +205,7 @@ void FoeWork::take_ack(const foe::MessageView& ack, Nanoseconds now) {
     // The acknowledgement before, twice: the one that counts is still to come.
     if (ack.value + 1 == packet_no_ && ++duplicates_ < kMostDuplicates) return transfer_.receive_instead(now);
     return refuse(foe::error::kPacketNumber,
-                  protocol_error("packet {0} acknowledged where {1} was sent", ack.value, packet_no_), now);
+                  protocol_error("packet {number} acknowledged where {expected} was sent", ack.value, packet_no_), now);
   }
   if (packet_no_ > 0 && progress_) progress_(sent_);
   if (last_sent_) {

@@ -14,10 +14,9 @@ BriefError mailbox_error(std::span<const std::uint8_t> data) {
   if (data.size() < 4 || load_le<std::uint16_t>(data) != 1)
     return protocol_error("a mailbox error reply that cannot be read");
   const auto detail = load_le<std::uint16_t>(data.subspan(2));
-  return {.code = ErrorCode::kMailboxProtocol,
-          .why = "mailbox error {0}, {2}",
-          .a = detail,
-          .word = mailbox_error_text(static_cast<MailboxErrorDetail>(detail))};
+  auto error = protocol_error("mailbox error {number}, {reason}", detail);
+  error.why.word = mailbox_error_text(static_cast<MailboxErrorDetail>(detail));
+  return error;
 }
 
 }  // namespace

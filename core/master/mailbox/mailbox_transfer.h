@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "master/exchange/slave_mailbox.h"
 #include "protocol/mailbox.h"
+#include "reasons/brief_reason.h"
 #include "support/brief_error.h"
 
 namespace syncline {
@@ -18,10 +19,10 @@ namespace syncline {
 /// talks without end is not listened to for ever.
 inline constexpr int kMostUnasked = 64;
 
-/// What a slave says is against the protocol; {0} and {1} of `why` are the numbers.
-[[nodiscard]] inline BriefError protocol_error(const char* why, std::integral auto... numbers) {
-  const std::array<std::int64_t, 2> values{static_cast<std::int64_t>(numbers)...};
-  return {.code = ErrorCode::kMailboxProtocol, .why = why, .a = values[0], .b = values[1]};
+/// What a slave says is against the protocol.
+template <std::integral... Numbers>
+[[nodiscard]] BriefError protocol_error(std::type_identity_t<BriefRow<sizeof...(Numbers)>> row, Numbers... numbers) {
+  return {.code = ErrorCode::kMailboxProtocol, .why = brief(row, numbers...)};
 }
 
 /// One request into a slave's mailbox and its answer out of it, cut into datagrams: the one place for what all

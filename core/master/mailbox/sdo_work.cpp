@@ -218,9 +218,9 @@ void SdoWork::take_sdo(const coe::ResponseView& response, Nanoseconds now) {
 void SdoWork::take_upload(const coe::ResponseView& response, Nanoseconds now) {
   size_ = response.expedited ? response.data.size() : response.complete_size;
   if (size_ > limit_) {
-    return refuse(kMemoryError,
-                  protocol_error("the slave announces {0} bytes, more than the {1} that are taken", size_, limit_),
-                  now);
+    return refuse(
+        kMemoryError,
+        protocol_error("the slave announces {bytes} bytes, more than the {most} that are taken", size_, limit_), now);
   }
   into_->insert(into_->end(), response.data.begin(), response.data.end());
   if (response.data.size() == size_) return succeed();
@@ -231,11 +231,11 @@ void SdoWork::take_upload(const coe::ResponseView& response, Nanoseconds now) {
 void SdoWork::take_upload_segment(const coe::ResponseView& response, Nanoseconds now) {
   const auto got = into_->size() - begin_ + response.data.size();
   if (got > size_)
-    return refuse(kLengthError, protocol_error("more than the {0} bytes that were announced", size_), now);
+    return refuse(kLengthError, protocol_error("more than the {bytes} bytes that were announced", size_), now);
   into_->insert(into_->end(), response.data.begin(), response.data.end());
   if (response.last) {
     if (got == size_) return succeed();
-    return fail_with(protocol_error("{0} bytes where {1} were announced", got, size_));
+    return fail_with(protocol_error("{bytes} bytes where {announced} were announced", got, size_));
   }
   if (response.data.empty()) return refuse(kGeneralError, protocol_error("an empty segment that is not the last"), now);
   ask_segment(!toggle_, now);
@@ -248,7 +248,7 @@ void SdoWork::take_fragment(Nanoseconds now) {
     return fail_with(protocol_error("its fragments do not follow each other"));
   fragments_left_ = fragment->fragments_left;
   if (into_->size() - begin_ + fragment->data.size() > limit_)
-    return fail_with(protocol_error("its answer is longer than {0} bytes", limit_));
+    return fail_with(protocol_error("its answer is longer than {bytes} bytes", limit_));
   into_->insert(into_->end(), fragment->data.begin(), fragment->data.end());
   if (fragments_left_ > 0) return transfer_.receive(now);
   const auto answer = std::span<const std::uint8_t>(*into_).subspan(begin_);

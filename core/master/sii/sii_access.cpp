@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/sii/sii_access.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "master/sii/sii_layout.h"
 #include "protocol/registers.h"
+#include "reasons/brief_reason.h"
 
 namespace syncline {
 namespace {
@@ -26,10 +25,6 @@ void store_command(std::span<std::uint8_t> bytes, std::uint16_t command, std::ui
   store_le(bytes.subspan(2), word);
 }
 
-Error sii_error(std::uint32_t word, std::string_view what) {
-  return {ErrorCode::kSii, "slave", fmt::format("{} at word 0x{:04X}", what, word)};
-}
-
 }  // namespace
 
 /// A request under way.
@@ -45,7 +40,9 @@ struct SiiAccess::Job {
 
   [[nodiscard]] std::uint32_t word() const { return request->word + static_cast<std::uint32_t>(got / 2); }
   [[nodiscard]] bool open() const { return got < 8 && !request->error; }
-  void give_up(std::string_view why) { request->error = sii_error(word(), why); }
+  void give_up(BriefRow<1> why) {
+    request->error = Error{ErrorCode::kSii, "slave", brief(why, hex_number(word(), 4)).in_full()};
+  }
 };
 
 SiiAccess::SiiAccess(Bus& bus, std::vector<SlaveAddress> slaves, Options options)
@@ -226,7 +223,7 @@ Status SiiAccess::fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> nex
   for (std::size_t i = 0; i < asked.size(); ++i) {
     auto& job = *asked[i];
     if (datagrams[i].wkc == 0) {
-      if (++job.silences == kSiiTries) job.give_up("no answer");
+      if (++job.silences == kSiiTries) job.give_up("no answer at word 0x{word}{which}");
       job.next_look = bus_.clock().now() + kFirstPause;
       continue;
     }
@@ -250,13 +247,13 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
     const auto now = bus_.clock().now();
     job.busy_for = now - job.start_time;
     job.next_look = now + std::max(*job.busy_for / 4, kShortestPause);
-    if (*job.busy_for > kSiiBusyLimit) job.give_up("the EEPROM stays busy");
+    if (*job.busy_for > kSiiBusyLimit) job.give_up("the EEPROM stays busy at word 0x{word}{which}");
     return false;
   }
   if ((control & kSiiCommandError) != 0) {
     job.started = false;
     job.failed_command = true;
-    if (++job.errors == kSiiTries) job.give_up("the EEPROM acknowledges no read command");
+    if (++job.errors == kSiiTries) job.give_up("the EEPROM acknowledges no read command at word 0x{word}{which}");
     return false;
   }
   if (port.reads_address_back && address != job.word()) {
@@ -265,7 +262,7 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
     // the address is believed without; one that has done so is not.
     if (++job.mismatches < (looked_ahead || port.showed_address ? 2 * kSiiTries : kSiiTries)) return false;
     if (port.showed_address) {
-      job.give_up("it reads other words than it is asked for");
+      job.give_up("it reads other words than it is asked for at word 0x{word}");
     } else {
       port.reads_address_back = false;
     }

@@ -8,6 +8,7 @@
 
 #include "master/sii/sii_layout.h"
 #include "protocol/sii.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -67,12 +68,14 @@ void SiiKind::walk() {
     }
     const auto end = category_ + 4 + 2 * words;
     if (end > limit()) {
-      error_ = Error{ErrorCode::kSii, "slave",
-                     fmt::format("category {} at word 0x{:04X} of {} words reaches beyond the EEPROM of {} bytes", type,
-                                 category_ / 2, words, limit())};
+      error_ = Error{
+          ErrorCode::kSii, "slave",
+          because("category {category} at word 0x{word} of {words} words reaches beyond the EEPROM of {bytes} bytes",
+                  type, fmt::format("{:04X}", category_ / 2), words, limit())};
     } else if (++categories_ == kMostCategories) {
       error_ = Error{ErrorCode::kSii, "slave",
-                     fmt::format("more than {} categories up to word 0x{:04X}", kMostCategories, category_ / 2)};
+                     because("more than {most} categories up to word 0x{word}", kMostCategories,
+                             fmt::format("{:04X}", category_ / 2))};
     }
     category_ = end;
   }

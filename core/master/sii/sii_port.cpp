@@ -50,9 +50,9 @@ void SiiPort::write(std::uint32_t word, std::uint16_t value) {
   value_ = value;
 }
 
-void SiiPort::fail_with(const char* why) {
+void SiiPort::fail_with(BriefRow<1> why) {
   step_ = Step::kOver;
-  failure_ = BriefError{.code = ErrorCode::kSii, .why = why, .a = word()};
+  failure_ = BriefError{.code = ErrorCode::kSii, .why = brief(why, hex_number(word(), 4))};
 }
 
 // ---- datagrams ----------------------------------------------------------------------------------
@@ -108,7 +108,7 @@ Datagram* SiiPort::next(Nanoseconds now) {
 void SiiPort::take(Nanoseconds now) {
   if (over() || !datagram_.answered) return;  // lost: once more
   if (datagram_.wkc == 0) {
-    if (++silences_ == kSilences) fail_with("no answer at word 0x{0:04X}{2}");
+    if (++silences_ == kSilences) fail_with("no answer at word 0x{word}{which}");
     return;
   }
   silences_ = 0;
@@ -160,7 +160,7 @@ void SiiPort::take_idle(Nanoseconds now) {
     return;
   }
   if (busy_since_ == 0) busy_since_ = now;
-  if (now - busy_since_ > kSiiBusyLimit) return fail_with("the EEPROM stays busy at word 0x{0:04X}{2}");
+  if (now - busy_since_ > kSiiBusyLimit) return fail_with("the EEPROM stays busy at word 0x{word}{which}");
   not_before_ = now + kPause;
 }
 
@@ -168,18 +168,18 @@ void SiiPort::take_fetch(Nanoseconds now) {
   const auto control = load_le<std::uint16_t>(bytes_);
   if ((control & kSiiBusy) != 0) {
     if (busy_since_ == 0) busy_since_ = now;
-    if (now - busy_since_ > kSiiBusyLimit) return fail_with("the EEPROM stays busy at word 0x{0:04X}{2}");
+    if (now - busy_since_ > kSiiBusyLimit) return fail_with("the EEPROM stays busy at word 0x{word}{which}");
     not_before_ = now + kPause;
     return;
   }
   const bool write = job_ == Job::kWrite;
   if (write && (control & kSiiWriteEnableError) != 0)
-    return fail_with("the ESC does not enable writing at word 0x{0:04X}{2}");
+    return fail_with("the ESC does not enable writing at word 0x{word}{which}");
   if ((control & kSiiCommandError) != 0) {
     step_ = Step::kClear;
     if (++errors_ == (write ? kWriteTries : kReadTries))
-      fail_with(write ? "the EEPROM acknowledges no write command at word 0x{0:04X}{2}"
-                      : "the EEPROM acknowledges no read command at word 0x{0:04X}{2}");
+      write ? fail_with("the EEPROM acknowledges no write command at word 0x{word}{which}")
+            : fail_with("the EEPROM acknowledges no read command at word 0x{word}{which}");
     return;
   }
   if (write) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "master/exchange/slave_address.h"
+#include "reasons/brief_reason.h"
 #include "support/brief_error.h"
 #include "support/types.h"
 
@@ -58,7 +59,7 @@ class SiiPort {
   void take_idle(Nanoseconds now);
   void take_fetch(Nanoseconds now);
   void take_data(std::uint32_t address, Nanoseconds now);
-  void fail_with(const char* why);
+  void fail_with(BriefRow<1> why);
   [[nodiscard]] std::uint32_t word() const { return word_ + static_cast<std::uint32_t>(got_ / 2); }
 
   SlaveAddress slave_ = SlaveAddress::at_station(0);

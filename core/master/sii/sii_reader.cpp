@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "master/sii/sii_kind.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -45,7 +46,8 @@ class SiiImageReader {
       if (access_.accessible(i)) {
         whom.push_back(i);
       } else {
-        contents_[i].error = Error{ErrorCode::kSii, "slave", "the EEPROM belongs to the PDI and is left to it"};
+        contents_[i].error =
+            Error{ErrorCode::kSii, "slave", because("the EEPROM belongs to the PDI and is left to it")};
       }
     }
     for (std::uint32_t word = 0; word < kOwnSiiWords && !whom.empty(); word += kWordsPerPiece) {

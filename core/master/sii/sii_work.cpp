@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "master/sii/sii_layout.h"
 #include "protocol/sii.h"
+#include "reasons/brief_reason.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -14,9 +14,8 @@ namespace {
 
 constexpr std::size_t kChecksummed = 14;  // bytes, the checksum behind them
 constexpr int kUndoTries = 3;
-constexpr std::string_view kPutBack = "; the old content was put back";
-constexpr std::string_view kNotPutBack =
-    "; not all words could be put back: write them again before power is switched off";
+constexpr auto kNotPutBack =
+    reason_words("; not all words could be put back: write them again before power is switched off");
 
 }  // namespace
 
@@ -60,7 +59,7 @@ void SiiWork::cancel() { cancelled_ = !over(); }
 void SiiWork::give_up(const BriefError& why) {
   step_ = Step::kOver;
   failure_ = why;
-  if (before_ != nullptr && written_ > 0) failure_->word = kNotPutBack;
+  if (before_ != nullptr && written_ > 0) failure_->why.word = kNotPutBack;
 }
 
 Status SiiWork::result() const {
@@ -137,9 +136,8 @@ void SiiWork::step_done() {
       const auto reads = load_le<std::uint16_t>(port_.piece());
       if (reads != wanted(at)) {
         return refuse({.code = ErrorCode::kSii,
-                       .why = "word 0x{0:04X} reads 0x{1:04X} after another value was written{2}",
-                       .a = at,
-                       .b = reads});
+                       .why = brief("word 0x{word} reads 0x{value} after another value was written{which}",
+                                    hex_number(at, 4), hex_number(reads, 4))});
       }
       ++index_;
       if (progress_) progress_(written_);
@@ -160,8 +158,8 @@ void SiiWork::step_done() {
       const auto part = data_.subspan(2 * at, std::min<std::size_t>(SiiPort::kPiece, data_.size() - 2 * at));
       if (!std::ranges::equal(part, port_.piece().first(part.size()))) {
         failure_ = {.code = ErrorCode::kSii,
-                    .why = "the content changed again after every word had been verified, at word 0x{0:04X}",
-                    .a = next_word_};
+                    .why = brief("the content changed again after every word had been verified, at word 0x{word}",
+                                 hex_number(next_word_, 4))};
         return close();
       }
       next_word_ += SiiPort::kPiece / 2;
@@ -205,9 +203,9 @@ bool SiiWork::checksum_holds() {
   if (area[kChecksummed] == right) return true;
   failure_ = {
       .code = ErrorCode::kBadValue,
-      .why = "words 0 to 7 would end up with the checksum 0x{0:02X} where 0x{1:02X} is right; write word 7 with them",
-      .a = area[kChecksummed],
-      .b = right};
+      .why =
+          brief("words 0 to 7 would end up with the checksum 0x{has} where 0x{right} is right; write word 7 with them",
+                hex_number(area[kChecksummed], 2), hex_number(right, 2))};
   return false;
 }
 
@@ -251,7 +249,7 @@ void SiiWork::undo_next() {
     undo_tries_ = 1;
     do {
       if (index_ == 0) {
-        failure_->word = left_ == 0 ? kPutBack : kNotPutBack;
+        failure_->why.word = left_ == 0 ? kOldContentIsBack : kNotPutBack;
         return close();
       }
       --index_;

@@ -5,13 +5,18 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "master/exchange/slave_batch.h"
 #include "master/sii/sii_port.h"
+#include "reasons/because.h"
 
 namespace syncline {
+
+/// The end of a failed write's reason when nothing of it is left.
+inline constexpr std::string_view kOldContentIsBack = reason_words("; the old content was put back");
 
 /// Reads or writes words of one slave's EEPROM, taken from the PDI and given back. A write happens as a whole or not at
 /// all: words that are right already are left alone, each other one is read back, the configuration area (words 0 to 7)

@@ -9,6 +9,8 @@
 #include "master/sii/sii_layout.h"
 #include "master/sii/sii_work.h"
 #include "protocol/sii.h"
+#include "reasons/because.h"
+#include "reasons/brief_reason.h"
 
 namespace syncline {
 namespace {
@@ -82,7 +84,8 @@ Status run_write(Bus& bus, SiiWork& work) {
   if (const auto status = run_side_by_side(bus, works); !status) {
     work.cancel();
     const NotCancellable to_the_end(bus);
-    if (!run_side_by_side(bus, works)) work.give_up({.code = ErrorCode::kSii, .why = "writing ended early{2}"});
+    if (!run_side_by_side(bus, works))
+      work.give_up({.code = ErrorCode::kSii, .why = brief("writing ended early{which}")});
     const bool by_user = status.error().code == ErrorCode::kCancelled;
     if (!by_user && work.written() == 0) return status;
   }
@@ -107,13 +110,14 @@ Result<SiiWriteReport> make_it(Eeprom& eeprom, std::span<const std::uint8_t> bef
 }
 
 Status check(std::span<const std::uint8_t> image) {
-  const auto bad = [](std::string why) { return fail(ErrorCode::kBadValue, "SII image", std::move(why)); };
-  if (image.size() % 2 != 0) return bad("it has an odd number of bytes");
+  const auto bad = [](Reason why) { return fail(ErrorCode::kBadValue, "SII image", std::move(why)); };
+  if (image.size() % 2 != 0) return bad(because("it has an odd number of bytes"));
   if (image.size() < kSiiHeaderBytes)
-    return bad(fmt::format("it is shorter than the header of {} bytes", kSiiHeaderBytes));
+    return bad(because("it is shorter than the header of {bytes} bytes", kSiiHeaderBytes));
   const auto right = sii::checksum(image.first(14));
   if (right != image[kChecksumByte]) {
-    return bad(fmt::format("its checksum is 0x{:02X} where 0x{:02X} is right", image[kChecksumByte], right));
+    return bad(because("its checksum is 0x{has} where 0x{right} is right", fmt::format("{:02X}", image[kChecksumByte]),
+                       fmt::format("{:02X}", right)));
   }
   return {};
 }
@@ -144,7 +148,7 @@ Result<SiiWriteReport> write_eeprom(Bus& bus, const SlaveAddress& slave, std::sp
     const auto room = std::max(size_of(before), size_of(image));
     if (image.size() > room) {
       return fail(ErrorCode::kBadValue, "SII image",
-                  fmt::format("its {} bytes are more than the EEPROM's {}", image.size(), room));
+                  because("its {bytes} bytes are more than the EEPROM's {room}", image.size(), room));
     }
     if (auto status = eeprom.read(before, image.size(), {}, 0); !status) return tl::unexpected(status.error());
     return make_it(eeprom, before, image, progress, intent);
@@ -153,7 +157,7 @@ Result<SiiWriteReport> write_eeprom(Bus& bus, const SlaveAddress& slave, std::sp
 
 Result<SiiWriteReport> write_image(Bus& bus, const SlaveAddress& slave, std::span<const std::uint8_t> image,
                                    const SiiIntent& intent) {
-  if (image.size() % 2 != 0) return fail(ErrorCode::kBadValue, "SII image", "it has an odd number of bytes");
+  if (image.size() % 2 != 0) return fail(ErrorCode::kBadValue, "SII image", because("it has an odd number of bytes"));
   Eeprom eeprom(bus, slave);
   return eeprom.with([&]() -> Result<SiiWriteReport> {
     std::vector<std::uint8_t> before;
@@ -173,6 +177,11 @@ Result<SiiWriteReport> write_alias(Bus& bus, const SlaveAddress& slave, std::uin
     after[kChecksumByte] = sii::checksum(std::span(after).first(14));
     return make_it(eeprom, before, after, {}, intent);
   });
+}
+
+bool old_content_is_back(const Error& error) {
+  const auto given = error.detail.given();
+  return !given.empty() && given.back() == Reason::phrase(kOldContentIsBack);
 }
 
 }  // namespace syncline

@@ -45,8 +45,8 @@ struct SiiWriteReport {
 [[nodiscard]] Result<SiiWriteReport> write_image(Bus& bus, const SlaveAddress& slave,
                                                  std::span<const std::uint8_t> image, const SiiIntent& intent);
 
-/// The end of an error's detail when a write has failed and nothing of it is left.
-inline constexpr std::string_view kOldContentIsBack = "the old content was put back";
+/// True for the error of a write that has failed when nothing of it is left.
+[[nodiscard]] bool old_content_is_back(const Error& error);
 
 /// Writes the station alias (word 4) and the checksum that goes with it. The ESC takes a new alias at its
 /// next power-on. Otherwise as write_eeprom().

@@ -7,6 +7,7 @@
 
 #include "master/sii/sii_access.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -41,14 +42,14 @@ std::string name_of(const NetworkConfig& config, std::size_t slave) {
 }
 
 /// Where a missing slave should be, by its neighbours.
-std::string place_of(const NetworkConfig& config, std::size_t slave) {
+Reason place_of(const NetworkConfig& config, std::size_t slave) {
   const auto& previous = config.slaves[slave].previous;
   if (!previous || previous->position >= config.slaves.size()) {
-    return slave == 0 ? "it should be the first on the bus"
-                      : fmt::format("it should follow {}", name_of(config, slave - 1));
+    return slave == 0 ? because("it should be the first on the bus")
+                      : because("it should follow {slave}", name_of(config, slave - 1));
   }
-  return fmt::format("it should hang at port {} of {}", static_cast<char>('A' + (previous->port & 3)),
-                     name_of(config, previous->position));
+  return because("it should hang at port {port} of {slave}", static_cast<char>('A' + (previous->port & 3)),
+                 name_of(config, previous->position));
 }
 
 }  // namespace
@@ -93,19 +94,19 @@ WantedDevice wanted_device(const NetworkConfig& config, std::size_t index) {
 std::vector<Error> explain(const BusMatch& match, const NetworkConfig& config, const std::vector<FoundDevice>& found) {
   std::vector<Error> errors;
   for (const auto& [first, second] : match.swapped) {
-    errors.push_back({ErrorCode::kSlavesSwapped, name_of(config, first), name_of(config, second)});
+    errors.push_back({ErrorCode::kSlavesSwapped, name_of(config, first), Reason::verbatim(name_of(config, second))});
   }
   for (const auto slave : match.wrong) {
     errors.push_back({ErrorCode::kIdentityMismatch, name_of(config, slave),
-                      fmt::format("expected {}, found {}", to_string(config.slaves[slave].identity),
-                                  to_string(found[slave].identity))});
+                      because("expected {wanted}, found {found}", to_string(config.slaves[slave].identity),
+                              to_string(found[slave].identity))});
   }
   for (const auto slave : match.missing) {
     errors.push_back({ErrorCode::kSlaveMissing, name_of(config, slave), place_of(config, slave)});
   }
   for (const auto position : match.extra) {
-    errors.push_back(
-        {ErrorCode::kSlaveExtra, to_string(found[position].identity), fmt::format("it is at position {}", position)});
+    errors.push_back({ErrorCode::kSlaveExtra, to_string(found[position].identity),
+                      because("it is at position {position}", position)});
   }
   return errors;
 }

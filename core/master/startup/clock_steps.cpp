@@ -10,6 +10,7 @@
 #include "master/clocks/dc_join.h"
 #include "master/clocks/dc_start.h"
 #include "protocol/dcm_error.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -89,12 +90,12 @@ Status ClockSteps::await_slaves() {
     const auto after = kSyncTimeout / kSecond;
     if (dc.culprit < 0) {
       return fail(ErrorCode::kDcSetup, "the slaves",
-                  fmt::format("they are {} ns from the reference clock after {} s, the sync window allows {} ns", by,
-                              after, dc.limit_ns));
+                  because("they are {by} ns from the reference clock after {time} s, the sync window allows {limit} ns",
+                          by, after, dc.limit_ns));
     }
     return fail(ErrorCode::kDcSetup, "the slaves",
-                fmt::format("{} {} ns from the reference clock after {} s, the sync window allows {} ns",
-                            run_.slave_name(static_cast<std::size_t>(dc.culprit)), by, after, dc.limit_ns));
+                because("{slave} {by} ns from the reference clock after {time} s, the sync window allows {limit} ns",
+                        run_.slave_name(static_cast<std::size_t>(dc.culprit)), by, after, dc.limit_ns));
   }
   const auto now = bus_.clock().now();
   if (!sync_.monitored()) run_.event(now, -1, events::SlavesNotMonitored{});
@@ -116,7 +117,7 @@ Status ClockSteps::await_master() {
   if (dcm.error_code == 0 && std::abs(error.received) > error.expected) return fail(std::move(error));
   const auto why = dcm.error_code != 0 ? dc::dcm_error_text(dcm.error_code) : dc::obstacle_text(dcm.obstacle);
   return fail(ErrorCode::kDcSetup, "the master",
-              fmt::format("it is not in sync after {} s: {}", kSyncTimeout / kSecond, why));
+              because("it is not in sync after {time} s: {reason}", kSyncTimeout / kSecond, Reason::phrase(why)));
 }
 
 Status ClockSteps::join(const SlaveList& slaves) {

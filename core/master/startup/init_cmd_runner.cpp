@@ -8,6 +8,7 @@
 
 #include "check/validate.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -139,8 +140,9 @@ void InitCmdWork::fail_validation() {
   const auto due = fmt::format("{}{}", relation(command().validate->type), hex_bytes(wanted));
   const auto found = hex_bytes(read.first(std::min(read.size(), wanted.size())));
   const auto& comment = command().comment;
-  error.detail = identity && !comment.empty() ? fmt::format("{}: expected {}, read {}", comment, due, found)
-                                              : fmt::format("expected {}, read {}", due, found);
+  error.detail = identity && !comment.empty()
+                     ? because("{comment}: expected {wanted}, read {read}", comment, due, found)
+                     : because("expected {wanted}, read {read}", due, found);
   fail_with(std::move(error));
 }
 

@@ -3,6 +3,7 @@
 
 #include "master/cyclic/mailbox_hold.h"
 #include "master/startup/esm.h"
+#include "reasons/because.h"
 
 namespace syncline {
 Status Esm::judge(std::size_t slave, AlState target) const {
@@ -21,7 +22,7 @@ Status Esm::judge(std::size_t slave, AlState target) const {
 Status Esm::check_cyclic(std::size_t slave) const {
   if (bus_.cyclic()) return {};
   return fail(ErrorCode::kConfiguration, run_.slave_name(slave),
-              "the bus is at rest in INIT; lead the whole bus to PREOP first");
+              because("the bus is at rest in INIT; lead the whole bus to PREOP first"));
 }
 
 Status Esm::acknowledge(std::size_t slave) {
@@ -66,7 +67,7 @@ Status Esm::lead_alone(std::size_t slave, AlState target) {
   const bool boots = target == AlState::kBoot || state_of(slave) == AlState::kBoot;
   if (target != AlState::kBoot && is_above(target, level_)) {
     return fail(ErrorCode::kConfiguration, run_.slave_name(slave),
-                fmt::format("the bus is in {}; no slave can be led above it", al_state_name(level_)));
+                because("the bus is in {state}; no slave can be led above it", al_state_name(level_)));
   }
   if (boots && state_of(slave) != target) {
     if (auto status = lead_down(slave, AlState::kInit); !status) return status;

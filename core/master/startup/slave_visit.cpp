@@ -9,6 +9,7 @@
 #include "master/sii/sii_access.h"
 #include "protocol/mailbox.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -175,7 +176,7 @@ Status SlaveVisit::take_station_address() {
     station_ = station;
     return {};
   }
-  return fail(ErrorCode::kNotSupported, name_, "no station address is free");
+  return fail(ErrorCode::kNotSupported, name_, because("no station address is free"));
 }
 
 Status SlaveVisit::open_mailbox() {
@@ -188,7 +189,7 @@ Status SlaveVisit::open_mailbox() {
   const auto send = SyncManager::decode(all.first<SyncManager::kSize>());
   const auto receive = SyncManager::decode(all.last<SyncManager::kSize>());
   if (!is_mailbox(send, true) || !is_mailbox(receive, false)) {
-    return fail(ErrorCode::kNotSupported, name_, "it has no mailbox");
+    return fail(ErrorCode::kNotSupported, name_, because("it has no mailbox"));
   }
   if (auto status = take_station_address(); !status) return status;
   MailboxPort port;

@@ -2,6 +2,7 @@
 #include "master/startup/startup_message_work.h"
 
 #include "master/mailbox/mailbox_transfer.h"
+#include "reasons/brief_reason.h"
 
 #include <fmt/format.h>
 
@@ -60,7 +61,7 @@ void StartupMessageWork::take_message(Nanoseconds now) {
     return;
   }
   if (++unasked_ > kMostUnasked)
-    return fail_with({.code = ErrorCode::kMailboxProtocol, .why = "messages without end, but no answer"});
+    return fail_with({.code = ErrorCode::kMailboxProtocol, .why = brief("messages without end, but no answer")});
   transfer_.receive_instead(now);
 }
 

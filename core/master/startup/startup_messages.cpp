@@ -9,6 +9,7 @@
 #include "protocol/eoe.h"
 #include "protocol/foe.h"
 #include "protocol/soe.h"
+#include "reasons/because.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -34,14 +35,15 @@ std::string name_of(MailboxType type, std::size_t number, const std::string& com
                      comment.empty() ? std::string() : " (" + comment + ")");
 }
 
-StartupAnswer refused(std::string why) { return {true, std::move(why)}; }
+StartupAnswer refused(Reason why) { return {true, std::move(why)}; }
 
 StartupAnswer judge_eoe(std::span<const std::uint8_t> data) {
   const auto header = eoe::decode(data);
   if (!header) return refused(header.error().detail);
   if (!header->is_response()) return {};  // a frame that the slave passes on
-  return header->result == eoe::kSuccess ? StartupAnswer{true, {}}
-                                         : refused(fmt::format("EoE result 0x{:04X}", header->result));
+  return header->result == eoe::kSuccess
+             ? StartupAnswer{true, {}}
+             : refused(because("EoE result 0x{code}", fmt::format("{:04X}", header->result)));
 }
 
 StartupAnswer judge_soe(std::span<const std::uint8_t> data) {
@@ -51,7 +53,7 @@ StartupAnswer judge_soe(std::span<const std::uint8_t> data) {
   if (!header->error) return {true, {}};
   const auto code =
       data.size() >= soe::Header::kSize + 2 ? load_le<std::uint16_t>(data.subspan(soe::Header::kSize)) : 0;
-  return refused(fmt::format("SoE error 0x{:04X}", code));
+  return refused(because("SoE error 0x{code}", fmt::format("{:04X}", code)));
 }
 
 StartupAnswer judge_aoe(std::span<const std::uint8_t> data) {
@@ -61,14 +63,14 @@ StartupAnswer judge_aoe(std::span<const std::uint8_t> data) {
   // The command's own result stands first in the data.
   const auto own = data.size() >= aoe::Header::kSize + 4 ? load_le<std::uint32_t>(data.subspan(aoe::Header::kSize)) : 0;
   const auto code = header->error_code != 0 ? header->error_code : own;
-  return code == 0 ? StartupAnswer{true, {}} : refused(fmt::format("AoE error 0x{:X}", code));
+  return code == 0 ? StartupAnswer{true, {}} : refused(because("AoE error 0x{code}", fmt::format("{:X}", code)));
 }
 
 StartupAnswer judge_foe(std::span<const std::uint8_t> data) {
   const auto message = foe::decode(data);
   if (!message) return refused(message.error().detail);
   if (const auto* error = std::get_if<foe::FileError>(&*message))
-    return refused(fmt::format("FoE error 0x{:X}", error->code));
+    return refused(because("FoE error 0x{code}", fmt::format("{:X}", error->code)));
   return {true, {}};
 }
 

@@ -9,6 +9,7 @@
 
 #include "config/network_config.h"
 #include "protocol/mailbox.h"
+#include "reasons/reason.h"
 
 namespace syncline {
 
@@ -29,7 +30,7 @@ struct StartupMessage {
 /// What a message of the same protocol means for the one that was sent.
 struct StartupAnswer {
   bool is_answer = false;
-  std::optional<std::string> refusal;  // in words, when it is a refusal
+  std::optional<Reason> refusal;  // why, when it is a refusal
 };
 /// SoE error flag, EoE result, AoE error code, FoE error. Messages that are too short for their protocol are refusals.
 [[nodiscard]] StartupAnswer judge_startup_answer(MailboxType type, std::span<const std::uint8_t> data);

@@ -84,9 +84,9 @@ class Reader {
   }
 
   template <class... Given>
-  void fail_in(const toml::node& node, ScenarioReason<Given...> reason, const Given&... given) {
+  void fail_in(const toml::node& node, std::type_identity_t<ReasonRow<sizeof...(Given)>> row, const Given&... given) {
     if (error_) return;
-    error_ = Error{ErrorCode::kScenarioKey, std::string(kQuantiles), reason.text(given...), path_,
+    error_ = Error{ErrorCode::kScenarioKey, std::string(kQuantiles), because(row, given...), path_,
                    static_cast<int>(node.source().begin.line)};
   }
 

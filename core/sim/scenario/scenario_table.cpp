@@ -23,7 +23,7 @@ Result<toml::table> parse_toml_text(std::string_view text, const std::string& pa
   } catch (const toml::parse_error& error) {
     return fail(Error{ErrorCode::kTomlMalformed,
                       {},
-                      std::string(error.description()),
+                      Reason::verbatim(std::string(error.description())),
                       path,
                       static_cast<int>(error.source().begin.line)});
   }
@@ -101,15 +101,15 @@ const toml::array* Table::array(std::string_view key) {
   return node == nullptr ? nullptr : node->as_array();
 }
 
-void Table::set_error(std::string_view key, std::string detail) {
+void Table::set_error(std::string_view key, Reason detail) {
   const auto* node = table_.get(key);
   const auto line = node != nullptr ? node->source().begin.line : table_.source().begin.line;
   error_ = Error{ErrorCode::kScenarioKey, std::string(key), std::move(detail), file_, static_cast<int>(line)};
 }
 
-void Table::reject_unknown_keys(ScenarioReason<> where) {
+void Table::reject_unknown_keys(ReasonRow<0> where) {
   for (const auto& [key, node] : table_) {
-    if (!asked_.contains(key.str())) fail_at(key.str(), "is not a key that {reason} has here", where.words());
+    if (!asked_.contains(key.str())) fail_at(key.str(), "is not a key that {reason} has here", because(where));
   }
 }
 

@@ -11,8 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "findings/reason_row.h"
-#include "findings/scenario_reason_words.h"
+#include "reasons/because.h"
 #include "support/result.h"
 #include "support/types.h"
 
@@ -20,10 +19,6 @@ namespace syncline::sim {
 
 /// Beyond, it is no clock.
 inline constexpr double kMostPpm = 10'000;
-
-/// Why a scenario's key is refused: a row of kScenarioReasons, found while compiling.
-template <class... Given>
-using ScenarioReason = std::type_identity_t<ReasonRow<words::kScenarioReasons, Given...>>;
 
 /// Reads one table of a TOML file: every key that is asked for is remembered, the others are errors. The first error of
 /// a file stands, with file, line and key; after it the values are of no use.
@@ -56,15 +51,15 @@ class Table {
 
   /// At the key's line; at the table's where it is not there.
   template <class... Given>
-  void fail_at(std::string_view key, ScenarioReason<Given...> reason, const Given&... given) {
-    if (!error_) set_error(key, reason.text(given...));
+  void fail_at(std::string_view key, std::type_identity_t<ReasonRow<sizeof...(Given)>> row, const Given&... given) {
+    if (!error_) set_error(key, because(row, given...));
   }
-  void reject_unknown_keys(ScenarioReason<> where = "a scenario");
+  void reject_unknown_keys(ReasonRow<0> where = "a scenario");
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   [[nodiscard]] int line() const { return static_cast<int>(table_.source().begin.line); }
 
  private:
-  void set_error(std::string_view key, std::string detail);
+  void set_error(std::string_view key, Reason detail);
   [[nodiscard]] const toml::node* ask(std::string_view key);
 
   const toml::table& table_;

@@ -49,7 +49,7 @@ TEST(RequestDesk, RefusesWhatIsBeyondItsLimitsInWords) {
   for (std::size_t i = 0; i < RequestDesk::kCapacity; ++i) ASSERT_TRUE(desk.submit(RegisterRead{0, 0, 1}));
   const auto refused = desk.submit(RegisterRead{0, 0, 1});
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().detail.find("wait"), std::string::npos);
+  EXPECT_NE(refused.error().detail.text().find("wait"), std::string::npos);
   desk.answer(*desk.pop(), 0);
   EXPECT_TRUE(desk.submit(RegisterRead{0, 0, 1})) << "one has come back";
 }

@@ -42,7 +42,7 @@ TEST(DcmCheck, ASetValueBelowFrameTimeAndDelayIsRefusedWithTheLimit) {
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().subject, "master.dc.set_value_us");
   EXPECT_EQ(status.error().received, 0x981201C9);
-  EXPECT_THAT(status.error().detail,
+  EXPECT_THAT(status.error().detail.text(),
               HasSubstr(exact_time_text(least - 1) + " is outside " + exact_time_text(least) + "..999.999 us"));
   config.dc.dcm.set_value = least;
   EXPECT_TRUE(check_dcm(config));
@@ -70,7 +70,7 @@ TEST(DcmCheck, AnExternalClockNeedsABridge) {
   const auto status = check_dcm(network(DcmMode::kDcx));
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().received, 0x981201CC);
-  EXPECT_THAT(status.error().detail, HasSubstr("0x10F4"));
+  EXPECT_THAT(status.error().detail.text(), HasSubstr("0x10F4"));
 }
 
 TEST(DcmCheck, AModeThatSteersNeedsItsCyclicCommand) {
@@ -79,7 +79,7 @@ TEST(DcmCheck, AModeThatSteersNeedsItsCyclicCommand) {
   const auto status = check_dcm(config);
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().subject, "master.dc.mode");
-  EXPECT_THAT(status.error().detail, HasSubstr("master-ref-clock"));
+  EXPECT_THAT(status.error().detail.text(), HasSubstr("master-ref-clock"));
   config.dc.enabled = false;
   EXPECT_TRUE(check_dcm(config));
 }

@@ -271,7 +271,7 @@ TEST(SlaveOptions, ValuesOutOfRangeAreRefusedWithTheirRange) {
     const auto status = set_setting(project, key, value);
     ASSERT_FALSE(status) << key;
     EXPECT_EQ(status.error().subject, key);
-    EXPECT_THAT(status.error().detail, HasSubstr(explanation));
+    EXPECT_THAT(status.error().detail.text(), HasSubstr(explanation));
     EXPECT_EQ(project, before);
   }
 }

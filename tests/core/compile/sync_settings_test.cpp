@@ -95,7 +95,7 @@ TEST(SyncSettings, WhatTheDeviceDoesNotTakeIsRefused) {
     const auto status = set_setting(project, key, value);
     EXPECT_FALSE(status) << key;
     EXPECT_TRUE(project == before) << key;
-    return status ? std::string() : status.error().subject + ": " + status.error().detail;
+    return status ? std::string() : status.error().subject + ": " + status.error().detail.text();
   };
   EXPECT_THAT(refused("slave.0.sync.error_limit", "16"), HasSubstr("Sigma-7 drives take: 0 to 15"));
   EXPECT_THAT(refused("slave.0.sync.type", "sync0"), HasSubstr("by the SYNC signals"));

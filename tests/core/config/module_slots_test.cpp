@@ -99,8 +99,8 @@ TEST(ModuleSlots, PullingTakesBackWhatPluggingBrought) {
 TEST(ModuleSlots, WhatDoesNotFitIsRefused) {
   auto slave = default_slave(gateway(), 0);
   const auto before = slave;
-  EXPECT_THAT(plug_module(slave, 0, kAxis).error().detail, HasSubstr("these do: 0x00000200 M512"));
-  EXPECT_THAT(plug_module(slave, 4, kAxis).error().detail, HasSubstr("4 places"));
+  EXPECT_THAT(plug_module(slave, 0, kAxis).error().detail.text(), HasSubstr("these do: 0x00000200 M512"));
+  EXPECT_THAT(plug_module(slave, 4, kAxis).error().detail.text(), HasSubstr("4 places"));
   EXPECT_EQ(slave, before);
 }
 
@@ -143,7 +143,7 @@ TEST(ModuleSlots, AKeyPlugsThem) {
   EXPECT_EQ(get_setting(project, "slave.0.module.3"), "0x00000200");
   EXPECT_EQ(get_setting(project, "slave.0.pdo.map.0x1621"), "0x8000:01:8");
   EXPECT_EQ(set_setting(project, "slave.0.module.4", "none").error().code, ErrorCode::kUnknownKey);
-  EXPECT_THAT(set_setting(project, "slave.0.module.3", "x").error().detail, HasSubstr("neither none nor"));
+  EXPECT_THAT(set_setting(project, "slave.0.module.3", "x").error().detail.text(), HasSubstr("neither none nor"));
 }
 
 TEST(ModuleSlots, GroupsComeInOrderAndAligned) {

@@ -4,10 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
 using testing::HasSubstr;
+
+Reason others(std::string text) { return Reason::verbatim(std::move(text)); }
 
 TEST(ErrorText, EveryCodeHasARowWhosePlaceholdersAreKnown) {
   for (int i = 0; i <= static_cast<int>(ErrorCode::kCatalogue); ++i) {
@@ -15,7 +22,7 @@ TEST(ErrorText, EveryCodeHasARowWhosePlaceholdersAreKnown) {
     Error error;
     error.code = static_cast<ErrorCode>(i);
     error.subject = "SUBJECT";
-    error.detail = "DETAIL";
+    error.detail = others("DETAIL");
     error.file = "FILE";
     const auto text = describe(error);
     EXPECT_FALSE(text.empty()) << i;
@@ -41,16 +48,16 @@ TEST(ErrorText, AbortCodeIsShownInWords) {
 }
 
 TEST(ErrorText, FileAndLineLeadTheSentence) {
-  Error error{ErrorCode::kXmlBadValue, "Vendor/Id", "\"#x1G\" is not a number", "a.xml", 12};
-  EXPECT_EQ(describe(error), "a.xml:12: the value of <Vendor/Id> cannot be used: \"#x1G\" is not a number.");
-  Error without_line{ErrorCode::kXmlMalformed, {}, "", "a.xml"};
+  Error error{ErrorCode::kXmlBadValue, "Vendor/Id", because("\"{text}\" is no number", "#x1G"), "a.xml", 12};
+  EXPECT_EQ(describe(error), "a.xml:12: the value of <Vendor/Id> cannot be used: \"#x1G\" is no number.");
+  Error without_line{ErrorCode::kXmlMalformed, {}, {}, "a.xml"};
   EXPECT_EQ(describe(without_line), "a.xml: this is not well-formed XML.");
-  Error elsewhere{ErrorCode::kBadValue, "cycle", "0", "m.syncline", 3};
+  Error elsewhere{ErrorCode::kBadValue, "cycle", others("0"), "m.syncline", 3};
   EXPECT_EQ(describe(elsewhere), "m.syncline:3: The value of cycle cannot be used: 0.");
 }
 
 TEST(ErrorText, PermissionNamesTheCommand) {
-  EXPECT_THAT(describe({ErrorCode::kLinkPermission, "eth0", "sudo setcap x=ep /opt/bin"}),
+  EXPECT_THAT(describe({ErrorCode::kLinkPermission, "eth0", others("sudo setcap x=ep /opt/bin")}),
               HasSubstr("sudo setcap x=ep /opt/bin"));
 }
 
@@ -65,7 +72,7 @@ TEST(ErrorText, TranslatedTemplatesMayReorderAndMayBeBroken) {
 }
 
 TEST(ErrorText, AFindingOfAnErrorKeepsItsPlaceAndSaysWhatToDo) {
-  const auto finding = finding_of({ErrorCode::kFileNotWritable, {}, "disk full", "out.xml"});
+  const auto finding = finding_of({ErrorCode::kFileNotWritable, {}, others("disk full"), "out.xml"});
   EXPECT_EQ(finding.code, "file-not-writable");
   EXPECT_EQ(finding.severity, Severity::kError);
   EXPECT_EQ(finding.place.file, "out.xml");
@@ -81,13 +88,13 @@ TEST(ErrorText, AStateCodeWithoutAdviceHasNone) {
 }
 
 TEST(ErrorText, TheDeviceSaysWhyItEndsAFileTransfer) {
-  Error error{ErrorCode::kFileTransfer, "slave 1", "busy"};
+  Error error{ErrorCode::kFileTransfer, "slave 1", others("busy")};
   error.received = 0x8002;
   EXPECT_THAT(describe(error), testing::StartsWith("slave 1: the slave ended the file transfer with 0x8002 ("));
 }
 
 TEST(ErrorText, FactsAreNotReadAsTemplates) {
-  EXPECT_THAT(describe({ErrorCode::kUnknownKey, "{detail}", "x"}), HasSubstr("\"{detail}\""));
+  EXPECT_THAT(describe({ErrorCode::kUnknownKey, "{detail}", others("x")}), HasSubstr("\"{detail}\""));
 }
 
 }  // namespace

@@ -47,8 +47,8 @@ TEST_F(VethPair, FramesCrossAndTheOwnEchoDoesNotReturn) {
   RealClock clock;
   auto near = open_pcap_link("slm0", clock);
   auto far = open_pcap_link("slb0", clock);
-  ASSERT_TRUE(near) << near.error().detail;
-  ASSERT_TRUE(far) << far.error().detail;
+  ASSERT_TRUE(near) << near.error().detail.text();
+  ASSERT_TRUE(far) << far.error().detail.text();
   FrameBuilder builder;
   const std::array<std::uint8_t, 6> broadcast{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
   builder.set_addresses(broadcast, (*near)->describe().mac);
@@ -108,7 +108,7 @@ TEST_F(VethPair, WithoutPermissionTheErrorHasTheCommandForThisBinary) {
     if (::setuid(kNobody) == 0) {
       RealClock clock;
       const auto link = open_pcap_link("slm0", clock);
-      text = link ? "opened" : std::to_string(static_cast<int>(link.error().code)) + " " + link.error().detail;
+      text = link ? "opened" : std::to_string(static_cast<int>(link.error().code)) + " " + link.error().detail.text();
     }
     (void)!::write(channel[1], text.data(), text.size());
     ::_exit(0);

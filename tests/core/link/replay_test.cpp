@@ -108,7 +108,7 @@ TEST(ReplayLink, AnswersWhatTheCaptureHoldsAndNothingElse) {
   CaptureFile file("syncline-replay-");
   VirtualClock clock;
   auto link = make_replay_link(small_capture(file), clock);
-  ASSERT_TRUE(link) << link.error().detail;
+  ASSERT_TRUE(link) << link.error().detail.text();
   EXPECT_EQ(ask(**link, Command::kApwr, 0, reg::kStationAddress, {0xE9, 0x03}).wkc, 1);
   EXPECT_EQ(ask(**link, Command::kApwr, 0xFFFF, reg::kStationAddress, {0xEA, 0x03}).wkc, 1);
   EXPECT_EQ(ask(**link, Command::kBwr, 0, reg::kDlControl + 3, {0}).wkc, 2);
@@ -199,7 +199,7 @@ TEST(Captures, EveryEtherCatFrameDecodes) {
     ASSERT_TRUE(reader) << path;
     for (;;) {
       auto frame = reader->next();
-      ASSERT_TRUE(frame) << path << ": " << frame.error().detail;
+      ASSERT_TRUE(frame) << path << ": " << frame.error().detail.text();
       if (!*frame) break;
       FrameReader decoded((*frame)->bytes);
       if (!decoded.is_ethercat()) continue;

@@ -190,7 +190,7 @@ TEST_F(AcyclicRequestsTest, NoFrameThatIsLostEndsARequest) {
       answer = channels.requests.take(id);
     }
     ASSERT_TRUE(answer);
-    EXPECT_EQ(answer->data, Bytes{4}) << (answer->error ? answer->error->detail : "");
+    EXPECT_EQ(answer->data, Bytes{4}) << (answer->error ? answer->error->detail.text() : "");
   }
 }
 

@@ -94,9 +94,9 @@ TEST(DcStart, StartTimeThatHasPassedIsFoundByReadingBack) {
   ASSERT_EQ(errors->size(), 2U);
   EXPECT_EQ((*errors)[0].slave, 1U);
   EXPECT_NE((*errors)[0].error.subject.find("slave 1"), std::string::npos);
-  EXPECT_NE((*errors)[0].error.detail.find("will never come"), std::string::npos);
+  EXPECT_NE((*errors)[0].error.detail.text().find("will never come"), std::string::npos);
   EXPECT_NE((*errors)[1].error.subject.find("slave 2"), std::string::npos);  // nobody activated it
-  EXPECT_NE((*errors)[1].error.detail.find("not active"), std::string::npos);
+  EXPECT_NE((*errors)[1].error.detail.text().find("not active"), std::string::npos);
 }
 
 TEST(DcStart, TheTimeUntilActiveFollowsTheStepsThatWereSeen) {

@@ -69,7 +69,7 @@ TEST_F(DcmRun, EveryModeThatControlsComesInSyncOnTheBus) {
     events.clear();
     go_online();
     run(3 * kSecond);
-    EXPECT_FALSE(error()) << dcm_mode_name(mode) << error().value_or(Error{}).detail;
+    EXPECT_FALSE(error()) << dcm_mode_name(mode) << error().value_or(Error{}).detail.text();
     EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync) << dcm_mode_name(mode);
     EXPECT_LT(snapshot.dcm.in_sync_after_ms.value_or(1e9), 2'000) << dcm_mode_name(mode);
     EXPECT_EQ(dcm_bus_shift_configured(snapshot), steers_reference_clock(mode));
@@ -219,7 +219,7 @@ TEST_F(DcmDcx, TwoSegmentsKeepTheSameTimeThroughABridge) {
     return std::optional(static_cast<Nanoseconds>(other->system_time(0)));
   };
   go_online();
-  ASSERT_FALSE(error()) << error()->detail;
+  ASSERT_FALSE(error()) << error()->detail.text();
   run(20 * kSecond);
   EXPECT_EQ(dcm_status(snapshot).error_code, 0U);
   EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
@@ -233,7 +233,7 @@ TEST_F(DcmDcx, TwoSegmentsKeepTheSameTimeThroughABridge) {
 
 TEST_F(DcmDcx, ABridgeWithNobodyBehindItIsNoExternalClock) {
   go_online();
-  ASSERT_FALSE(error()) << error()->detail;
+  ASSERT_FALSE(error()) << error()->detail.text();
   run(2 * kSecond);
   EXPECT_EQ(dcm_status(snapshot).error_code, dc::kDcxErrorNoExternalClock);
   EXPECT_NE(dcm_status(snapshot).state, SyncState::kInSync);

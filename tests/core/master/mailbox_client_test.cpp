@@ -129,19 +129,19 @@ TEST_P(MailboxLoss, NeverAbortsATransferNorDamagesIt) {
     SdoInfoClient info(*bed.client);
     const auto big = counted(3000);
     const auto written = coe.download({0x2000, 0}, big, true);
-    ASSERT_TRUE(written) << written.error().detail;
+    ASSERT_TRUE(written) << written.error().detail.text();
     EXPECT_EQ(server.object, big);
     const auto read = coe.upload({0x2000, 0}, true);
-    ASSERT_TRUE(read) << read.error().detail;
+    ASSERT_TRUE(read) << read.error().detail.text();
     EXPECT_EQ(*read, big);
     const auto list = info.object_list();
-    ASSERT_TRUE(list) << list.error().detail;
+    ASSERT_TRUE(list) << list.error().detail.text();
     EXPECT_EQ(list->size(), 300U);
     const auto sent = foe.write("name", big);
-    ASSERT_TRUE(sent) << sent.error().detail;
+    ASSERT_TRUE(sent) << sent.error().detail.text();
     EXPECT_EQ(server.file, big);
     const auto fetched = foe.read("file");
-    ASSERT_TRUE(fetched) << fetched.error().detail;
+    ASSERT_TRUE(fetched) << fetched.error().detail.text();
     EXPECT_EQ(*fetched, big);
     EXPECT_EQ(bed.emergencies.size(), 1U) << "each emergency once";
     if (GetParam() >= 0.05) {
@@ -163,7 +163,7 @@ TEST(MailboxClient, AsksASlaveAnewThatCannotRepeatWhatWasLost) {
     constexpr int kTransfers = 100;
     for (int i = 0; i < kTransfers; ++i) {
       const auto read = coe.upload({0x2000, 1});
-      ASSERT_TRUE(read) << i << ": " << read.error().detail;
+      ASSERT_TRUE(read) << i << ": " << read.error().detail.text();
       EXPECT_EQ(*read, (Bytes{1, 2}));
     }
     EXPECT_GT(bed.slave->requests, kTransfers + 3U) << "some were asked for twice";
@@ -179,7 +179,7 @@ TEST(MailboxClient, NamesAMailboxErrorInWords) {
   const auto read = FoeClient(*bed.client).read("file");
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::kMailboxProtocol);
-  EXPECT_THAT(read.error().detail, HasSubstr("does not support this protocol"));
+  EXPECT_THAT(read.error().detail.text(), HasSubstr("does not support this protocol"));
 }
 
 TEST(MailboxClient, SilenceEndsInATimeout) {
@@ -283,7 +283,7 @@ TEST(CoeClient, HostileUploadsEndWithAClearError) {
     const auto read = CoeClient(*bed.client).upload({0x2000, 0});
     ASSERT_FALSE(read) << lie.name;
     EXPECT_EQ(read.error().code, ErrorCode::kMailboxProtocol) << lie.name;
-    EXPECT_THAT(read.error().detail, HasSubstr(lie.says)) << lie.name;
+    EXPECT_THAT(read.error().detail.text(), HasSubstr(lie.says)) << lie.name;
   }
 }
 
@@ -306,7 +306,7 @@ TEST(SdoInfoClient, AbortAndBrokenFragmentsAreErrors) {
   };
   const auto list = info.object_list();
   ASSERT_FALSE(list);
-  EXPECT_THAT(list.error().detail, HasSubstr("fragments"));
+  EXPECT_THAT(list.error().detail.text(), HasSubstr("fragments"));
 }
 
 TEST(FoeClient, TheSlavesErrorKeepsItsWords) {
@@ -317,7 +317,7 @@ TEST(FoeClient, TheSlavesErrorKeepsItsWords) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::kFileTransfer);
   EXPECT_EQ(read.error().received, 0x8001);
-  EXPECT_EQ(read.error().detail, "no such file");
+  EXPECT_EQ(read.error().detail.text(), "no such file");
 }
 
 TEST(FoeClient, AFileThatFillsItsLastPacketIsEndedByAnEmptyOne) {

@@ -105,7 +105,7 @@ class OperationTest : public ::testing::Test {
 TEST_F(OperationTest, ReachesOpAndStaysThere) {
   go_online();
   EXPECT_FALSE(first_error()) << static_cast<int>(first_error()->code) << first_error()->subject
-                              << first_error()->detail;
+                              << first_error()->detail.text();
   run(kSecond);
   EXPECT_EQ(snapshot.state, AlState::kOp);
   EXPECT_TRUE(snapshot.online);

@@ -42,7 +42,7 @@ TEST(ScanSamples, ReportsTheIdentitiesOfRealEeproms) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto& slave = scan->slaves[i];
     const auto word = [&](std::size_t at) { return load_le<std::uint32_t>(std::span(images[i]).subspan(2 * at)); };
-    ASSERT_TRUE(slave.sii) << files[i] << ": " << (slave.sii_error ? slave.sii_error->detail : "");
+    ASSERT_TRUE(slave.sii) << files[i] << ": " << (slave.sii_error ? slave.sii_error->detail.text() : "");
     EXPECT_EQ(slave.identity, (Identity{word(8), word(10), word(12), word(14)})) << files[i];
     const auto whole = sii::decode(images[i]);
     ASSERT_TRUE(whole) << files[i];

@@ -30,7 +30,7 @@ void expect_true(const BusScan& scan, const SimulatedNetwork& network) {
   for (std::size_t i = 0; i < scan.slaves.size(); ++i) {
     const auto& slave = scan.slaves[i];
     const auto& expected = network.sim.slaves[i];
-    ASSERT_TRUE(slave.sii) << i << ": " << (slave.sii_error ? slave.sii_error->detail : "");
+    ASSERT_TRUE(slave.sii) << i << ": " << (slave.sii_error ? slave.sii_error->detail.text() : "");
     EXPECT_EQ(*slave.sii, truth(expected)) << i;
     EXPECT_EQ(slave.identity.product_code, expected.device.identity.product_code);
     EXPECT_EQ(slave.identity.serial_no, expected.serial_no);
@@ -199,7 +199,7 @@ TEST_F(LookOnly, ChangesNoRegisterOfASlaveWhosePdiHasTheEeprom) {
   for (const auto& slave : scan->slaves) {
     EXPECT_FALSE(slave.sii);
     ASSERT_TRUE(slave.sii_error);
-    EXPECT_NE(slave.sii_error->detail.find("PDI"), std::string::npos);
+    EXPECT_NE(slave.sii_error->detail.text().find("PDI"), std::string::npos);
     EXPECT_EQ(slave.station_address, 0);
   }
   EXPECT_EQ(scan->slaves[5].previous, (PreviousPort{4, 1}));

@@ -50,7 +50,7 @@ void expect_error(HostileBed& bed, const std::string& what) {
   ASSERT_TRUE(scan);
   ASSERT_TRUE(scan->slaves[1].sii_error);
   EXPECT_EQ(scan->slaves[1].sii_error->subject, "slave 1");
-  EXPECT_THAT(scan->slaves[1].sii_error->detail, HasSubstr(what));
+  EXPECT_THAT(scan->slaves[1].sii_error->detail.text(), HasSubstr(what));
   EXPECT_TRUE(scan->slaves[0].sii);
   EXPECT_TRUE(scan->slaves[2].sii);
 }

@@ -48,7 +48,7 @@ TEST_F(SiiWriterTest, WritesWhatIsDifferentAndReadsItBack) {
   image[0x20 * 2] ^= 0xFF;
   image[200] ^= 0x0F;
   const auto report = write_eeprom(*bus, slave, image);
-  ASSERT_TRUE(report) << report.error().detail;
+  ASSERT_TRUE(report) << report.error().detail.text();
   EXPECT_EQ(*report, (SiiWriteReport{image.size() / 2, 2}));
   EXPECT_EQ(content(), image);
 }
@@ -58,7 +58,7 @@ TEST_F(SiiWriterTest, SurvivesABadLine) {
   for (std::size_t i = 0x80; i < 0xC0; ++i) image[i] ^= 0xA5;
   link->set_faults({.lose_request = 0.02, .lose_reply = 0.02, .duplicate = 0.05, .late = 0.01, .seed = 4});
   const auto report = write_eeprom(*bus, slave, image);
-  ASSERT_TRUE(report) << report.error().detail;
+  ASSERT_TRUE(report) << report.error().detail.text();
   EXPECT_EQ(content(), image);
   EXPECT_GT(link->injected().lost, 0U);
 }
@@ -134,7 +134,7 @@ TEST_F(SiiWriterTest, AWordThatCannotBeStoredTakesTheOthersBack) {
   const auto report = write_eeprom(*bus, slave, image);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::kSii);
-  EXPECT_THAT(report.error().detail, HasSubstr("the old content was put back"));
+  EXPECT_THAT(report.error().detail.text(), HasSubstr("the old content was put back"));
   EXPECT_EQ(content(), before);
 }
 

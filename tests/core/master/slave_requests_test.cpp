@@ -56,7 +56,7 @@ class SlaveRequests : public ::testing::Test {
     return id ? wait_for(*id) : SlaveAnswer{};
   }
   static std::string told(const SlaveAnswer& answer) {
-    return answer.error ? answer.error->subject + ": " + answer.error->detail : std::string();
+    return answer.error ? answer.error->subject + ": " + answer.error->detail.text() : std::string();
   }
 
   VirtualClock clock;
@@ -70,7 +70,7 @@ TEST_F(SlaveRequests, OfflineTheySayWhatToDo) {
   service = std::make_unique<MasterService>(test::two_axes().link(clock), clock);
   const auto answer = ask(RegisterRead{0, 0x0130, 2});
   ASSERT_TRUE(answer.error);
-  EXPECT_NE(answer.error->detail.find("go online"), std::string::npos);
+  EXPECT_NE(answer.error->detail.text().find("go online"), std::string::npos);
 }
 
 TEST_F(SlaveRequests, RegistersAndEepromInInit) {
@@ -91,10 +91,10 @@ TEST_F(SlaveRequests, RegistersAndEepromInInit) {
   EXPECT_EQ(absent.error->code, ErrorCode::kWorkingCounter) << "the slave is there, the register is not";
   const auto led = ask(StateChange{kServo, AlState::kPreop});
   ASSERT_TRUE(led.error);
-  EXPECT_NE(led.error->detail.find("whole bus"), std::string::npos);
+  EXPECT_NE(led.error->detail.text().find("whole bus"), std::string::npos);
   const auto refused = ask(SdoRead{kServo, {0x1018, 1}});
   ASSERT_TRUE(refused.error);
-  EXPECT_NE(refused.error->detail.find("INIT"), std::string::npos) << refused.error->detail;
+  EXPECT_NE(refused.error->detail.text().find("INIT"), std::string::npos) << refused.error->detail.text();
 }
 
 TEST_F(SlaveRequests, ObjectsInPreopAndOp) {
@@ -121,10 +121,10 @@ TEST_F(SlaveRequests, ObjectsInPreopAndOp) {
     EXPECT_EQ(std::get<coe::EntryDescription>(*entry.information).bit_length, 32);
     const auto none = ask(SdoRead{0, {0x1018, 1}});
     ASSERT_TRUE(none.error);
-    EXPECT_NE(none.error->detail.find("no mailbox"), std::string::npos);
+    EXPECT_NE(none.error->detail.text().find("no mailbox"), std::string::npos);
     const auto nobody = ask(SdoRead{9, {0x1018, 1}});
     ASSERT_TRUE(nobody.error);
-    EXPECT_NE(nobody.error->detail.find("3 slaves"), std::string::npos);
+    EXPECT_NE(nobody.error->detail.text().find("3 slaves"), std::string::npos);
   }
 }
 
@@ -135,7 +135,7 @@ TEST_F(SlaveRequests, AnObjectThatIsTooLargeIsRefusedInWords) {
   ASSERT_GT(name.data.size(), 4U);
   const auto refused = ask(SdoRead{kServo, {0x1008, 0}, false, 4});
   ASSERT_TRUE(refused.error);
-  EXPECT_NE(refused.error->detail.find("more than the 4"), std::string::npos) << refused.error->detail;
+  EXPECT_NE(refused.error->detail.text().find("more than the 4"), std::string::npos) << refused.error->detail.text();
   EXPECT_EQ(ask(SdoRead{kServo, {0x1008, 0}}).data, name.data) << "the slave is free again";
 }
 
@@ -147,7 +147,7 @@ TEST_F(SlaveRequests, FilesOfAnyLengthInOp) {
   EXPECT_EQ(ask(FileRead{kServo, "notes"}).data, file);
   const auto longer = ask(FileRead{kServo, "notes", 0, 2000});
   ASSERT_TRUE(longer.error);
-  EXPECT_NE(longer.error->detail.find("2000"), std::string::npos);
+  EXPECT_NE(longer.error->detail.text().find("2000"), std::string::npos);
   const auto missing = ask(FileRead{kServo, "nothing"});
   ASSERT_TRUE(missing.error);
   EXPECT_EQ(missing.error->code, ErrorCode::kFileTransfer);

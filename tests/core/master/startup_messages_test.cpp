@@ -157,7 +157,8 @@ TEST(StartupMessages, AnswersAreToldFromRequestsAndRefusalsFromConsent) {
   eoe.kind = eoe::Kind::kSetIpResponse;
   EXPECT_FALSE(judge_startup_answer(MailboxType::kEoe, eoe::encode(eoe)).refusal);
   eoe.result = eoe::kNoIpSupport;
-  EXPECT_EQ(judge_startup_answer(MailboxType::kEoe, eoe::encode(eoe)).refusal, "EoE result 0x0201");
+  EXPECT_EQ(judge_startup_answer(MailboxType::kEoe, eoe::encode(eoe)).refusal.value_or(Reason()).text(),
+            "EoE result 0x0201");
   soe::Header notification;
   notification.op_code = soe::OpCode::kNotification;
   EXPECT_FALSE(judge_startup_answer(MailboxType::kSoe, soe::encode(notification)).is_answer);
@@ -167,7 +168,7 @@ TEST(StartupMessages, AnswersAreToldFromRequestsAndRefusalsFromConsent) {
   EXPECT_FALSE(judge_startup_answer(MailboxType::kAoe, aoe::encode(ads)).refusal);
   auto own_result = aoe::encode(ads);
   own_result.insert(own_result.end(), {0x03, 0x07, 0, 0});
-  EXPECT_EQ(judge_startup_answer(MailboxType::kAoe, own_result).refusal, "AoE error 0x703");
+  EXPECT_EQ(judge_startup_answer(MailboxType::kAoe, own_result).refusal.value_or(Reason()).text(), "AoE error 0x703");
   for (const auto type : {MailboxType::kAoe, MailboxType::kEoe, MailboxType::kSoe, MailboxType::kFoe}) {
     EXPECT_TRUE(judge_startup_answer(type, {}).refusal) << mailbox_type_name(type);
   }

@@ -194,11 +194,11 @@ TEST(Sii, BrokenCategoryIsNamedWithItsPlace) {
   const auto beyond = decode(bytes);
   ASSERT_FALSE(beyond);
   EXPECT_EQ(beyond.error().code, ErrorCode::kSii);
-  EXPECT_EQ(beyond.error().detail, "category 10 at word 0x0040 of 32767 words reaches beyond the image");
+  EXPECT_EQ(beyond.error().detail.text(), "category 10 at word 0x0040 of 32767 words reaches beyond the image");
 
   auto strings = encode(small_image());
   strings[0x84] = 9;  // nine strings where there is one
-  EXPECT_EQ(decode(strings).error().detail, "category 10 at word 0x0040 ends inside string 3 of 9");
+  EXPECT_EQ(decode(strings).error().detail.text(), "category 10 at word 0x0040 ends inside string 3 of 9");
 }
 
 TEST(Sii, TruncatedImagesDecodeOrFailButNeverReadOutside) {

@@ -89,12 +89,12 @@ TEST_F(RecentRunFile, HoldsTheLastStretchAsItWas) {
   const auto from = record_->samples().last_time() - 7 * kSecond;
   const auto path = folder_.file("last.slrec");
   const auto status = save_recent(path, taken(from));
-  ASSERT_TRUE(status) << status.error().detail;
+  ASSERT_TRUE(status) << status.error().detail.text();
   auto reader = RecordingReader::open(path);
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   EXPECT_TRUE(reader->verify());
   const auto replayed = replay_run(*reader, config_);
-  ASSERT_TRUE(replayed) << replayed.error().detail;
+  ASSERT_TRUE(replayed) << replayed.error().detail.text();
   const auto &was = record_->samples(), &is = replayed->record->samples();
   EXPECT_GE(is.first_time(), from);
   EXPECT_LE(is.first_time(), from + 30 * kMillisecond);

@@ -88,7 +88,7 @@ class RecordingFile : public testing::Test {
       stop_ = stop;
       ++stops_;
     });
-    EXPECT_TRUE(recorder) << recorder.error().detail;
+    EXPECT_TRUE(recorder) << recorder.error().detail.text();
     return std::move(*recorder);
   }
   /// A recording of some seconds.
@@ -108,7 +108,7 @@ class RecordingFile : public testing::Test {
       append_sample_csv(text, samples);
       return true;
     });
-    EXPECT_TRUE(status) << status.error().detail;
+    EXPECT_TRUE(status) << status.error().detail.text();
     return text;
   }
 
@@ -142,9 +142,9 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
       recorder->finish("end of the run", std::vector<RecordedFinding>{{"frames-lost", "warning", -1, "noise"}}));
 
   auto reader = RecordingReader::open(path());
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   const auto info = reader->info();
-  ASSERT_TRUE(info) << info.error().detail;
+  ASSERT_TRUE(info) << info.error().detail.text();
   EXPECT_EQ(info->about.program, "test 1");
   EXPECT_EQ(info->about.link, machine().link);
   EXPECT_EQ(info->about.documents, machine().documents);
@@ -209,7 +209,7 @@ TEST_F(RecordingFile, ReplaysWhatWasDrawn) {
   auto reader = RecordingReader::open(path());
   ASSERT_TRUE(reader);
   const auto replayed = replay_run(*reader, config);
-  ASSERT_TRUE(replayed) << replayed.error().detail;
+  ASSERT_TRUE(replayed) << replayed.error().detail.text();
   const auto points = [](const MinMaxSeries& series) {
     std::vector<std::pair<Nanoseconds, std::uint32_t>> all;
     series.for_each(INT64_MIN, INT64_MAX, [&all](Nanoseconds time, float value) {
@@ -246,9 +246,9 @@ TEST_F(RecordingFile, OfVersionTwoTellsNoArrivals) {
   ASSERT_TRUE(recorder->finish());
   ASSERT_TRUE(SqlDatabase::open(path())->execute("PRAGMA user_version = 2"));
   auto reader = RecordingReader::open(path());
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   const auto replayed = replay_run(*reader, config);
-  ASSERT_TRUE(replayed) << replayed.error().detail;
+  ASSERT_TRUE(replayed) << replayed.error().detail.text();
   const auto& store = replayed->record->samples();
   EXPECT_FALSE(store.series(Signal::kArrivalPhase, 2).extent(INT64_MIN, INT64_MAX));
   EXPECT_TRUE(store.series(Signal::kSetpointSlips, 2).empty());
@@ -289,7 +289,7 @@ TEST_F(RecordingFile, ReplaysWhatWasToldAndFound) {
   auto reader = RecordingReader::open(path());
   ASSERT_TRUE(reader);
   const auto replayed = replay_run(*reader, config);
-  ASSERT_TRUE(replayed) << replayed.error().detail;
+  ASSERT_TRUE(replayed) << replayed.error().detail.text();
   EXPECT_TRUE(replayed->only_words);
   ASSERT_EQ(replayed->record->events().size(), live.events().size());
   for (std::size_t i = 0; i < live.events().size(); ++i) {
@@ -354,7 +354,7 @@ TEST_F(RecordingFile, ReplaysTheOverviewOfARunThatWentOnBefore) {
   run(20);
   ASSERT_TRUE(recorder->finish());
   const auto replayed = replay();
-  ASSERT_TRUE(replayed) << replayed.error().detail;
+  ASSERT_TRUE(replayed) << replayed.error().detail.text();
   const auto &was = live.overview(), &is = replayed->record->overview();
   EXPECT_GT(*was.armed, armed_before);
   EXPECT_EQ(is.armed, was.armed);
@@ -396,9 +396,9 @@ TEST_F(RecordingFile, ReadsTheVersionBefore) {
   ASSERT_TRUE(SqlDatabase::open(path())->execute(
       "ALTER TABLE event DROP COLUMN details; ALTER TABLE finding DROP COLUMN details; PRAGMA user_version = 1"));
   auto reader = RecordingReader::open(path());
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   const auto info = reader->info();
-  ASSERT_TRUE(info) << info.error().detail;
+  ASSERT_TRUE(info) << info.error().detail.text();
   EXPECT_EQ(info->events, (std::vector<RecordedEvent>{{5, 1, "state", "slave 1: OP"}}));
   EXPECT_EQ(info->findings.size(), 1U);
   NetworkConfig config;
@@ -458,7 +458,7 @@ TEST_F(RecordingFile, ReplacesNothing) {
   const auto again = Recorder::start(path(), machine(), {}, {});
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().code, ErrorCode::kFileNotWritable);
-  EXPECT_THAT(again.error().detail, HasSubstr("already"));
+  EXPECT_THAT(again.error().detail.text(), HasSubstr("already"));
   EXPECT_TRUE(RecordingReader::open(path())->verify());
 }
 
@@ -494,7 +494,7 @@ TEST_F(RecordingFile, StopsWithAMessageBeforeTheDiskIsFull) {
   ASSERT_FALSE(status);
   EXPECT_EQ(stops_, 1);
   ASSERT_TRUE(stop_.error);
-  EXPECT_THAT(stop_.error->detail, HasSubstr("left on the disk"));
+  EXPECT_THAT(stop_.error->detail.text(), HasSubstr("left on the disk"));
   auto reader = RecordingReader::open(path());
   ASSERT_TRUE(reader);
   EXPECT_TRUE(reader->verify());
@@ -554,9 +554,9 @@ TEST_F(RecordingFile, KilledAtAnyMomentItIsWhole) {
     ::close(told[0]);
     ASSERT_TRUE(WIFSIGNALED(status));
     auto reader = RecordingReader::open(path(name));
-    ASSERT_TRUE(reader) << reader.error().detail;
+    ASSERT_TRUE(reader) << reader.error().detail.text();
     const auto verified = reader->verify();
-    ASSERT_TRUE(verified) << verified.error().detail;
+    ASSERT_TRUE(verified) << verified.error().detail.text();
     const auto info = reader->info();
     ASSERT_TRUE(info);
     EXPECT_FALSE(info->ended) << "cut short, and says so";
@@ -583,13 +583,13 @@ TEST_F(RecordingFile, WhatIsNoneIsRefusedWithItsReason) {
   ASSERT_TRUE(SqlDatabase::open(path("photos"))->execute("CREATE TABLE photos(name)"));
   const auto foreign = RecordingReader::open(path("photos"));
   ASSERT_FALSE(foreign);
-  EXPECT_THAT(foreign.error().detail, HasSubstr("another program"));
+  EXPECT_THAT(foreign.error().detail.text(), HasSubstr("another program"));
   make();
   ASSERT_TRUE(SqlDatabase::open(path())->execute("PRAGMA user_version=7"));
   const auto future = RecordingReader::open(path());
   ASSERT_FALSE(future);
   EXPECT_EQ(future.error().code, ErrorCode::kNotThatKindOfFile);
-  EXPECT_THAT(future.error().detail, HasSubstr("version 7"));
+  EXPECT_THAT(future.error().detail.text(), HasSubstr("version 7"));
 }
 
 TEST_F(RecordingFile, CutOffItIsExplained) {
@@ -601,7 +601,7 @@ TEST_F(RecordingFile, CutOffItIsExplained) {
     const auto verified = reader ? reader->verify() : Result<std::uint64_t>(tl::unexpected(reader.error()));
     ASSERT_FALSE(verified) << size;
     EXPECT_EQ(verified.error().file, path("cut"));
-    EXPECT_THAT(verified.error().detail, testing::AnyOf(HasSubstr("damaged"), HasSubstr("cut off"))) << size;
+    EXPECT_THAT(verified.error().detail.text(), testing::AnyOf(HasSubstr("damaged"), HasSubstr("cut off"))) << size;
   }
 }
 

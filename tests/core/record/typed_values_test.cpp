@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "reasons/because.h"
+
 namespace syncline {
 namespace {
 
@@ -22,7 +24,9 @@ TEST(TypedValues, EachKindOfEventComesBack) {
       events::LinkUp{SharedText("eth1"), 5 * kSecond},
       events::Emergency{0xA12, 1, {1, 2, 3, 4, 255}, {0x539, 2, 3, 4}},
       events::CableChanged{2, -1, true},
-      events::Failure{Error{ErrorCode::kSdoAbort, "slave 3", "no", "file", 7, -1, 0x06020000, 9}},
+      events::Failure{Error{ErrorCode::kSdoAbort, "slave 3",
+                            because("\"{text}\" is no {type}", Reason::verbatim(std::string("no")), 7), "file", 7, -1,
+                            0x06020000, 9}},
       events::EventsLost{UINT64_MAX / 4},
   };
   for (const auto& what : all) {
@@ -35,6 +39,28 @@ TEST(TypedValues, EachKindOfEventComesBack) {
   const auto failure = decode_event(encode_event(all[9]));
   EXPECT_EQ(std::get<events::Failure>(*failure).error, std::get<events::Failure>(all[9]).error);
   EXPECT_EQ(std::get<events::HotConnect>(*decode_event(encode_event(all[2]))).group.str(), "tool changer");
+}
+
+/// As programs recorded it that knew sentences alone, and by one that knows rows that we have not.
+TEST(TypedValues, AnErrorWithoutItsRowKeepsItsSentence) {
+  const auto detail_of = [](std::string_view bytes) {
+    const auto what = decode_event(bytes);
+    EXPECT_TRUE(what);
+    return what ? std::get<events::Failure>(*what).error.detail : Reason();
+  };
+  const std::string sentence = "\"no\" is no 7";
+  const auto whole =
+      encode_event(events::Failure{Error{ErrorCode::kBadValue, "a", because("\"{text}\" is no {type}", "no", 7)}});
+  EXPECT_EQ(detail_of(whole), because("\"{text}\" is no {type}", "no", 7));
+  const auto row = whole.find("\"{text}");
+  ASSERT_NE(row, std::string::npos);
+  EXPECT_EQ(detail_of(std::string_view(whole).substr(0, row - 1)).text(), sentence);
+  auto other = whole;
+  other[row + 9] = 'I';
+  EXPECT_EQ(detail_of(other).text(), sentence);
+  const auto plain = encode_event(events::Failure{Error{ErrorCode::kBadValue, "a", because("it is a number")}});
+  const auto end = plain.rfind("it is a number");
+  EXPECT_EQ(detail_of(std::string_view(plain).substr(0, end - 1)).words(), "it is a number");
 }
 
 template <std::size_t index = 0>

@@ -45,7 +45,7 @@ TEST(DcCheck, NamesTheSettingItsValueAndTheRange) {
     ASSERT_FALSE(status) << key;
     EXPECT_EQ(status.error().code, ErrorCode::kBadValue) << key;
     EXPECT_EQ(status.error().subject, key);
-    EXPECT_EQ(status.error().detail, words) << key;
+    EXPECT_EQ(status.error().detail.text(), words) << key;
     config.dc.enabled = false;
     EXPECT_TRUE(check_dc(config)) << key;
   }

@@ -60,7 +60,7 @@ TEST(DcmSettings, OutsideTheirRangesAreRefusedByName) {
     DcmSettings settings;
     change(settings);
     const auto status = check_dcm_settings(settings, kMillisecond);
-    return status ? std::string() : status.error().subject + ": " + status.error().detail;
+    return status ? std::string() : status.error().subject + ": " + status.error().detail.text();
   };
   EXPECT_EQ(detail_of([](auto&) {}), "");
   EXPECT_EQ(detail_of([](auto& s) { s.gain_ppt = 501; }), "master.dc.gain_ppt: 501 ppt is outside 0..500 ppt");
@@ -85,7 +85,7 @@ TEST(DcmSettings, AreSettingsOfTheProject) {
                                                                   {"master.dc.standard_loop_values", "on"},
                                                                   {"master.dc.log", "on"}}) {
     const auto status = set_setting(project, key, value);
-    ASSERT_TRUE(status) << key << ": " << status.error().detail;
+    ASSERT_TRUE(status) << key << ": " << status.error().detail.text();
   }
   const auto& dcm = project.master.dc.dcm;
   EXPECT_EQ(dcm.mode, DcmMode::kMasterRefClock);

@@ -33,7 +33,7 @@ TEST(SettingsKeys, SettingWhatIsReadChangesNothing) {
       RC_ASSERT(read.has_value());
       RC_ASSERT(*read == setting.value);
       const auto status = set_setting(project, setting.key, *read);
-      if (!status) RC_FAIL(setting.key + "=" + *read + ": " + status.error().detail);
+      if (!status) RC_FAIL(setting.key + "=" + *read + ": " + status.error().detail.text());
       RC_ASSERT(project == before);
     }
   }));
@@ -51,7 +51,7 @@ TEST(SettingsKeys, TheKeysCarryEveryFieldOfAProject) {
     }
     for (const auto& setting : list_settings(original)) {
       const auto status = set_setting(copy, setting.key, setting.value);
-      if (!status) RC_FAIL(setting.key + "=" + setting.value + ": " + status.error().detail);
+      if (!status) RC_FAIL(setting.key + "=" + setting.value + ": " + status.error().detail.text());
     }
     RC_ASSERT(copy == original);
   }));
@@ -157,7 +157,7 @@ TEST(SettingsKeys, BadEditsSayWhyAndChangeNothing) {
     ASSERT_FALSE(status) << edit.key << "=" << edit.value;
     EXPECT_EQ(status.error().code, edit.code) << edit.key << "=" << edit.value;
     EXPECT_EQ(status.error().subject, edit.key);
-    EXPECT_THAT(status.error().detail, HasSubstr(edit.explanation)) << edit.key << "=" << edit.value;
+    EXPECT_THAT(status.error().detail.text(), HasSubstr(edit.explanation)) << edit.key << "=" << edit.value;
     EXPECT_EQ(project, before) << edit.key;
   }
 }

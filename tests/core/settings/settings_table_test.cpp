@@ -26,7 +26,7 @@ TEST(SettingsTable, TypedValuesGoBackAsTheyCame) {
         Project project = before;
         const auto value = setting.read(before, place);
         const auto status = set_value(setting, project, place, value);
-        if (!status) RC_FAIL(setting.key + ": " + status.error().detail);
+        if (!status) RC_FAIL(setting.key + ": " + status.error().detail.text());
         RC_ASSERT(project == before);
       }
     }
@@ -91,7 +91,7 @@ TEST(SettingsTable, WhatAutoStandsForFollowsTheProject) {
   const auto status = check_number(row_of_set_value, project, {});
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().subject, "master.dc.set_value_us");
-  EXPECT_THAT(status.error().detail, HasSubstr("300 us is outside 0.001..299.999 us"));
+  EXPECT_THAT(status.error().detail.text(), HasSubstr("300 us is outside 0.001..299.999 us"));
 }
 
 TEST(SettingsTable, ASyncUnitThatIsOffStandsForNoTime) {

@@ -40,7 +40,7 @@ void expect_wrong(const Wrong& wrong) {
   EXPECT_EQ(config.error().code, ErrorCode::kScenarioKey) << wrong.content;
   EXPECT_EQ(config.error().subject, wrong.key) << wrong.content;
   EXPECT_EQ(config.error().line, wrong.line) << wrong.content << describe(config.error());
-  EXPECT_THAT(config.error().detail, testing::HasSubstr(wrong.says)) << wrong.content;
+  EXPECT_THAT(config.error().detail.text(), testing::HasSubstr(wrong.says)) << wrong.content;
   EXPECT_FALSE(config.error().file.empty());
 }
 
@@ -96,7 +96,7 @@ TEST(BadScenario, SlavesThatContradictThemselves) {
   ASSERT_FALSE(config);
   EXPECT_EQ(config.error().subject, "port");
   EXPECT_EQ(config.error().line, 5);
-  EXPECT_THAT(config.error().detail, testing::HasSubstr("has slave 1 already"));
+  EXPECT_THAT(config.error().detail.text(), testing::HasSubstr("has slave 1 already"));
 }
 
 TEST(BadScenario, FaultsThatTheMachineCannotHave) {
@@ -123,7 +123,7 @@ TEST(BadScenario, FaultsThatTheMachineCannotHave) {
   const auto without_clock =
       load(servo() + "dc = \"none\"\n[[fault]]\nkind = \"clock-step\"\nslave = 0\nvalue_ns = 5\n");
   ASSERT_FALSE(without_clock);
-  EXPECT_THAT(without_clock.error().detail, testing::HasSubstr("no clock"));
+  EXPECT_THAT(without_clock.error().detail.text(), testing::HasSubstr("no clock"));
 }
 
 TEST(BadScenario, TimesThatContradictEachOther) {
@@ -186,7 +186,7 @@ TEST(HostProfileFile, ContradictionsAreNamedWithLineAndKey) {
     EXPECT_EQ(profile.error().file, path);
     EXPECT_EQ(profile.error().subject, key) << text;
     EXPECT_EQ(profile.error().line, line) << text << describe(profile.error());
-    EXPECT_THAT(profile.error().detail, testing::HasSubstr(says)) << text;
+    EXPECT_THAT(profile.error().detail.text(), testing::HasSubstr(says)) << text;
   };
   expect("[wake_up]\nquantiles = [[0, 10],\n  [0.5, 5]]\n", "quantiles", 3, "cannot be below 5 ns");
   expect("[wake_up]\nquantiles = [[0.5, 10],\n  [0.5, 50]]\n", "quantiles", 3, "must rise");

@@ -76,7 +76,7 @@ TEST(SimClocks, ReadingSubtractsTheDelay) {
 
 TEST(SimScenario, DemonstrationMachineHasItsBranchesInFrameOrder) {
   const auto config = sim::load_scenario(resource("demo/machine.toml"), scenario_device);
-  ASSERT_TRUE(config) << config.error().file << config.error().line << config.error().detail;
+  ASSERT_TRUE(config) << config.error().file << config.error().line << config.error().detail.text();
   ASSERT_EQ(config->slaves.size(), 9U);
   SimProbe probe(*config);
   EXPECT_EQ(probe.send(Command::kBrd, device_address(0, reg::kType), {0}).wkc, 9);

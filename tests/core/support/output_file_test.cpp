@@ -66,7 +66,7 @@ TEST_F(OutputFileTest, ADeviceIsWrittenToAndStaysADevice) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::kFileNotWritable);
   EXPECT_EQ(written.error().file, "/dev/full");
-  EXPECT_THAT(written.error().detail, HasSubstr("No space left"));
+  EXPECT_THAT(written.error().detail.text(), HasSubstr("No space left"));
   EXPECT_TRUE(write_whole_file("/dev/null", "x"));
   ASSERT_EQ(::stat("/dev/full", &after), 0);
   EXPECT_TRUE(S_ISCHR(after.st_mode));
@@ -87,7 +87,7 @@ TEST_F(OutputFileTest, FoldersAreRefusedByName) {
   const auto written = write_whole_file(folder_.string(), "x");
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().file, folder_.string());
-  EXPECT_THAT(written.error().detail, HasSubstr("folder"));
+  EXPECT_THAT(written.error().detail.text(), HasSubstr("folder"));
   EXPECT_EQ(files(), 0);
 }
 
@@ -157,7 +157,7 @@ TEST_F(OutputFileTest, AFileThatCannotGrowIsToldOnceAndLeavesNothing) {
   ::setrlimit(RLIMIT_FSIZE, &before);
   ::signal(SIGXFSZ, handler);
   ASSERT_FALSE(status);
-  EXPECT_THAT(status.error().detail, HasSubstr("too large"));
+  EXPECT_THAT(status.error().detail.text(), HasSubstr("too large"));
   EXPECT_EQ(left, 1) << "the space is given back at once";
   EXPECT_FALSE(finished);
   EXPECT_EQ(read_whole_file(path("a")), "old");

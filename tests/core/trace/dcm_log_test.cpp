@@ -72,13 +72,13 @@ TEST(DcmLog, IsReadBackAsItWasWritten) {
     append_dcm_log(text, rows.back());
   }
   const auto read = read_dcm_log(text);
-  ASSERT_TRUE(read) << read.error().detail;
+  ASSERT_TRUE(read) << read.error().detail.text();
   EXPECT_EQ(*read, rows);
 }
 
 TEST(DcmLog, OtherSeparatorsOrdersAndColumnsAreRead) {
   const auto read = read_dcm_log("drift[ppm],Something,CtlErr [ns]\r\n-1.5,x,300\r\n\r\n2,y,-4\r\n");
-  ASSERT_TRUE(read) << read.error().detail;
+  ASSERT_TRUE(read) << read.error().detail.text();
   ASSERT_EQ(read->size(), 2U);
   EXPECT_EQ((*read)[0].drift_ppm, -1.5);
   EXPECT_EQ((*read)[1].error_ns, -4);
@@ -91,7 +91,7 @@ TEST(DcmLog, WhatIsNoLogIsRefusedWithItsLine) {
   const auto bad = read_dcm_log("Time[ms];CtlErr [ns]\n1;2\n2;three\n");
   ASSERT_FALSE(bad);
   EXPECT_EQ(bad.error().line, 3);
-  EXPECT_THAT(bad.error().detail, HasSubstr("three"));
+  EXPECT_THAT(bad.error().detail.text(), HasSubstr("three"));
   for (const char* huge : {"1e300", "-1e300", "99999999999999999999"}) {
     EXPECT_TRUE(read_dcm_log(std::string("CtlErr [ns]\n") + huge + "\n")) << huge;
   }

@@ -5,13 +5,13 @@
 #include <array>
 #include <string_view>
 
-#include "findings/bus_reason_words.h"
-#include "findings/file_reason_words.h"
-#include "findings/scenario_reason_words.h"
+#include "reasons/bus_reason_words.h"
+#include "reasons/file_reason_words.h"
+#include "reasons/scenario_reason_words.h"
+#include "reasons/survey_reason_words.h"
 
-/// What stands in Error::detail: sentences that are made where they are found, as templates whose {placeholders} take
-/// the figures and the texts of others. They are found again by these (reasons.h), and translated;
-/// tests/core/findings/reasons_test.cpp looks whether the sources still say so.
+/// What stands in Error::detail: sentences whose {placeholders} take the figures, the texts of others, and further
+/// reasons. because() (because.h) looks one up while compiling; translations know them by their words.
 namespace syncline::words {
 
 inline constexpr std::string_view kCommonReasons[] = {
@@ -205,8 +205,6 @@ inline constexpr std::string_view kCommonReasons[] = {
     "\"{text}\" is no Ethernet address",
     "it holds neither what was there nor what was to be written: another slave, or written since; write the image that "
     "it is to have with \"sii write\"",
-    "working counter {received} instead of {expected} in OP",
-    "OP was not reached",
     "the other revision does not take it",
     // of the window
     "no file can be made there",
@@ -229,6 +227,7 @@ template <std::size_t... kRows>
   return all;
 }
 
-inline constexpr auto kReasons = all_reasons(kCommonReasons, kScenarioReasons, kBusReasons, kFileReasons);
+inline constexpr auto kReasons =
+    all_reasons(kCommonReasons, kScenarioReasons, kBusReasons, kFileReasons, kSurveyReasons);
 
 }  // namespace syncline::words

@@ -82,6 +82,7 @@ inline constexpr std::string_view kScenarioReasons[] = {
     "{file} is the EEPROM of {device}",
     "{file} has {count}, counted from 0",
     "unknown option '{option}'; {forms}",
+    "use sim:FILE[?virtual][&seed=N][&network=N], nic:NAME or replay:FILE",
 };
 
 }  // namespace syncline::words
