@@ -909,6 +909,10 @@
 <context>
     <name>LiveStrip</name>
         <message>
+            <source>Note here…</source>
+            <translation>Notiz hier…</translation>
+        </message>
+        <message>
             <source>Export the episode</source>
             <translation>Episode exportieren</translation>
         </message>
@@ -1559,6 +1563,10 @@
     </context>
     <context>
     <name>SlavesView</name>
+        <message>
+            <source>Note</source>
+            <translation>Notiz</translation>
+        </message>
         <message>
             <source>Deviations of all slaves</source>
             <translation>Abweichungen aller Slaves</translation>
@@ -3513,6 +3521,10 @@ Einstellung %2</translation>
 </context>
 <context>
     <name>Workspace</name>
+        <message>
+            <source>Note</source>
+            <translation>Notiz</translation>
+        </message>
         <message>
             <source>The machine is running: go offline to change its slaves.</source>
             <translation>Die Maschine läuft: offline gehen, um ihre Slaves zu ändern.</translation>
@@ -5912,6 +5924,26 @@ Einstellung %2</translation>
 </context>
 <context>
     <name>RecordingCommands</name>
+        <message>
+            <source>Change Note</source>
+            <translation>Notiz ändern</translation>
+        </message>
+        <message>
+            <source>Add Note</source>
+            <translation>Notiz hinzufügen</translation>
+        </message>
+        <message>
+            <source>At %1 (empty takes the note away):</source>
+            <translation>Bei %1 (leer nimmt die Notiz weg):</translation>
+        </message>
+        <message>
+            <source>At %1:</source>
+            <translation>Bei %1:</translation>
+        </message>
+        <message>
+            <source>The note could not be written.</source>
+            <translation>Die Notiz konnte nicht geschrieben werden.</translation>
+        </message>
         <message>
             <source>Save the Episode</source>
             <translation>Episode sichern</translation>

@@ -907,6 +907,10 @@
 <context>
     <name>LiveStrip</name>
         <message>
+            <source>Note here…</source>
+            <translation>在此处写注释…</translation>
+        </message>
+        <message>
             <source>Export the episode</source>
             <translation>导出片段</translation>
         </message>
@@ -1557,6 +1561,10 @@
     </context>
     <context>
     <name>SlavesView</name>
+        <message>
+            <source>Note</source>
+            <translation>注释</translation>
+        </message>
         <message>
             <source>Deviations of all slaves</source>
             <translation>所有从站的偏差</translation>
@@ -3496,6 +3504,10 @@ Setting %2</source>
 </context>
 <context>
     <name>Workspace</name>
+        <message>
+            <source>Note</source>
+            <translation>注释</translation>
+        </message>
         <message>
             <source>The machine is running: go offline to change its slaves.</source>
             <translation>机器正在运行：请先下线再更改其从站。</translation>
@@ -5881,6 +5893,26 @@ Setting %2</source>
 </context>
 <context>
     <name>RecordingCommands</name>
+        <message>
+            <source>Change Note</source>
+            <translation>更改注释</translation>
+        </message>
+        <message>
+            <source>Add Note</source>
+            <translation>添加注释</translation>
+        </message>
+        <message>
+            <source>At %1 (empty takes the note away):</source>
+            <translation>在 %1（留空则删除该注释）：</translation>
+        </message>
+        <message>
+            <source>At %1:</source>
+            <translation>在 %1：</translation>
+        </message>
+        <message>
+            <source>The note could not be written.</source>
+            <translation>无法写入注释。</translation>
+        </message>
         <message>
             <source>Save the Episode</source>
             <translation>保存片段</translation>

@@ -97,6 +97,7 @@ void MainWindow::buildCentre() {
   connect(overview_, &OverviewPanel::momentWanted, this, &MainWindow::goToMoment);
   connect(overview_, &OverviewPanel::armWanted, &workspace_.live(), &LiveSession::arm);
   connect(strip_, &LiveStrip::eventClicked, this, &MainWindow::selectMoment);
+  connect(strip_, &LiveStrip::noteWanted, this, [this](qint64 time) { recordings_->writeNote(time); });
   connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
   auto* bar = &centre_->runBar();
   connect(bar, &RunBar::differencesWanted, this,

@@ -43,6 +43,7 @@ Status write_all(RecordingWriter& writer, const RecentRun& run) {
   }
   RecordingBatch rest;
   for (; event != run.events.end(); ++event) rest.events.push_back(*event);
+  rest.notes = run.notes;
   if (!rest.empty()) {
     if (auto status = writer.write(rest); !status) return status;
   }

@@ -48,6 +48,7 @@ struct RecentRun {
   std::unique_ptr<SampleStore> held;  // see held_copy()
   std::vector<RecordedEvent> events;  // from then on, until then
   std::vector<RecordedFinding> findings;
+  std::vector<RunNote> notes{};  // those of the stretch
 };
 
 /// Counts and states of a run until a moment, and nothing else of it.

@@ -56,7 +56,7 @@ void Recorder::add(RecordedEvent event) {
   if (!stopped_ && !finished_) open_.events.push_back(std::move(event));
 }
 
-void Recorder::add(RecordedNote note) {
+void Recorder::add(RunNote note) {
   const std::lock_guard lock(mutex_);
   if (!stopped_ && !finished_) open_.notes.push_back(std::move(note));
 }

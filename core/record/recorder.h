@@ -46,7 +46,7 @@ class Recorder {
   void add(std::span<const CycleSample> samples);
   void add(const Snapshot& snapshot);
   void add(RecordedEvent event);
-  void add(RecordedNote note);
+  void add(RunNote note);
   /// What the run means by now; a recording that is cut short keeps the last that were told.
   void tell(std::vector<RecordedFinding> findings);
   /// What it is held against by now, and since when.

@@ -63,10 +63,4 @@ struct RecordedFinding {
 };
 [[nodiscard]] std::vector<RecordedFinding> recorded(std::span<const Finding> findings);
 
-struct RecordedNote {
-  Nanoseconds time = 0;
-  std::string text;
-  bool operator==(const RecordedNote&) const = default;
-};
-
 }  // namespace syncline

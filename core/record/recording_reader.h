@@ -25,7 +25,7 @@ struct RecordingInfo {
   Nanoseconds begin = 0, end = 0;    // host clock, of the first and the last sample
   std::vector<RecordedEvent> events;
   std::vector<RecordedFinding> findings;
-  std::vector<RecordedNote> notes;
+  std::vector<RunNote> notes;
 };
 
 /// Sums of one signal over one block.

@@ -24,7 +24,7 @@ struct RecordingBatch {
   std::vector<CycleSample> samples;
   std::vector<Taken> snapshots;
   std::vector<RecordedEvent> events;
-  std::vector<RecordedNote> notes;
+  std::vector<RunNote> notes;
   std::optional<std::vector<RecordedFinding>> findings{};  // what the run means by now, in place of what it meant
   std::optional<RunStanding> standing{};                   // in place of what was before
   std::vector<RecordedDocument> documents{};               // each in place of that of its kind

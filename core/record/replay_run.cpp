@@ -101,6 +101,7 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   if (!status) return tl::unexpected(status.error());
   restore_held(held, record);
   record.restore(findings_of(run.info, run.only_words));
+  record.set_notes(run.info.notes);
   return run;
 }
 

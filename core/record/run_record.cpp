@@ -77,6 +77,17 @@ void RunRecord::add(const Snapshot& snapshot) {
   overview_.disarm(snapshot_.time);
 }
 
+void RunRecord::add(RunNote note) {
+  notes_.insert(std::ranges::upper_bound(notes_, note.time, {}, &RunNote::time), std::move(note));
+  ++notes_changed_;
+}
+
+void RunRecord::set_notes(std::vector<RunNote> notes) {
+  notes_ = std::move(notes);
+  std::ranges::stable_sort(notes_, {}, &RunNote::time);
+  ++notes_changed_;
+}
+
 void RunRecord::add(const Event& event) {
   recorder_.add(event);
   overview_.add(event);

@@ -12,6 +12,7 @@
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "findings/finding.h"
+#include "record/run_note.h"
 #include "trace/run_report.h"
 #include "trace/sample_store.h"
 #include "trace/sync_overview.h"
@@ -52,6 +53,9 @@ class RunRecord {
   void add(std::span<const CycleSample> samples);
   void add(const Snapshot& snapshot);
   void add(const Event& event);
+  void add(RunNote note);
+  /// In place of all there are.
+  void set_notes(std::vector<RunNote> notes);
   /// So many cycles are going to come.
   void reserve(std::size_t cycles) { samples_.reserve(cycles); }
   /// Out of a recording, see SampleStore::restore().
@@ -76,6 +80,10 @@ class RunRecord {
   /// In their order, the latest kMostEvents.
   [[nodiscard]] const std::deque<Event>& events() const { return events_; }
   [[nodiscard]] std::uint64_t forgotten_events() const { return forgotten_events_; }
+  /// By their times.
+  [[nodiscard]] const std::vector<RunNote>& notes() const { return notes_; }
+  /// Another number when they have changed.
+  [[nodiscard]] std::uint64_t notes_changed() const { return notes_changed_; }
   [[nodiscard]] RunReport report() const { return recorder_.finish(snapshot_); }
   [[nodiscard]] const SyncOverview& overview() const { return overview_.overview(); }
   /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished. Of a recording: what
@@ -92,6 +100,8 @@ class RunRecord {
   Snapshot snapshot_;
   std::deque<Event> events_;
   std::uint64_t forgotten_events_ = 0;
+  std::vector<RunNote> notes_;
+  std::uint64_t notes_changed_ = 0;
 };
 
 }  // namespace syncline

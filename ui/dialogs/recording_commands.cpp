@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QProgressDialog>
 #include <algorithm>
 
@@ -12,6 +13,7 @@
 #include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
 #include "ui/text/recorded_text.h"
+#include "ui/text/units.h"
 
 namespace syncline::ui {
 
@@ -125,6 +127,24 @@ void RecordingCommands::saveRange(Nanoseconds from, Nanoseconds to) {
   if (path.isEmpty()) return;
   if (auto status = workspace_.disk().saveRange(from, to, path); !status)
     tell(tr("Nothing could be saved."), status.error());
+}
+
+/// In a recording a note that is there can be changed; a run may have it on the disk by now.
+void RecordingCommands::writeNote(Nanoseconds time) {
+  const auto* record = workspace_.shownRecord();
+  if (record == nullptr) return;
+  const bool recorded = workspace_.recording().isOpen();
+  const auto there = std::ranges::find(record->notes(), time, &RunNote::time);
+  const bool changes = recorded && there != record->notes().end();
+  bool wanted = false;
+  const auto at = runTimeText(time - record->overview().begin);
+  const auto text =
+      QInputDialog::getText(&window_, changes ? tr("Change Note") : tr("Add Note"),
+                            changes ? tr("At %1 (empty takes the note away):").arg(at) : tr("At %1:").arg(at),
+                            QLineEdit::Normal, changes ? QString::fromStdString(there->text) : QString(), &wanted);
+  if (!wanted || (text.trimmed().isEmpty() && !changes)) return;
+  if (auto status = workspace_.putNote({time, text.trimmed().toStdString()}); !status)
+    tell(tr("The note could not be written."), status.error());
 }
 
 void RecordingCommands::onSaved(const QString& path, const std::optional<Error>& error) {

@@ -31,6 +31,8 @@ class RecordingCommands final : public QObject {
   void saveLast();
   /// A stretch of the run (host clock) to a file that the user names.
   void saveRange(Nanoseconds from, Nanoseconds to);
+  /// Asks what to write at a moment of what is shown (host clock).
+  void writeNote(Nanoseconds time);
   /// "Save the last 4 min 10 s…"
   [[nodiscard]] QString saveLastText() const;
 

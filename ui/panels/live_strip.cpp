@@ -8,6 +8,7 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "ui/panels/cycle_view.h"
@@ -107,6 +108,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   record_ = record;
   marks_.clear();
   marked_ = 0;
+  noted_ = 0;
   for (auto* panel : panels_) panel->setSource(record_);
   distribution_->setRecord(record_);
   stability_->setRecord(record_);
@@ -187,6 +189,30 @@ void LiveStrip::collectMarks() {
   slaves_->plot()->markDirty();
 }
 
+void LiveStrip::collectNotes() {
+  if (record_ == nullptr || std::exchange(noted_, record_->notes_changed()) == record_->notes_changed()) return;
+  std::erase_if(marks_, [](const EventMark& mark) { return mark.note; });
+  for (const auto& note : record_->notes()) {
+    const EventMark mark{note.time, false, -1, true};
+    marks_.insert(std::ranges::upper_bound(marks_, mark.time, {}, &EventMark::time), mark);
+  }
+  for (auto* panel : panels_) panel->plot()->markDirty();
+  slaves_->plot()->markDirty();
+}
+
+/// The note within a few pixels is meant, else the place itself.
+Nanoseconds LiveStrip::notePlace(Nanoseconds time) const {
+  constexpr int kReachParts = 150;  // of what is shown
+  Nanoseconds nearest = time, distance = view_.span() / kReachParts;
+  for (const auto& note : record_->notes()) {
+    if (const auto away = std::llabs(note.time - time); away <= distance) {
+      distance = away;
+      nearest = note.time;
+    }
+  }
+  return nearest;
+}
+
 void LiveStrip::followRecord() {
   view_.setOrigin(record_->overview().begin);
   view_.setBounds(record_->samples().first_time(), record_->samples().last_time());
@@ -209,6 +235,7 @@ void LiveStrip::tick() {
   }
   ++ticks_;
   collectMarks();
+  collectNotes();
   if (body_ == Body::kDistribution && isVisible()) return distribution_->refresh();
   if (body_ == Body::kStability && isVisible()) return stability_->refresh();
   if (body_ == Body::kSlaves && isVisible()) return slaves_->refresh();
@@ -291,6 +318,9 @@ void LiveStrip::keyPressEvent(QKeyEvent* event) {
       return cursors_.set(CursorSet::kA, cursorPlace());
     case Qt::Key_B:
       return cursors_.set(CursorSet::kB, cursorPlace());
+    case Qt::Key_N:
+      if (hasSamples()) Q_EMIT noteWanted(notePlace(cursorPlace()));
+      return;
     case Qt::Key_Escape:
       if (cursors_.any()) return cursors_.clear();
       break;

@@ -78,6 +78,8 @@ class LiveStrip : public QWidget {
   [[nodiscard]] Picture picture();
 
  Q_SIGNALS:
+  /// A note is to be written at this moment, or the one that is there to be changed.
+  void noteWanted(syncline::Nanoseconds time);
   /// The mark of an event was clicked.
   void eventClicked(syncline::Nanoseconds time);
   void triggerWanted();
@@ -99,6 +101,8 @@ class LiveStrip : public QWidget {
   [[nodiscard]] QWidget* body() const;
   void showTriggerLevel();
   void collectMarks();
+  void collectNotes();
+  [[nodiscard]] Nanoseconds notePlace(Nanoseconds time) const;
   void followRecord();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
   void openMenu(const QPoint& global, Nanoseconds time);
@@ -124,6 +128,7 @@ class LiveStrip : public QWidget {
   unsigned ticks_ = 0;
   std::vector<EventMark> marks_;  // of the record's events, by time
   std::uint64_t marked_ = 0;      // events that were looked at
+  std::uint64_t noted_ = 0;       // RunRecord::notes_changed() when the notes were looked at
   TriggerLevel level_;
   Body body_ = Body::kPlots;
   bool text_wanted_ = false;

@@ -128,6 +128,10 @@ void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
   menu->addAction(tr("Cursor B here"), this, [this, time] { cursors_.set(CursorSet::kB, time); });
   menu->addAction(tr("Remove cursors"), this, [this] { cursors_.clear(); })->setEnabled(cursors_.any());
   menu->addSeparator();
+  auto* note = menu->addAction(tr("Note here…"), this, [this, time] { Q_EMIT noteWanted(notePlace(time)); });
+  note->setObjectName(QStringLiteral("actionNoteHere"));
+  note->setEnabled(hasSamples());
+  menu->addSeparator();
   menu->addAction(tr("Show everything"), this, [this] { view_.showAll(); });
   menu->addAction(tr("Fit values"), this, [this] {
     for (auto* panel : panels_) panel->plot()->fitValues();

@@ -213,12 +213,19 @@ QString SlavesView::eventsText(const HeatMapPlot::MarkSpot& spot) const {
   const auto& mark = spot.mark;
   QString first;
   int more = -1;
+  for (const auto& note : record_->notes()) {
+    if (spot.is_in_row || std::llabs(note.time - mark.time) >= plot_->columnWidth()) continue;
+    ++more;
+    if (!mark.note || note.time != mark.time || !first.isEmpty()) continue;
+    first = QStringList{runTimeText(note.time - view_->origin()), tr("Note"), QString::fromStdString(note.text)}.join(
+        QStringLiteral(" \u00B7 "));
+  }
   for (const auto& event : record_->events()) {
     if (std::llabs(event.time - mark.time) >= plot_->columnWidth() || meaning_of(event) == EventMeaning::kNews)
       continue;
     if (spot.is_in_row && event.slave != mark.slave) continue;
     ++more;
-    if (event.time != mark.time || event.slave != mark.slave || !first.isEmpty()) continue;
+    if (mark.note || event.time != mark.time || event.slave != mark.slave || !first.isEmpty()) continue;
     const auto message = messageOf(event, record_->config());
     QStringList parts{runTimeText(event.time - view_->origin()), message ? message->source : QString(),
                       briefText(event)};

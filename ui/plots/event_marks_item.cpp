@@ -12,6 +12,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr double kHalfWidth = 4, kHeight = 7;
+constexpr double kPole = 13;  // higher than the triangles, so that it is seen behind one
 
 }  // namespace
 
@@ -22,11 +23,21 @@ void drawEventMark(QPainter& painter, const QPointF& foot, bool fault, const QCo
   painter.drawPolygon(QPolygonF({{foot.x() - kHalfWidth, base}, {foot.x() + kHalfWidth, base}, {foot.x(), tip}}));
 }
 
+void drawNoteMark(QPainter& painter, const QPointF& foot, const QColor& color) {
+  const QPointF top = foot - QPointF(0, kPole);
+  painter.setPen(QPen(color, 1));
+  painter.drawLine(foot, top);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawPolygon(QPolygonF({top, top + QPointF(kHeight, kHalfWidth / 2 + 0.5), top + QPointF(0, kHalfWidth + 1)}));
+}
+
 EventMarksItem::EventMarksItem() { setZ(45); }
 
-void EventMarksItem::setColors(const QColor& fault, const QColor& good) {
+void EventMarksItem::setColors(const QColor& fault, const QColor& good, const QColor& note) {
   fault_ = fault;
   good_ = good;
+  note_ = note;
 }
 
 std::span<const EventMark> EventMarksItem::within(Nanoseconds begin, Nanoseconds end) const {
@@ -51,10 +62,11 @@ void EventMarksItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScal
   for (auto mark = seen.begin(); mark != seen.end();) {
     const auto column = static_cast<std::int64_t>(grid_.column_of(mark->time));
     const double at = x.p1() + grid_.column_of(mark->time) * width;
-    bool fault = false;
+    bool fault = false, note = false, event = false;
     for (; mark != seen.end() && static_cast<std::int64_t>(grid_.column_of(mark->time)) == column; ++mark)
-      fault = fault || mark->fault;
-    drawEventMark(*painter, {at, canvas.bottom()}, fault, color(fault));
+      (mark->note ? note : mark->fault ? fault : event) = true;
+    if (note) drawNoteMark(*painter, {at, canvas.bottom()}, note_);
+    if (fault || event) drawEventMark(*painter, {at, canvas.bottom()}, fault, color(fault));
   }
   painter->setRenderHint(QPainter::Antialiasing, false);
 }

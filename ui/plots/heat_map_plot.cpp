@@ -330,7 +330,8 @@ void HeatMapPlot::changeEvent(QEvent* event) {
 
 void HeatMapPlot::updateTheme() {
   scale_ = HeatScale(palette());
-  marks_.setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood));
+  marks_.setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood),
+                   palette().color(QPalette::WindowText));
 }
 
 }  // namespace syncline::ui

@@ -132,7 +132,8 @@ void TracePlot::applyTheme() {
   cursor_item_->setColors(plot_colors::cursor(palette()), palette().color(QPalette::Base));
   level_->setColors(theme::toneColor(palette(), theme::Tone::kAccent), palette().color(QPalette::Base));
   gaps_->setColor(plot_colors::grid(palette()));
-  marks_->setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood));
+  marks_->setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood),
+                    palette().color(QPalette::WindowText));
   auto axis_palette = palette();
   axis_palette.setColor(QPalette::WindowText, plot_colors::envelope(palette()));
   axis_palette.setColor(QPalette::Text, theme::mutedText(palette()));

@@ -38,6 +38,9 @@ void DiskRecording::connectRun() {
     if (!recorder_ || !environment_.record_event) return;
     if (auto recorded = environment_.record_event(event)) recorder_->add(std::move(*recorded));
   });
+  connect(&run_, &NetworkRun::noteAdded, this, [this](const RunNote& note) {
+    if (recorder_) recorder_->add(note);
+  });
   connect(&findings_, &RunFindings::findingsChanged, this, [this] {
     if (recorder_) recorder_->tell(recorded(findings_.findings()));
   });
@@ -178,6 +181,8 @@ Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString&
   std::ranges::copy_if(record.events(), std::back_inserter(events),
                        [from = run->from, to](const Event& event) { return event.time >= from && event.time <= to; });
   run->findings = recorded(record.findings());
+  std::ranges::copy_if(record.notes(), std::back_inserter(run->notes),
+                       [from = run->from, to](const RunNote& note) { return note.time >= from && note.time <= to; });
   saving_ = true;
   saver_ = std::thread([this, run, path, events = std::move(events), words_of = environment_.record_event] {
     for (const auto& event : events) {

@@ -149,6 +149,12 @@ void NetworkRun::handle(const Event& event) {
   if (event.is<events::Offline>()) close();
 }
 
+void NetworkRun::addNote(const RunNote& note) {
+  if (record_ == nullptr) return;
+  record_->add(note);
+  Q_EMIT noteAdded(note);
+}
+
 void NetworkRun::close() {
   tick_.stop();
   master_.reset();

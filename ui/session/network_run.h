@@ -49,6 +49,8 @@ class NetworkRun final : public QObject {
   void clearStatistics();
   /// Figures and faults of the overview begin anew.
   void arm();
+  /// What the user writes at a moment of the run; nothing without one.
+  void addNote(const RunNote& note);
   /// Other parameters for the running master synchronisation; what it refuses comes as an event.
   void configureDcm(const DcmSettings& settings);
   /// The same; from now on that is what runs.
@@ -87,6 +89,7 @@ class NetworkRun final : public QObject {
   void snapshotChanged();
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);
   void eventArrived(const syncline::Event& event);
+  void noteAdded(const syncline::RunNote& note);
   /// All channels have been looked at, whether there was something or not.
   void drained();
 

@@ -47,6 +47,8 @@ void NetworkRuns::listen(NetworkSession& session) {
   });
   connect(&of->run, &NetworkRun::eventArrived, this,
           [this, of](const Event& event) { Q_EMIT eventArrived(indexOf(*of), event); });
+  connect(&of->run, &NetworkRun::noteAdded, this,
+          [this, of](const RunNote& note) { Q_EMIT noteAdded(indexOf(*of), note); });
   connect(&of->findings, &RunFindings::findingsChanged, this, [this, shown] {
     if (shown()) Q_EMIT findingsChanged();
   });

@@ -63,6 +63,7 @@ class NetworkRuns final : public QObject {
   void phaseChanged(int network);
   void snapshotChanged(int network);
   void eventArrived(int network, const syncline::Event& event);
+  void noteAdded(int network, const syncline::RunNote& note);
   /// The first cycle of a run has come, at this moment of its clock.
   void begun(int run, qint64 moment);
   void recordingEnded(const QString& path, const QString& why, const std::optional<syncline::Error>& error);

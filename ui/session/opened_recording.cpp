@@ -7,6 +7,7 @@
 
 #include "eni/format/eni_file.h"
 #include "reasons/because.h"
+#include "record/recording_notes.h"
 #include "ui/models/message_model.h"
 #include "ui/text/recorded_text.h"
 
@@ -100,6 +101,18 @@ void OpenedRecording::show() {
   const auto before = std::exchange(shown_, std::move(next_));
   path_ = next_path_;
   Q_EMIT changed();
+}
+
+Status OpenedRecording::setNotes(std::vector<RunNote> notes) {
+  if (shown_ == nullptr) return {};
+  std::ranges::stable_sort(notes, {}, &RunNote::time);
+  if (auto status = write_notes(path_.toStdString(), notes); !status) return status;
+  auto& run = shown_->run;
+  run.info.notes = notes;
+  run.record->set_notes(std::move(notes));
+  shown_->messages = messagesOf(run, MessageModel::kMaximum);
+  Q_EMIT notesChanged();
+  return {};
 }
 
 void OpenedRecording::drop() { next_.reset(); }

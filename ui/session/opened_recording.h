@@ -39,6 +39,9 @@ class OpenedRecording final : public QObject {
   [[nodiscard]] const ReplayedRun& run() const { return shown_->run; }
   /// The latest ones, oldest first.
   [[nodiscard]] const std::vector<Message>& messages() const { return shown_->messages; }
+  /// Notes in place of those that it has, in its file, too; kFileNotWritable, then they stay as they are.
+  /// notesChanged() follows.
+  Status setNotes(std::vector<RunNote> notes);
   [[nodiscard]] const QString& path() const { return path_; }
 
  Q_SIGNALS:
@@ -49,6 +52,8 @@ class OpenedRecording final : public QObject {
   void failed(const QString& path, const syncline::Error& error);
   /// Another one is shown, or none: the one before is gone when this returns.
   void changed();
+  /// Another set of notes, and messages() with it.
+  void notesChanged();
 
  private:
   struct Whole {

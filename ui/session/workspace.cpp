@@ -53,9 +53,11 @@ Workspace::Workspace(Environment environment, QObject* parent)
     cables_.setSnapshot(live().snapshot(), running_slaves_.positions());
   });
   connect(&runs_, &NetworkRuns::eventArrived, this, &Workspace::appendEvent);
+  connect(&runs_, &NetworkRuns::noteAdded, this, &Workspace::appendNote);
   connect(&runs_, &NetworkRuns::begun, this, [this](int run, qint64 moment) { messages_.setRunBegin(run, moment); });
   connect(&runs_, &NetworkRuns::findingsChanged, this, [this] { showRunFindings(); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);
+  connect(&recording_, &OpenedRecording::notesChanged, this, [this] { messages_.showOther(recording_.messages()); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::mayEditSlavesChanged);
   connect(&live(), &LiveSession::phaseChanged, this, &Workspace::mayEditSlavesChanged);
   connect(this, &Workspace::mayEditSlavesChanged, this, [this] { network_.setFixed(!mayEditSlaves()); });
@@ -143,6 +145,27 @@ Status Workspace::goOnline() {
     return fail(ErrorCode::kConfiguration, worst->place.key, Reason::verbatim(describe(*worst)));
   if (auto free = mayUse(link()); !free) return free;
   return live().goOnline(link(), {document_.project(), document_.path(), compiled->config});
+}
+
+Status Workspace::putNote(const RunNote& note) {
+  if (!recording_.isOpen()) {
+    runs_.current().run.addNote(note);
+    return {};
+  }
+  auto notes = recording_.run().record->notes();
+  std::erase_if(notes, [&note](const RunNote& old) { return old.time == note.time; });
+  if (!note.text.empty()) notes.push_back(note);
+  return recording_.setNotes(std::move(notes));
+}
+
+void Workspace::appendNote(int network, const RunNote& note) {
+  if (network < 0) return;
+  const auto& session = runs_.of(network);
+  Message message{session.run.isVirtual() ? QDateTime::currentDateTime() : dateTimeOf(note.time), Severity::kNote,
+                  tr("Note"), QString::fromStdString(note.text)};
+  message.moment = note.time;
+  message.run = session.number;
+  messages_.append(std::move(message));
 }
 
 void Workspace::report(const Error& error, Severity severity, const QString& source) {

@@ -94,6 +94,9 @@ class Workspace final : public QObject {
   /// Compiles and starts; a configuration with errors is refused (the messages name them), and while a recording is
   /// shown, too, or where another network runs on the link.
   Status goOnline();
+  /// What the user writes at a moment of what is shown: of the run, or of the recording, into whose file it goes. At
+  /// the time of a note of the recording it is put in its place; "" there takes it away. kFileNotWritable.
+  Status putNote(const RunNote& note);
   /// A line in the message window.
   void report(const Error& error, Severity severity, const QString& source);
   void inform(const QString& source, const QString& text);
@@ -104,6 +107,7 @@ class Workspace final : public QObject {
 
  private:
   void appendEvent(int network, const Event& event);
+  void appendNote(int network, const RunNote& note);
   void showFindings();
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
   void showRunFindings();

@@ -137,7 +137,7 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
   const RecordedEvent error{all[60].send_time, 2, "al_status_error", "slave 2: error"};
   recorder->add(lost);
   recorder->add(error);
-  recorder->add(RecordedNote{all[70].send_time, "cable pulled"});
+  recorder->add(RunNote{all[70].send_time, "cable pulled"});
   ASSERT_TRUE(
       recorder->finish("end of the run", std::vector<RecordedFinding>{{"frames-lost", "warning", -1, "noise"}}));
 
@@ -155,7 +155,7 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
   EXPECT_EQ(info->missing_cycles, all.back().cycle - all.front().cycle + 1 - all.size());
   EXPECT_EQ(info->events, (std::vector<RecordedEvent>{lost, error}));
   EXPECT_EQ(info->findings.size(), 1U);
-  EXPECT_EQ(info->notes, (std::vector<RecordedNote>{{all[70].send_time, "cable pulled"}}));
+  EXPECT_EQ(info->notes, (std::vector<RunNote>{{all[70].send_time, "cable pulled"}}));
   EXPECT_EQ(read_csv(*reader), csv(all)) << "byte for byte";
   EXPECT_TRUE(reader->verify());
   EXPECT_FALSE(std::filesystem::exists(path() + "-wal")) << "one file, when it is done";

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recording_notes.h"
+
+#include <utility>
+
+#include "record/recording_schema.h"
+
+namespace syncline {
+namespace {
+
+Status replace_all(SqlDatabase& database, std::span<const RunNote> notes) {
+  auto transaction = SqlTransaction::begin(database);
+  if (!transaction) return tl::unexpected(transaction.error());
+  if (auto status = database.execute("DELETE FROM note"); !status) return status;
+  auto row = database.prepare("INSERT INTO note(time_ns, text) VALUES(?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  for (const auto& note : notes) {
+    if (auto status = row->bind(0, note.time).bind(1, note.text).run(); !status) return status;
+  }
+  row->reset();
+  return transaction->commit();
+}
+
+}  // namespace
+
+Status write_notes(const std::string& path, std::span<const RunNote> notes) {
+  // Looked at first: what is no recording, or a newer one, is not touched.
+  if (auto readable = open_recording(path); !readable) return tl::unexpected(readable.error());
+  auto database = SqlDatabase::open(path);
+  if (!database) {
+    return fail(Error{.code = ErrorCode::kFileNotWritable, .detail = database.error().detail, .file = path});
+  }
+  // Nobody else may have it open: one that is being written gets its notes from who writes it, and
+  // nobody waits for that.
+  auto status = database->execute("PRAGMA busy_timeout=0; PRAGMA locking_mode=EXCLUSIVE;");
+  if (status) status = replace_all(*database, notes);
+  // What was cut short has a log beside it still; from here on it is one file.
+  if (status) status = database->execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE;");
+  if (!status) return write_error(*database, status.error());
+  return {};
+}
+
+}  // namespace syncline
