@@ -8,9 +8,11 @@
 #include <QProgressDialog>
 #include <algorithm>
 
+#include "ui/dialogs/black_box_dialog.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
+#include "ui/text/black_box_text.h"
 #include "ui/text/recorded_text.h"
 
 namespace syncline::ui {
@@ -24,6 +26,7 @@ RecordingCommands::RecordingCommands(Workspace& workspace, QWidget& window)
   connect(&recording, &OpenedRecording::finished, this, &RecordingCommands::onRead);
   connect(&recording, &OpenedRecording::failed, this, &RecordingCommands::onFailed);
   connect(&workspace.runs(), &NetworkRuns::recordingEnded, this, &RecordingCommands::onEnded);
+  connect(&workspace.runs(), &NetworkRuns::framesKept, this, &RecordingCommands::onFramesKept);
   connect(&workspace.runs(), &NetworkRuns::stretchSaved, this, &RecordingCommands::onSaved);
 }
 
@@ -125,6 +128,20 @@ void RecordingCommands::saveRange(Nanoseconds from, Nanoseconds to) {
   if (path.isEmpty()) return;
   if (auto status = workspace_.disk().saveRange(from, to, path); !status)
     tell(tr("Nothing could be saved."), status.error());
+}
+
+void RecordingCommands::askBlackBox() {
+  auto* dialog = new BlackBoxDialog(workspace_, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+void RecordingCommands::onFramesKept(const BlackBox::Report& report) {
+  if (report.error) {
+    workspace_.report(*report.error, Severity::kError, tr("Black box"));
+  } else if (report.frames > 0) {
+    workspace_.inform(tr("Black box"), blackBoxText(report).section(u'\n', 0, 0));
+  }
 }
 
 void RecordingCommands::onSaved(const QString& path, const std::optional<Error>& error) {
