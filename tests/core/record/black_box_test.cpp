@@ -54,7 +54,11 @@ class BlackBoxFile : public testing::Test {
   [[nodiscard]] std::vector<std::string> files() const { return test::files_in(folder_.path()); }
   [[nodiscard]] std::uint64_t bytes() const {
     std::uint64_t sum = 0;
-    for (const auto& file : files()) sum += fs::file_size(file);
+    for (const auto& file : files()) {
+      std::error_code gone;  // the oldest may go meanwhile
+      const auto size = fs::file_size(file, gone);
+      if (!gone) sum += size;
+    }
     return sum;
   }
 
@@ -127,7 +131,8 @@ TEST_F(BlackBoxFile, NeverGrowsBeyondItsSizeAndKeepsTheLast) {
   for (std::size_t i = 0; i < kFrames; ++i) {
     push();
     if (i % 500 == 0) {
-      EXPECT_LE(bytes(), kMiB);
+      EXPECT_LE(box->report().bytes, kMiB);
+      EXPECT_LE(bytes(), kMiB + kMiB / FrameSegments::kSegments) << "one may have come and one gone meanwhile";
     }
   }
   EXPECT_TRUE(box->finish());
