@@ -243,6 +243,14 @@
             <source>Write an HTML report of the machine beside each ENI that is exported</source>
             <translation>Neben jede ENI, die exportiert wird, einen HTML-Bericht der Maschine schreiben</translation>
         </message>
+        <message>
+            <source>&amp;Black Box of Frames…</source>
+            <translation>&amp;Blackbox der Frames …</translation>
+        </message>
+        <message>
+            <source>Keep the last frames of every run on disk, whole also after a crash</source>
+            <translation>Die letzten Frames jedes Laufs auf dem Datenträger halten, ganz auch nach einem Absturz</translation>
+        </message>
 </context>
 <context>
     <name>BusCommands</name>
@@ -3301,6 +3309,18 @@ Einstellung %2</translation>
             <source>Other networks</source>
             <translation>Andere Netzwerke</translation>
         </message>
+        <message>
+            <source>Black box</source>
+            <translation>Blackbox</translation>
+        </message>
+        <message>
+            <source>Black box ended</source>
+            <translation>Blackbox beendet</translation>
+        </message>
+        <message>
+            <source>Black box %1</source>
+            <translation>Blackbox %1</translation>
+        </message>
 </context>
 <context>
     <name>Sync</name>
@@ -6035,6 +6055,10 @@ Einstellung %2</translation>
         <message>
             <source>Saved to %1</source>
             <translation>Gesichert nach %1</translation>
+        </message>
+        <message>
+            <source>Black box</source>
+            <translation>Blackbox</translation>
         </message>
 </context>
 <context>
@@ -9610,4 +9634,93 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             </translation>
         </message>
 </context>
+    <context>
+    <name>BlackBoxDialog</name>
+        <message>
+            <source>Black Box of Frames</source>
+            <translation>Blackbox der Frames</translation>
+        </message>
+        <message>
+            <source>Keeps the last frames of every run on disk, sent and received, in files that Wireshark reads. They are whole also after a crash or a power cut; the oldest are replaced.</source>
+            <translation>Hält die letzten Frames jedes Laufs auf dem Datenträger, gesendete und empfangene, in Dateien, die Wireshark liest. Sie sind auch nach einem Absturz oder Stromausfall ganz; die ältesten werden ersetzt.</translation>
+        </message>
+        <message>
+            <source>&amp;Keep the last frames of every run</source>
+            <translation>Die &amp;letzten Frames jedes Laufs halten</translation>
+        </message>
+        <message>
+            <source>Keep the last frames</source>
+            <translation>Die letzten Frames halten</translation>
+        </message>
+        <message>
+            <source>Folder of the files</source>
+            <translation>Ordner der Dateien</translation>
+        </message>
+        <message>
+            <source>&amp;Browse…</source>
+            <translation>&amp;Durchsuchen …</translation>
+        </message>
+        <message>
+            <source>Choose the folder</source>
+            <translation>Den Ordner wählen</translation>
+        </message>
+        <message>
+            <source>&amp;Folder</source>
+            <translation>&amp;Ordner</translation>
+        </message>
+        <message>
+            <source>Size of the files of a network together</source>
+            <translation>Größe der Dateien eines Netzwerks zusammen</translation>
+        </message>
+        <message>
+            <source>&amp;Size</source>
+            <translation>&amp;Größe</translation>
+        </message>
+        <message>
+            <source>How much time it holds</source>
+            <translation>Wie viel Zeit sie hält</translation>
+        </message>
+        <message>
+            <source>What it holds now</source>
+            <translation>Was sie jetzt hält</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>OK</translation>
+        </message>
+        <message>
+            <source>Folder of the Black Box</source>
+            <translation>Ordner der Blackbox</translation>
+        </message>
+        <message>
+            <source>How much time that holds follows from the frames of a cycle: there are none yet.</source>
+            <translation>Wie viel Zeit das hält, folgt aus den Frames eines Zyklus: es gibt noch keine.</translation>
+        </message>
+        <message>
+            <source>Holds about the last %1 of this network's cycles.</source>
+            <translation>Hält etwa die letzten %1 der Zyklen dieses Netzwerks.</translation>
+        </message>
+    </context>
+    <context>
+    <name>BlackBoxText</name>
+        <message>
+            <source>The last %1 of the run, %2 frames, in %3</source>
+            <translation>Die letzten %1 des Laufs, %2 Frames, in %3</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s), %1</source>
+            <translation>
+                <numerusform>%n Datei, %1</numerusform>
+                <numerusform>%n Dateien, %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 frames are missing: the disk was too slow</source>
+            <translation>%1 Frames fehlen: der Datenträger war zu langsam</translation>
+        </message>
+        <message>
+            <source>No frame of the run yet</source>
+            <translation>Noch kein Frame des Laufs</translation>
+        </message>
+    </context>
 </TS>

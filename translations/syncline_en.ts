@@ -507,4 +507,14 @@
             </translation>
         </message>
 </context>
+    <context>
+    <name>BlackBoxText</name>
+        <message numerus="yes">
+            <source>%n file(s), %1</source>
+            <translation>
+                <numerusform>%n file, %1</numerusform>
+                <numerusform>%n files, %1</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -243,6 +243,14 @@
             <source>Write an HTML report of the machine beside each ENI that is exported</source>
             <translation>在每个导出的 ENI 旁写一份机器的 HTML 报告</translation>
         </message>
+        <message>
+            <source>&amp;Black Box of Frames…</source>
+            <translation>帧黑匣子(&amp;B)…</translation>
+        </message>
+        <message>
+            <source>Keep the last frames of every run on disk, whole also after a crash</source>
+            <translation>将每次运行的最后若干帧保存在磁盘上，崩溃后也完整</translation>
+        </message>
 </context>
 <context>
     <name>BusCommands</name>
@@ -3288,6 +3296,18 @@ Setting %2</source>
             <source>Other networks</source>
             <translation>其他网络</translation>
         </message>
+        <message>
+            <source>Black box</source>
+            <translation>黑匣子</translation>
+        </message>
+        <message>
+            <source>Black box ended</source>
+            <translation>黑匣子已结束</translation>
+        </message>
+        <message>
+            <source>Black box %1</source>
+            <translation>黑匣子 %1</translation>
+        </message>
 </context>
 <context>
     <name>Sync</name>
@@ -6004,6 +6024,10 @@ Setting %2</source>
         <message>
             <source>Saved to %1</source>
             <translation>已保存到 %1</translation>
+        </message>
+        <message>
+            <source>Black box</source>
+            <translation>黑匣子</translation>
         </message>
 </context>
 <context>
@@ -9553,4 +9577,92 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             </translation>
         </message>
 </context>
+    <context>
+    <name>BlackBoxDialog</name>
+        <message>
+            <source>Black Box of Frames</source>
+            <translation>帧黑匣子</translation>
+        </message>
+        <message>
+            <source>Keeps the last frames of every run on disk, sent and received, in files that Wireshark reads. They are whole also after a crash or a power cut; the oldest are replaced.</source>
+            <translation>将每次运行中发送和接收的最后若干帧保存在磁盘上，文件可由 Wireshark 读取。崩溃或断电后文件仍然完整；最旧的会被替换。</translation>
+        </message>
+        <message>
+            <source>&amp;Keep the last frames of every run</source>
+            <translation>保存每次运行的最后若干帧(&amp;K)</translation>
+        </message>
+        <message>
+            <source>Keep the last frames</source>
+            <translation>保存最后若干帧</translation>
+        </message>
+        <message>
+            <source>Folder of the files</source>
+            <translation>文件所在的文件夹</translation>
+        </message>
+        <message>
+            <source>&amp;Browse…</source>
+            <translation>浏览(&amp;B)…</translation>
+        </message>
+        <message>
+            <source>Choose the folder</source>
+            <translation>选择文件夹</translation>
+        </message>
+        <message>
+            <source>&amp;Folder</source>
+            <translation>文件夹(&amp;F)</translation>
+        </message>
+        <message>
+            <source>Size of the files of a network together</source>
+            <translation>一个网络的全部文件的总大小</translation>
+        </message>
+        <message>
+            <source>&amp;Size</source>
+            <translation>大小(&amp;S)</translation>
+        </message>
+        <message>
+            <source>How much time it holds</source>
+            <translation>可保存多长时间</translation>
+        </message>
+        <message>
+            <source>What it holds now</source>
+            <translation>目前保存的内容</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>确定</translation>
+        </message>
+        <message>
+            <source>Folder of the Black Box</source>
+            <translation>黑匣子的文件夹</translation>
+        </message>
+        <message>
+            <source>How much time that holds follows from the frames of a cycle: there are none yet.</source>
+            <translation>可保存的时长取决于每个周期的帧：目前还没有。</translation>
+        </message>
+        <message>
+            <source>Holds about the last %1 of this network's cycles.</source>
+            <translation>大约保存本网络最近 %1 的周期。</translation>
+        </message>
+    </context>
+    <context>
+    <name>BlackBoxText</name>
+        <message>
+            <source>The last %1 of the run, %2 frames, in %3</source>
+            <translation>运行的最后 %1，%2 帧，位于 %3</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s), %1</source>
+            <translation>
+                <numerusform>%n 个文件，%1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 frames are missing: the disk was too slow</source>
+            <translation>缺少 %1 帧：磁盘太慢</translation>
+        </message>
+        <message>
+            <source>No frame of the run yet</source>
+            <translation>还没有本次运行的帧</translation>
+        </message>
+    </context>
 </TS>

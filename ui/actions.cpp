@@ -82,6 +82,8 @@ Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
   save_recent = add("actionSaveRecent", tr("Save the &Last…"), "",
                     tr("Save the last stretch, which is still in memory, as a recording"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
+  black_box = add("actionBlackBox", tr("&Black Box of Frames…"), "",
+                  tr("Keep the last frames of every run on disk, whole also after a crash"));
   clear_statistics = add("actionClearStatistics", tr("&Clear Statistics"), "clear", tr("Start counting anew"));
   for (const auto state : {AlState::kInit, AlState::kPreop, AlState::kSafeop, AlState::kOp}) {
     const auto name = stateName(state);

@@ -39,7 +39,7 @@ void buildNetworkMenu(QMenu& menu, const Actions& actions, const QList<QAction*>
   menu.addActions({actions.online, actions.offline});
   menu.addMenu(MainWindow::tr("Request S&tate"))->addActions(actions.states);
   menu.addSeparator();
-  menu.addActions({actions.record, actions.save_recent});
+  menu.addActions({actions.record, actions.save_recent, actions.black_box});
   menu.addSeparator();
   menu.addAction(actions.clear_statistics);
   menu.addSeparator();

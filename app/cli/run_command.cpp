@@ -15,6 +15,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/lateness.h"
 #include "app/cli/options.h"
+#include "app/cli/run_black_box.h"
 #include "app/cli/run_json.h"
 #include "app/cli/run_overrides.h"
 #include "app/cli/run_recording.h"
@@ -36,6 +37,7 @@ namespace {
 struct RunOptions {
   std::string file, network, link, duration = "10s", csv, dcm_log, capture, save_host, state = "OP";
   RecordOptions record;
+  BlackBoxOptions black_box;
   std::vector<std::string> overrides, sdo_reads;
   bool json = false, lateness = false, every_event = false;
 };
@@ -168,32 +170,39 @@ void execute(Context& context, const RunOptions& options) {
   auto opened = open_link(options.link);
   if (!opened) return context.fail_with(opened.error());
 
+  const bool virtual_time = opened->clock->is_virtual();
   RunFiles files(context, compiled->config);
   // The manual's name for a log that is on without another name.
   const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
   if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status)
     return context.fail_with(status.error());
-  const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config,
-                                           opened->clock->is_virtual());
+  const auto started =
+      RunRecording::start(context, options.record, options.file, options.link, compiled->config, virtual_time);
   if (!started) return context.fail_with(started.error());
   auto& recording = **started;
+  RunBlackBox black_box(context, options.black_box);
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
   request.capture = options.capture;
   request.on_capture_lost = [&context](const Error& error) { context.fail_with(error); };
+  request.on_ready = [&](MasterChannels& channels) {
+    return black_box.start(channels, options.file, options.link, virtual_time);
+  };
   std::optional<Nanoseconds> first;
   Json events = Json::array();
   EventLines lines([&context](const std::string& line) { context.console.err << line << '\n'; }, !options.every_event);
   if (options.json) {
-    request.on_event = [&events, &first, &recording](const Event& event) {
+    request.on_event = [&events, &first, &recording, &black_box](const Event& event) {
       recording.add(event);
+      black_box.add(event);
       if (!first) first = event.time;
       if (auto json = event_json(event, *first); !json.is_null()) events.push_back(std::move(json));
     };
   } else {
-    request.on_event = [&lines, &recording](const Event& event) {
+    request.on_event = [&lines, &recording, &black_box](const Event& event) {
       recording.add(event);
+      black_box.add(event);
       lines.add(event);
     };
   }
@@ -210,9 +219,10 @@ void execute(Context& context, const RunOptions& options) {
   };
   LatenessReport lateness;
   HostRecorder host(compiled->config.cycle_time());
-  request.on_snapshot = [&files, &lines, &lateness, &recording](const Snapshot& snapshot) {
+  request.on_snapshot = [&files, &lines, &lateness, &recording, &black_box](const Snapshot& snapshot) {
     files.note(snapshot);
     recording.add(snapshot);
+    black_box.tell();
     lateness.note(snapshot.host);
     lines.tell_until(snapshot.time);
   };
@@ -230,6 +240,7 @@ void execute(Context& context, const RunOptions& options) {
   if (!outcome) return context.fail_with(outcome.error());
   files.finish();
   recording.finish(outcome->report);
+  black_box.finish();
   if (!options.save_host.empty()) {
     if (auto status = save_host(options, host, compiled->config); !status) context.fail_with(status.error());
   }
@@ -238,10 +249,12 @@ void execute(Context& context, const RunOptions& options) {
     json["events"] = std::move(events);
     if (!answers.empty()) json["answers"] = std::move(answers);
     if (options.lateness) json["lateness"] = lateness.json();
+    if (black_box.is_on()) json["black_box"] = black_box.json();
     context.print(std::move(json));
   } else {
     context.console.out << to_text(outcome->report);
     if (options.lateness) context.console.out << lateness.text();
+    if (black_box.is_on()) context.console.out << black_box.text();
   }
   if (outcome->left_behind) context.fail_with(*outcome->left_behind);
   if (!is_good(outcome->report, *target)) context.exit_code = kAnswerIsNo;
@@ -270,6 +283,7 @@ void add_run_command(CLI::App& app, Context& context) {
       "master.dc.* that are not in the file; dcm. stands for master.dc.");
   command->add_option("--capture", options->capture, "Write every frame to this pcapng file");
   add_record_options(*command, options->record);
+  add_black_box_options(*command, options->black_box);
   command->add_option("--sdo-read", options->sdo_reads,
                       "SLAVE:INDEX:SUB, e.g. 1:0x1018:01: read this object while the bus runs, and print its bytes");
   command->add_flag("--lateness", options->lateness,

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
 #include "channels/command_queue.h"
 #include "channels/cyclic_application.h"
 #include "channels/event_queue.h"
+#include "channels/frame_ring.h"
 #include "channels/image_contents.h"
 #include "channels/request_desk.h"
 #include "channels/sample_ring.h"
@@ -13,8 +15,8 @@
 
 namespace syncline {
 
-/// The channels between the background core and whoever looks at it: commands, events, snapshot, image, samples.
-/// Everything crosses by value.
+/// The channels between the background core and whoever looks at it: commands, events, snapshot, image, samples,
+/// and on request the raw frames. Everything crosses by value.
 struct MasterChannels {
   CommandQueue commands;
   RequestDesk requests;  // on single slaves, beside the commands
@@ -22,6 +24,8 @@ struct MasterChannels {
   SnapshotBox snapshot;
   ImageBox image;
   SampleRing samples;
+  /// Closed until somebody opens it, who may read on when the master has gone.
+  std::shared_ptr<FrameRing> frames = std::make_shared<FrameRing>();
   std::atomic<bool> cancel{false};  // ends a scan or a bring-up within a cycle
   /// By how much the application makes the host's timer slower, in thousandths of its rate; holds until it is written
   /// again. In force in the mode master-shift-by-app and with control off. -20..20.

@@ -146,7 +146,11 @@ Result<RunOutcome> run_network(const NetworkConfig& config, Result<OpenedLink> l
   if (!state) return tl::unexpected(state.error());
   CaptureWatch capture(std::move(*state), request);
   auto& clock = *link->clock;  // the master keeps it as long as it lives
-  auto outcome = run_on(make_background_master(std::move(*link)), clock, config, request, capture);
+  auto master = make_background_master(std::move(*link));
+  if (request.on_ready) {
+    if (auto status = request.on_ready(master->channels()); !status) return tl::unexpected(status.error());
+  }
+  auto outcome = run_on(std::move(master), clock, config, request, capture);
   capture.look();  // the tap went with the service
   return outcome;
 }

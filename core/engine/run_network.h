@@ -21,6 +21,7 @@ struct RunRequest {
   const std::atomic<bool>* stop = nullptr;  // ends the run early (signal handler)
   std::string capture;                      // pcapng file of every frame; "" for none. Costs time in each cycle
   std::function<void(const Error&)> on_capture_lost;  // writing it failed, the run goes on; once
+  std::function<Status(MasterChannels&)> on_ready;    // before the first frame; its error is that of the run
   std::function<void(const Event&)> on_event;         // may be empty
   std::vector<SlaveRequest> requests;                 // asked once the bring-up is over, all at once
   std::function<void(const SlaveRequest&, const SlaveAnswer&)> on_answer;  // in the order in which they come
@@ -36,7 +37,8 @@ struct RunOutcome {
 
 /// Runs a configuration on a link: on the virtual clock in the calling thread, on the real clock in a
 /// thread of the master's while the calling thread drains the channels. Takes the bus down to INIT at the end.
-/// An Error only when the link could not be opened or the capture cannot be begun.
+/// An Error only when the link could not be opened or the capture cannot be begun, and that of
+/// `on_ready`.
 [[nodiscard]] Result<RunOutcome> run_network(const NetworkConfig& config, Result<OpenedLink> link,
                                              const RunRequest& request);
 

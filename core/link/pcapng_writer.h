@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "support/output_file.h"
 #include "support/result.h"
@@ -24,7 +25,10 @@ class PcapngWriter {
 
  private:
   explicit PcapngWriter(OutputFile out);
+  Status write_block();
+
   OutputFile out_;
+  std::vector<std::uint8_t> block_;
 };
 
 }  // namespace syncline

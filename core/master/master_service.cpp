@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "master/cyclic/acyclic_requests.h"
+#include "master/exchange/frame_tap.h"
 #include "master/operation.h"
 #include "reasons/because.h"
 #include "support/real_time.h"
@@ -18,7 +19,9 @@ constexpr MacAddress kBroadcastMac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
 
 struct MasterService::Impl {
   Impl(std::unique_ptr<Link> own_link, Clock& own_clock)
-      : link(std::move(own_link)), clock(own_clock), exchange(*link, own_clock) {}
+      : clock(own_clock),
+        link(make_frame_tap(std::move(own_link), own_clock, channels.frames)),
+        exchange(*link, own_clock) {}
 
   void execute(GoOnlineCommand& command);
   void execute(const GoOfflineCommand&);
@@ -38,9 +41,9 @@ struct MasterService::Impl {
   void tell(EventDetails what);
   void tell(const Error& error) { tell(events::Failure{error}); }
 
-  std::unique_ptr<Link> link;
   Clock& clock;
   MasterChannels channels;
+  std::unique_ptr<Link> link;
   FrameExchange exchange;
   std::unique_ptr<Operation> operation;
   DcStartTimeCallback start_time;

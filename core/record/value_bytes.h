@@ -149,7 +149,7 @@ class ValueReader {
   }
   template <class T, std::size_t size>
   void take(std::array<T, size>& values) {
-    for (auto& value : values) take(value);
+    for (std::size_t i = 0; i < size; ++i) take(values[i]);
   }
   std::uint64_t next() {
     std::uint64_t value = 0;

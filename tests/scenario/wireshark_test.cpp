@@ -15,7 +15,10 @@
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/project/project_builder.h"
+#include "record/black_box.h"
+#include "tests/support/pcapng_file.h"
 #include "tests/support/source_dir.h"
+#include "tests/support/temporary_folder.h"
 
 namespace syncline {
 namespace {
@@ -81,6 +84,53 @@ TEST_F(Wireshark, FindsNothingMalformedInABringUpAndAMinuteOfOperation) {
                            "Type: CoE (CANopen over EtherCAT)", "'Initiate Download' (1) Idx=0x1c12"}) {
     EXPECT_NE(words.find(name), std::string::npos) << name;
   }
+}
+
+/// Files of a black box, one of which a kill has cut in its last block.
+TEST_F(Wireshark, ReadsABlackBoxWithItsComments) {
+  const test::TemporaryFolder folder;
+  const std::string link = "sim:" + test::source_dir() + "/resources/demo/machine.toml?virtual";
+  const auto scan = scan_bus(open_link(link));
+  ASSERT_TRUE(scan);
+  eni::EsiCatalogue catalogue;
+  ASSERT_TRUE(catalogue.add_folder(test::source_dir() + "/resources/esi"));
+  const auto compiled = compile(eni::project_from_scan(*scan, catalogue).project);
+  ASSERT_TRUE(compiled);
+  std::unique_ptr<BlackBox> box;
+  RunRequest request;
+  request.duration = 12 * kSecond;
+  request.on_ready = [&](MasterChannels& channels) -> Status {
+    auto started = BlackBox::start(channels.frames, {.name = folder.file("box"),
+                                                     .most_bytes = 16U << 20,
+                                                     .keep_free_bytes = 0,
+                                                     .virtual_time = true,
+                                                     .program = "test",
+                                                     .link = link,
+                                                     .description = "demo"});
+    if (!started) return tl::unexpected(started.error());
+    box = std::move(*started);
+    return {};
+  };
+  request.on_event = [&](const Event& event) {
+    if (event.is<events::Online>()) box->note(event.time, "the bus is up");
+  };
+  ASSERT_TRUE(run_network(compiled->config, open_link(link), request));
+  ASSERT_TRUE(box->finish());
+  std::string comments;
+  std::size_t frames = 0;
+  const auto files = test::files_in(folder.path());
+  ASSERT_GT(files.size(), 2U);
+  for (const auto& file : files) {
+    if (file == files.back()) fs::resize_file(file, fs::file_size(file) - 130);
+    const auto of_file = [&](const std::string& options) { return output_of("tshark -n -r " + file + " " + options); };
+    EXPECT_EQ(of_file("-Y '_ws.malformed || _ws.expert.severity == error || !ecatf'"), "") << file;
+    const auto numbers = of_file("-T fields -e frame.number");
+    frames += static_cast<std::size_t>(std::ranges::count(numbers, '\n'));
+    comments += of_file("-Y frame.comment -T fields -e frame.comment");
+  }
+  EXPECT_EQ(frames, test::packets_in(files).size());
+  EXPECT_GE(frames + 2, box->report().frames);
+  EXPECT_EQ(comments, "the bus is up\n");
 }
 
 }  // namespace

@@ -8192,5 +8192,21 @@
         <source>it should hang at port {port} of {slave}</source>
         <translation>er sollte an Port {port} von {slave} hängen</translation>
     </message>
+    <message>
+        <source>the file is gone: it, or its folder, was deleted or moved while it was written</source>
+        <translation>die Datei ist fort: sie oder ihr Ordner wurde während des Schreibens gelöscht oder verschoben</translation>
+    </message>
+    <message>
+        <source>only {left} MiB are left on the disk; the black box is whole up to here</source>
+        <translation>nur noch {left} MiB sind auf dem Datenträger frei; die Blackbox ist bis hierher ganz</translation>
+    </message>
+    <message>
+        <source>another program writes to a black box of this name: use another one</source>
+        <translation>ein anderes Programm schreibt in eine Blackbox dieses Namens: einen anderen verwenden</translation>
+    </message>
+    <message>
+        <source>the disk has {left} MiB left, a black box needs {needed} MiB with what is kept free</source>
+        <translation>auf dem Datenträger sind {left} MiB frei, eine Blackbox braucht mit dem, was frei bleibt, {needed} MiB</translation>
+    </message>
 </context>
 </TS>

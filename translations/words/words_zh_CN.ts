@@ -8192,5 +8192,21 @@
         <source>it should hang at port {port} of {slave}</source>
         <translation>它应接在 {slave} 的端口 {port} 上</translation>
     </message>
+    <message>
+        <source>the file is gone: it, or its folder, was deleted or moved while it was written</source>
+        <translation>文件已不存在：写入期间它或其文件夹被删除或移动</translation>
+    </message>
+    <message>
+        <source>only {left} MiB are left on the disk; the black box is whole up to here</source>
+        <translation>磁盘只剩 {left} MiB；黑匣子到此为止是完整的</translation>
+    </message>
+    <message>
+        <source>another program writes to a black box of this name: use another one</source>
+        <translation>另一个程序正在写入同名的黑匣子：请使用其他名称</translation>
+    </message>
+    <message>
+        <source>the disk has {left} MiB left, a black box needs {needed} MiB with what is kept free</source>
+        <translation>磁盘剩余 {left} MiB，黑匣子连同需要留空的部分需要 {needed} MiB</translation>
+    </message>
 </context>
 </TS>

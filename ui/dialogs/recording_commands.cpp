@@ -9,9 +9,11 @@
 #include <QProgressDialog>
 #include <algorithm>
 
+#include "ui/dialogs/black_box_dialog.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
+#include "ui/text/black_box_text.h"
 #include "ui/text/recorded_text.h"
 #include "ui/text/units.h"
 
@@ -26,6 +28,7 @@ RecordingCommands::RecordingCommands(Workspace& workspace, QWidget& window)
   connect(&recording, &OpenedRecording::finished, this, &RecordingCommands::onRead);
   connect(&recording, &OpenedRecording::failed, this, &RecordingCommands::onFailed);
   connect(&workspace.runs(), &NetworkRuns::recordingEnded, this, &RecordingCommands::onEnded);
+  connect(&workspace.runs(), &NetworkRuns::framesKept, this, &RecordingCommands::onFramesKept);
   connect(&workspace.runs(), &NetworkRuns::stretchSaved, this, &RecordingCommands::onSaved);
 }
 
@@ -145,6 +148,20 @@ void RecordingCommands::writeNote(Nanoseconds time) {
   if (!wanted || (text.trimmed().isEmpty() && !changes)) return;
   if (auto status = workspace_.putNote({time, text.trimmed().toStdString()}); !status)
     tell(tr("The note could not be written."), status.error());
+}
+
+void RecordingCommands::askBlackBox() {
+  auto* dialog = new BlackBoxDialog(workspace_, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+void RecordingCommands::onFramesKept(const BlackBox::Report& report) {
+  if (report.error) {
+    workspace_.report(*report.error, Severity::kError, tr("Black box"));
+  } else if (report.frames > 0) {
+    workspace_.inform(tr("Black box"), blackBoxText(report).section(u'\n', 0, 0));
+  }
 }
 
 void RecordingCommands::onSaved(const QString& path, const std::optional<Error>& error) {

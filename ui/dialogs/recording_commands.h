@@ -6,6 +6,7 @@
 #include <QString>
 #include <optional>
 
+#include "record/black_box.h"
 #include "support/result.h"
 #include "support/types.h"
 
@@ -33,6 +34,8 @@ class RecordingCommands final : public QObject {
   void saveRange(Nanoseconds from, Nanoseconds to);
   /// Asks what to write at a moment of what is shown (host clock).
   void writeNote(Nanoseconds time);
+  /// Whether and where the last frames of every run are kept.
+  void askBlackBox();
   /// "Save the last 4 min 10 s…"
   [[nodiscard]] QString saveLastText() const;
 
@@ -40,6 +43,7 @@ class RecordingCommands final : public QObject {
   void onRead(const QString& path);
   void onFailed(const QString& path, const Error& error);
   void onEnded(const QString& path, const QString& why, const std::optional<Error>& error);
+  void onFramesKept(const BlackBox::Report& report);
   void onSaved(const QString& path, const std::optional<Error>& error);
   [[nodiscard]] QString askFile(const QString& title) const;
   void tell(const QString& title, const Error& error);

@@ -10,6 +10,7 @@
 
 #include "ui/panels/run_state.h"
 #include "ui/session/workspace.h"
+#include "ui/text/black_box_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/link_text.h"
 #include "ui/text/recorded_text.h"
@@ -33,6 +34,7 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   link_ = addField(bar, "statusLink", tr("Link"), tr("What the bus is connected through"));
   slaves_ = addField(bar, "statusSlaves", tr("Slaves"), tr("Slaves in the master's state, of all configured"));
   recording_ = addState(bar, "statusRecording", tr("Recording"), {});
+  black_box_ = addState(bar, "statusBlackBox", tr("Black box"), {});
   forced_ = addState(bar, "statusForced", tr("Forced outputs"),
                      tr("Outputs that somebody holds at a value by hand: the page Variables releases them"));
   others_ = addState(bar, "statusOthers", tr("Other networks"), {});
@@ -114,6 +116,7 @@ void StatusPanel::refresh() {
   forced_->setVisible(snapshot.forced_bits > 0);
   forced_->setState(theme::Tone::kWarning, tr("%n bit(s) forced", nullptr, static_cast<int>(snapshot.forced_bits)));
   showRecording();
+  showBlackBox();
 }
 
 /// What goes on where nobody looks: with one network its state, with more how many and the gravest tone.
@@ -131,6 +134,23 @@ void StatusPanel::showOthers() {
   if (lines.isEmpty()) return;
   others_->setState(tone, lines.size() == 1 ? lines.front() : tr("%n other network(s) online", nullptr, lines.size()));
   others_->setToolTip(tr("Networks that run beside the one in work:") + u'\n' + lines.join(u'\n'));
+}
+
+/// While the last frames are kept: of how much time; where they are not any more though they should, that.
+void StatusPanel::showBlackBox() {
+  const auto& frames = workspace_.runs().current().frames;
+  const bool runs = workspace_.live().phase() != LiveSession::Phase::kOffline;
+  const auto report = frames.report();
+  const bool failed = runs && report.error;
+  black_box_->setVisible(frames.isKeeping() || failed);
+  if (black_box_->isHidden()) return;
+  if (failed) {
+    black_box_->setState(theme::Tone::kBad, tr("Black box ended"));
+  } else {
+    black_box_->setState(report.lost > 0 ? theme::Tone::kWarning : theme::Tone::kBusy,
+                         tr("Black box %1").arg(spanText(report.end - report.begin)));
+  }
+  black_box_->setToolTip(blackBoxText(report));
 }
 
 /// While a file is written: for how long, its size, and what the disk has left.

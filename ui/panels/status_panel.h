@@ -23,12 +23,13 @@ class StatusPanel final : public QObject {
   Pill* addState(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip);
   void refresh();
   void showRecording();
+  void showBlackBox();
   void showOthers();
 
   Workspace& workspace_;
   qint64 shown_second_ = -1;
   QLabel *link_, *slaves_, *drift_, *cycle_, *losses_;
-  Pill *phase_, *dc_, *dcm_, *recording_, *forced_, *others_;
+  Pill *phase_, *dc_, *dcm_, *recording_, *black_box_, *forced_, *others_;
 };
 
 }  // namespace syncline::ui

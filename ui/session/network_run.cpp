@@ -23,6 +23,8 @@ bool NetworkRun::isVirtual() const { return master_ && master_->is_virtual(); }
 
 std::uint64_t NetworkRun::droppedSamples() const { return master_ ? master_->channels().samples.overruns() : 0; }
 
+std::shared_ptr<FrameRing> NetworkRun::frames() const { return master_ ? master_->channels().frames : nullptr; }
+
 RequestDesk* NetworkRun::requests() const { return master_ ? &master_->channels().requests : nullptr; }
 
 Status NetworkRun::goOnline(const QString& link, RunOrigin origin) {

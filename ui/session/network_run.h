@@ -77,6 +77,8 @@ class NetworkRun final : public QObject {
   /// The run that goes on, or was the last one; null before the first.
   [[nodiscard]] const RunRecord* record() const { return record_.get(); }
   [[nodiscard]] std::uint64_t droppedSamples() const;
+  /// Where its raw frames go for who opens it; null when offline.
+  [[nodiscard]] std::shared_ptr<FrameRing> frames() const;
   /// Where requests on single slaves go in; null when offline. Use SlaveRequests.
   [[nodiscard]] RequestDesk* requests() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/network_runs.h"
 
+#include <QFileInfo>
 #include <QTimer>
 #include <algorithm>
 #include <utility>
@@ -10,8 +11,14 @@
 
 namespace syncline::ui {
 
-NetworkSession::NetworkSession(const Environment& environment, QObject* parent)
-    : QObject(parent), run(environment.open_master), findings(run), disk(run, findings, environment) {}
+NetworkSession::NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> box_name,
+                               QObject* parent)
+    : QObject(parent),
+      run(environment.open_master),
+      findings(run),
+      disk(run, findings, environment),
+      frames(
+          run, [this, box_name = std::move(box_name)] { return box_name(*this); }, environment) {}
 
 NetworkRuns::NetworkRuns(ProjectDocument& document, const Environment& environment)
     : document_(document), environment_(environment), sessions_{make()}, shown_(sessions_.front()->run) {
@@ -27,7 +34,9 @@ NetworkRuns::NetworkRuns(ProjectDocument& document, const Environment& environme
 }
 
 NetworkSession* NetworkRuns::make() {
-  auto* session = new NetworkSession(environment_, this);
+  auto* session = new NetworkSession(
+      environment_, [this](const NetworkSession& of) { return boxName(of); }, this);
+  session->frames.setWish(black_box_);
   listen(*session);
   return session;
 }
@@ -55,6 +64,10 @@ void NetworkRuns::listen(NetworkSession& session) {
   connect(&of->disk, &DiskRecording::changed, this, [this, shown] {
     if (shown()) Q_EMIT diskChanged();
   });
+  connect(&of->frames, &FrameKeeper::changed, this, [this, shown] {
+    if (shown()) Q_EMIT diskChanged();
+  });
+  connect(&of->frames, &FrameKeeper::ended, this, &NetworkRuns::framesKept);
   connect(&of->disk, &DiskRecording::ended, this, &NetworkRuns::recordingEnded);
   connect(&of->disk, &DiskRecording::saved, this, &NetworkRuns::stretchSaved);
 }
@@ -70,10 +83,11 @@ void NetworkRuns::retire(NetworkSession& session) {
   gone->run.shutDown();
   std::ranges::replace(of_run_, gone, nullptr);
   const auto end = [gone] {
-    if (!gone->disk.isWriting()) gone->deleteLater();
+    if (!gone->disk.isWriting() && !gone->frames.isWriting()) gone->deleteLater();
   };
   connect(&gone->disk, &DiskRecording::changed, gone, end);
   connect(&gone->disk, &DiskRecording::saved, gone, end);
+  connect(&gone->frames, &FrameKeeper::changed, gone, end);
   end();
 }
 
@@ -123,6 +137,20 @@ int NetworkRuns::networkOf(int run) const {
   return run <= 0 || at >= of_run_.size() || of_run_[at] == nullptr ? -1 : indexOf(*of_run_[at]);
 }
 
+void NetworkRuns::setBlackBox(const BlackBoxWish& wish) {
+  black_box_ = wish;
+  for (auto* session : sessions_) session->frames.setWish(wish);
+}
+
+/// The file of what runs, and which of its networks where it has several.
+QString NetworkRuns::boxName(const NetworkSession& session) const {
+  const QFileInfo file(session.run.origin().path);
+  const auto base = file.fileName().isEmpty() ? QStringLiteral("machine") : file.completeBaseName();
+  const auto names = document_.networks();
+  const auto network = indexOf(session);
+  return names.size() < 2 || network < 0 ? base : QStringLiteral("%1-%2").arg(base, names[network]);
+}
+
 bool NetworkRuns::any() const {
   return std::ranges::any_of(sessions_,
                              [](const auto* session) { return session->run.phase() != NetworkRun::Phase::kOffline; });
@@ -138,7 +166,10 @@ void NetworkRuns::shutDown() {
 }
 
 void NetworkRuns::finish() {
-  for (auto* session : findChildren<NetworkSession*>(Qt::FindDirectChildrenOnly)) session->disk.finish();
+  for (auto* session : findChildren<NetworkSession*>(Qt::FindDirectChildrenOnly)) {
+    session->disk.finish();
+    session->frames.finish();
+  }
 }
 
 }  // namespace syncline::ui

@@ -3,11 +3,13 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "channels/event.h"
 #include "ui/session/disk_recording.h"
+#include "ui/session/frame_keeper.h"
 #include "ui/session/live_session.h"
 #include "ui/session/network_run.h"
 #include "ui/session/run_findings.h"
@@ -18,11 +20,14 @@ class ProjectDocument;
 
 /// What one network of the machine runs, is found to mean and keeps on disk, whichever network is in work.
 struct NetworkSession final : QObject {
-  NetworkSession(const Environment& environment, QObject* parent);
+  /// `box_name`: what the files of its black box begin with.
+  NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> box_name,
+                 QObject* parent);
 
   NetworkRun run;
   RunFindings findings;
   DiskRecording disk;
+  FrameKeeper frames;
   QString link;    // LINK that going online uses; empty until one was chosen
   int number = 0;  // of its run in the window, which goes on or was the last one; 0: none
   int begun = 0;   // the last one of which there is a sample
@@ -50,6 +55,9 @@ class NetworkRuns final : public QObject {
   [[nodiscard]] int userOf(const QString& link) const;
   /// Which network the run of this number is of; -1: none any more.
   [[nodiscard]] int networkOf(int run) const;
+  /// What is kept of the frames of each network, those that run and all later ones.
+  void setBlackBox(const BlackBoxWish& wish);
+  [[nodiscard]] const BlackBoxWish& blackBox() const { return black_box_; }
   /// Something runs, or comes or goes.
   [[nodiscard]] bool any() const;
   /// Begins to take all of them offline; with shutDown() all are when it returns.
@@ -67,6 +75,8 @@ class NetworkRuns final : public QObject {
   /// The first cycle of a run has come, at this moment of its clock.
   void begun(int run, qint64 moment);
   void recordingEnded(const QString& path, const QString& why, const std::optional<syncline::Error>& error);
+  /// Of any network: where its last frames lie, or why they do not.
+  void framesKept(const syncline::BlackBox::Report& report);
   void stretchSaved(const QString& path, const std::optional<syncline::Error>& error);
   /// Of the network in work, or because another one is.
   void linkChanged();
@@ -77,6 +87,7 @@ class NetworkRuns final : public QObject {
   NetworkSession* make();
   void listen(NetworkSession& session);
   [[nodiscard]] int indexOf(const NetworkSession& session) const;
+  [[nodiscard]] QString boxName(const NetworkSession& session) const;
   void retire(NetworkSession& session);
   void replaceAll();
   void follow();
@@ -84,6 +95,7 @@ class NetworkRuns final : public QObject {
 
   ProjectDocument& document_;
   const Environment& environment_;
+  BlackBoxWish black_box_;
   std::vector<NetworkSession*> of_run_;    // of each run there was in the window, by its number - 1; null: gone
   std::vector<NetworkSession*> sessions_;  // of each network; children of this
   std::size_t shown_at_ = 0;

@@ -16,6 +16,17 @@ namespace syncline::ui {
 namespace {
 
 const QString kLastLink = QStringLiteral("link");
+const QString kBlackBoxOn = QStringLiteral("blackBox/on"), kBlackBoxFolder = QStringLiteral("blackBox/folder"),
+              kBlackBoxMib = QStringLiteral("blackBox/mib");
+
+BlackBoxWish rememberedWish(const WindowMemory& memory) {
+  BlackBoxWish wish;
+  wish.folder = memory.value(kBlackBoxFolder).toString();
+  wish.on = memory.value(kBlackBoxOn).toBool() && !wish.folder.isEmpty();
+  const auto mib = memory.value(kBlackBoxMib).toInt();
+  if (mib >= 1 && mib <= BlackBoxWish::kMostMib) wish.mib = mib;
+  return wish;
+}
 
 }  // namespace
 
@@ -37,6 +48,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
       running_slaves_(document_, live()),
       watched_(document_, memory_),
       run_difference_(document_, configuration_, live()) {
+  runs_.setBlackBox(rememberedWish(memory_));
   network_.setProject(document_.project());
   cables_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
@@ -170,6 +182,13 @@ void Workspace::appendNote(int network, const RunNote& note) {
 
 void Workspace::report(const Error& error, Severity severity, const QString& source) {
   messages_.append(messageOf(error, severity, source));
+}
+
+void Workspace::setBlackBox(const BlackBoxWish& wish) {
+  memory_.setValue(kBlackBoxOn, wish.on);
+  memory_.setValue(kBlackBoxFolder, wish.folder);
+  memory_.setValue(kBlackBoxMib, wish.mib);
+  runs_.setBlackBox(wish);
 }
 
 void Workspace::inform(const QString& source, const QString& text) {

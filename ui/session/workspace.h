@@ -79,6 +79,9 @@ class Workspace final : public QObject {
   /// What to propose: the link, or that of the last time.
   [[nodiscard]] QString usualLink() const;
 
+  /// From now on, for every network; the window remembers it.
+  void setBlackBox(const BlackBoxWish& wish);
+
   /// Whether settings that few machines need are shown.
   [[nodiscard]] bool expert() const { return expert_; }
   void setExpert(bool expert);

@@ -83,6 +83,28 @@ TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenItHasBadNews) {
   EXPECT_TRUE(told<events::SlavesOutOfSync>());
 }
 
+/// Every frame into the ring, also one that is full; who reads it allocates for himself.
+TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenItsFramesAreKept) {
+  go_online(test::two_axes());
+  auto& frames = *service->channels().frames;
+  frames.open(FrameRing::WhenFull::kLose, 1U << 16);
+  count_for(kSecond);
+  EXPECT_GT(frames.lost(), 0U);
+  std::uint64_t sent = 0, received = 0;
+  const auto count = [&](const RingFrame& frame) { ++(frame.direction == FrameDirection::kSent ? sent : received); };
+  frames.read(count);
+  const auto lost = frames.lost();
+  for (int i = 0; i < 100; ++i) {
+    count_for(10 * kMillisecond);
+    frames.read(count);
+  }
+  EXPECT_EQ(frames.lost(), lost);
+  EXPECT_GT(sent, 1'000U);
+  EXPECT_GT(received, 1'000U);
+  EXPECT_EQ(counts.allocations, 0U);
+  EXPECT_EQ(counts.locks, 0U);
+}
+
 /// What is forced and released by hand, too, and the image that somebody reads.
 TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenOutputsAreForced) {
   go_online(test::two_axes());
