@@ -22,6 +22,7 @@ struct RunRequest {
   std::string capture;                      // pcapng file of every frame; "" for none. Costs time in each cycle
   std::function<void(const Error&)> on_capture_lost;  // writing it failed, the run goes on; once
   std::function<void(const Event&)> on_event;         // may be empty
+  WatchCommand watch;                                 // variables that the samples hold, from the first cycle on
   std::vector<SlaveRequest> requests;                 // asked once the bring-up is over, all at once
   std::function<void(const SlaveRequest&, const SlaveAnswer&)> on_answer;  // in the order in which they come
   std::function<void(std::span<const CycleSample>)> on_samples;
