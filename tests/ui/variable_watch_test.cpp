@@ -79,7 +79,8 @@ TEST_F(WatchedVariables, AreChosenOnTheirPageAndDrawnInEachCycle) {
   auto* panel = strip().variables()->panels()[0];
   EXPECT_TRUE(panel->isVisible());
   EXPECT_FALSE(strip().variables()->panels()[1]->isVisible());
-  EXPECT_EQ(panel->title(), name);
+  EXPECT_EQ(panel->title(), QStringLiteral("#3 Statusword"));
+  EXPECT_TRUE(name.endsWith(QStringLiteral(".Statusword"))) << qPrintable(name);
   EXPECT_GE(valuesOf(0), 390U) << "one in each cycle of 1 ms";
   EXPECT_LE(valuesOf(0), 420U) << "none from before";
   const auto shown = cell(VariableModel::kValue).toUInt();
@@ -107,7 +108,9 @@ TEST_F(WatchedVariables, OfTheSameNameShareAPlot) {
   EXPECT_EQ(panels[0]->variables(), (std::vector<std::size_t>{0, 1}));
   EXPECT_EQ(panels[0]->title(), QStringLiteral("Statusword"));
   EXPECT_EQ(panels[1]->variables(), (std::vector<std::size_t>{2}));
-  EXPECT_EQ(panels[0]->legend()->entries().size(), 2U);
+  EXPECT_EQ(panels[1]->title(), QStringLiteral("#3 Controlword"));
+  ASSERT_EQ(panels[0]->legend()->entries().size(), 2U);
+  EXPECT_TRUE(panels[0]->legend()->entries()[1].name.startsWith(QStringLiteral("#4 Slave_1005")));
   const auto &mine = panels[0]->plot()->grid(), &above = strip().panels()[0]->plot()->grid();
   EXPECT_LE(std::abs(mine.origin - above.origin), std::max(mine.width, above.width)) << "one time axis";
 }

@@ -23,6 +23,18 @@ QString entryName(const WatchedVariable& variable) {
   return name.sliced(name.lastIndexOf(u'.') + 1);
 }
 
+/// "#3 Position actual value"; of no slave, the name alone.
+QString shortName(const WatchedVariable& variable) {
+  const auto entry = entryName(variable);
+  return variable.slave < 0 ? entry : QStringLiteral("#%1 %2").arg(variable.slave).arg(entry);
+}
+
+/// A heading that is wide would take its neighbours' room.
+QString asHeading(const QString& text) {
+  constexpr qsizetype kLongest = 32;
+  return text.size() <= kLongest ? text : text.left(kLongest - 1) + QChar(0x2026);
+}
+
 }  // namespace
 
 VariablePanel::VariablePanel(int number, TimeView* view, CursorSet* cursors, QWidget* parent)
@@ -74,8 +86,14 @@ std::vector<LegendBar::Entry> VariablePanel::entries(Nanoseconds time) const {
     if (!items_[i]->isVisible()) continue;
     const auto& variable = source().watched().variables()[variables_[i]];
     auto one = entry(*items_[i], time);
-    one.short_name = variable.slave >= 0 ? u'#' + QString::number(variable.slave) : entryName(variable);
-    if (isSwitch(variable)) one.short_name = entryName(variable);
+    // The heading says what all of them are; else each says it.
+    if (variable.slave >= 0 && title() == asHeading(entryName(variable))) {
+      one.short_name = u'#' + QString::number(variable.slave);
+      one.name = one.short_name + u' ' + slaveName(variable.slave);
+    } else {
+      one.name = shortName(variable);
+      one.short_name = entryName(variable);
+    }
     result.push_back(std::move(one));
   }
   return result;
@@ -141,13 +159,13 @@ std::vector<VariablesRow::Group> VariablesRow::groups() const {
       return entryName(variable) == entryName(first) && variable.data_type == first.data_type;
     });
     if (alike == groups.end() && groups.size() < kMostPlots) {
-      groups.push_back({QString::fromStdString(variable.name), {number}, false});
+      groups.push_back({asHeading(shortName(variable)), {number}, false});
       continue;
     }
     auto& group = alike == groups.end() ? groups.back() : *alike;
     group.mixed = group.mixed || alike == groups.end();
     group.variables.push_back(number);
-    group.title = group.mixed ? tr("Variables") : isSwitch(variable) ? tr("Switches") : entryName(variable);
+    group.title = group.mixed ? tr("Variables") : isSwitch(variable) ? tr("Switches") : asHeading(entryName(variable));
   }
   return groups;
 }
