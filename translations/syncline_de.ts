@@ -3486,6 +3486,44 @@ Einstellung %2</translation>
         </message>
 </context>
 <context>
+    <name>VariablePanel</name>
+        <message>
+            <source>Variables</source>
+            <translation>Variablen</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>Variables of the process image in each cycle, as they are watched on the page Variables. Where a value did not come back there is a gap.</source>
+            <translation>Variablen des Prozessabbilds in jedem Zyklus, wie sie auf der Seite Variablen beobachtet werden. Wo ein Wert nicht zurückkam, ist eine Lücke.</translation>
+        </message>
+        <message>
+            <source>not known in the range shown</source>
+            <translation>im gezeigten Bereich nicht bekannt</translation>
+        </message>
+        <message>
+            <source>min %1   max %2</source>
+            <translation>min %1   max %2</translation>
+        </message>
+</context>
+<context>
+    <name>VariablesRow</name>
+        <message>
+            <source>Watched variables</source>
+            <translation>Beobachtete Variablen</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>Variablen</translation>
+        </message>
+        <message>
+            <source>Switches</source>
+            <translation>Schalter</translation>
+        </message>
+</context>
+<context>
     <name>WelcomePage</name>
         <message>
             <source>Welcome</source>
@@ -3575,6 +3613,10 @@ Einstellung %2</translation>
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>Monitor</source>
+            <translation>Monitor</translation>
         </message>
 </context>
 <context>
@@ -7603,6 +7645,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>Arrival phase of a slave</source>
             <translation>Ankunftsphase eines Slaves</translation>
         </message>
+        <message>
+            <source>Variable of the process image</source>
+            <translation>Variable des Prozessabbilds</translation>
+        </message>
+        <message>
+            <source>Watch others…</source>
+            <translation>Andere beobachten…</translation>
+        </message>
 </context>
 <context>
     <name>StabilityText</name>
@@ -8913,6 +8963,18 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>A recording of the chosen episode, out of memory</source>
             <translation>Eine Aufzeichnung der gewählten Episode, aus dem Speicher</translation>
         </message>
+        <message>
+            <source>A watched variable</source>
+            <translation>Eine beobachtete Variable</translation>
+        </message>
+        <message>
+            <source>Variable of the trigger</source>
+            <translation>Variable des Triggers</translation>
+        </message>
+        <message>
+            <source>Which variable; they are watched on the page Variables</source>
+            <translation>Welche Variable; beobachtet werden sie auf der Seite Variablen</translation>
+        </message>
 </context>
 <context>
     <name>CableTip</name>
@@ -9094,6 +9156,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>Not known: it does not come back, or its slave does not exchange process data.</source>
             <translation>Nicht bekannt: Sie kommt nicht zurück, oder ihr Slave tauscht keine Prozessdaten aus.</translation>
         </message>
+        <message>
+            <source>Monitor</source>
+            <translation>Monitor</translation>
+        </message>
+        <message>
+            <source>watched</source>
+            <translation>beobachtet</translation>
+        </message>
 </context>
 <context>
     <name>VariablesPage</name>
@@ -9231,6 +9301,22 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
                 <numerusform>%n Eingang nicht bekannt: Er kommt nicht zurück, oder sein Slave tauscht keine aus</numerusform>
                 <numerusform>%n Eingänge nicht bekannt: Sie kommen nicht zurück, oder ihre Slaves tauschen keine aus</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>Watch in the Monitor</source>
+            <translation>Im Monitor beobachten</translation>
+        </message>
+        <message>
+            <source>&amp;Watch in the Monitor</source>
+            <translation>Im &amp;Monitor beobachten</translation>
+        </message>
+        <message>
+            <source>Record the variable in every cycle and draw it below the plots</source>
+            <translation>Die Variable in jedem Zyklus aufzeichnen und unter den Kurven zeichnen</translation>
+        </message>
+        <message>
+            <source>%1 variables are watched already: take one away first</source>
+            <translation>Es werden schon %1 Variablen beobachtet: erst eine wegnehmen</translation>
         </message>
 </context>
 <context>

@@ -3470,6 +3470,44 @@ Setting %2</source>
         </message>
 </context>
 <context>
+    <name>VariablePanel</name>
+        <message>
+            <source>Variables</source>
+            <translation>变量</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>Variables of the process image in each cycle, as they are watched on the page Variables. Where a value did not come back there is a gap.</source>
+            <translation>过程映像变量在每个周期的值，在“变量”页面上选择监视。未返回的值显示为间断。</translation>
+        </message>
+        <message>
+            <source>not known in the range shown</source>
+            <translation>在所示范围内未知</translation>
+        </message>
+        <message>
+            <source>min %1   max %2</source>
+            <translation>最小 %1   最大 %2</translation>
+        </message>
+</context>
+<context>
+    <name>VariablesRow</name>
+        <message>
+            <source>Watched variables</source>
+            <translation>被监视的变量</translation>
+        </message>
+        <message>
+            <source>Variables</source>
+            <translation>变量</translation>
+        </message>
+        <message>
+            <source>Switches</source>
+            <translation>开关量</translation>
+        </message>
+</context>
+<context>
     <name>WelcomePage</name>
         <message>
             <source>Welcome</source>
@@ -3557,6 +3595,10 @@ Setting %2</source>
         <message>
             <source>%1: %2</source>
             <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>Monitor</source>
+            <translation>监视器</translation>
         </message>
 </context>
 <context>
@@ -7566,6 +7608,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>Arrival phase of a slave</source>
             <translation>从站的到达相位</translation>
         </message>
+        <message>
+            <source>Variable of the process image</source>
+            <translation>过程映像变量</translation>
+        </message>
+        <message>
+            <source>Watch others…</source>
+            <translation>监视其他变量…</translation>
+        </message>
 </context>
 <context>
     <name>StabilityText</name>
@@ -8864,6 +8914,18 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>A recording of the chosen episode, out of memory</source>
             <translation>从内存中记录所选片段</translation>
         </message>
+        <message>
+            <source>A watched variable</source>
+            <translation>被监视的变量</translation>
+        </message>
+        <message>
+            <source>Variable of the trigger</source>
+            <translation>触发变量</translation>
+        </message>
+        <message>
+            <source>Which variable; they are watched on the page Variables</source>
+            <translation>选择变量；在“变量”页面上设置监视</translation>
+        </message>
 </context>
 <context>
     <name>CableTip</name>
@@ -9045,6 +9107,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>Not known: it does not come back, or its slave does not exchange process data.</source>
             <translation>未知：未返回，或其从站未交换过程数据。</translation>
         </message>
+        <message>
+            <source>Monitor</source>
+            <translation>监视器</translation>
+        </message>
+        <message>
+            <source>watched</source>
+            <translation>已监视</translation>
+        </message>
 </context>
 <context>
     <name>VariablesPage</name>
@@ -9181,6 +9251,22 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>
                 <numerusform>%n 个输入未知：未返回，或其从站未交换数据</numerusform>
             </translation>
+        </message>
+        <message>
+            <source>Watch in the Monitor</source>
+            <translation>在监视器中监视</translation>
+        </message>
+        <message>
+            <source>&amp;Watch in the Monitor</source>
+            <translation>在监视器中监视(&amp;W)</translation>
+        </message>
+        <message>
+            <source>Record the variable in every cycle and draw it below the plots</source>
+            <translation>在每个周期记录该变量，并绘制在曲线下方</translation>
+        </message>
+        <message>
+            <source>%1 variables are watched already: take one away first</source>
+            <translation>已监视 %1 个变量：请先移除一个</translation>
         </message>
 </context>
 <context>

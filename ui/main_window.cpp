@@ -98,6 +98,10 @@ void MainWindow::buildCentre() {
   connect(overview_, &OverviewPanel::armWanted, &workspace_.live(), &LiveSession::arm);
   connect(strip_, &LiveStrip::eventClicked, this, &MainWindow::selectMoment);
   connect(strip_, &LiveStrip::noteWanted, this, [this](qint64 time) { recordings_->writeNote(time); });
+  connect(strip_, &LiveStrip::variablesWanted, this, [this] {
+    selectNode(-1);
+    editor_->showPage("variablesPage");
+  });
   connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
   auto* bar = &centre_->runBar();
   connect(bar, &RunBar::differencesWanted, this,

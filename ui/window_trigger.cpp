@@ -32,8 +32,13 @@ void WindowTrigger::show(const TriggerEpisode& episode, bool freeze) {
 void WindowTrigger::showLevel() {
   const auto& trigger = monitor_.trigger();
   const bool level = monitor_.isArmed() && trigger.kind == Trigger::Kind::kLevel;
-  strip_.setTriggerLevel({trigger.signal, static_cast<std::size_t>(std::max(trigger.slave, 0)),
-                          level ? std::optional(trigger.level) : std::nullopt});
+  auto place = static_cast<std::size_t>(std::max(trigger.slave, 0));
+  if (trigger.signal == Signal::kVariable && monitor_.record() != nullptr) {
+    const auto& there = monitor_.record()->watched().variables();
+    place =
+        static_cast<std::size_t>(std::ranges::find(there, trigger.variable, &WatchedVariable::name) - there.begin());
+  }
+  strip_.setTriggerLevel({trigger.signal, place, level ? std::optional(trigger.level) : std::nullopt});
 }
 
 void WindowTrigger::moveLevel(double level) {

@@ -26,8 +26,15 @@ Json slave_or_null(int slave) { return slave < 0 ? Json(nullptr) : Json(slave); 
 
 Json recording_json(const RecordingInfo& info) {
   Json slaves = Json::array(), documents = Json::array(), events = Json::array(), findings = Json::array(),
-       notes = Json::array();
+       notes = Json::array(), variables = Json::array();
   for (const auto& slave : info.about.slaves) slaves.push_back(slave.name);
+  for (const auto& variable : info.about.watched.variables()) {
+    variables.push_back({{"name", variable.name},
+                         {"slave", slave_or_null(variable.slave)},
+                         {"direction", variable.output ? "output" : "input"},
+                         {"type", variable.data_type},
+                         {"bits", variable.bit_size}});
+  }
   for (const auto& document : info.about.documents)
     documents.push_back({{"kind", document.kind}, {"name", document.name}, {"bytes", document.body.size()}});
   for (const auto& event : info.events) {
@@ -51,6 +58,7 @@ Json recording_json(const RecordingInfo& info) {
       {"limits", {{"deviation_ns", info.about.limits.deviation_ns}, {"dcm_error_ns", info.about.limits.dcm_error_ns}}},
       {"slaves", std::move(slaves)},
       {"documents", std::move(documents)},
+      {"variables", std::move(variables)},
       {"cycles", info.cycles},
       {"missing_cycles", info.missing_cycles},
       {"duration_s", seconds(info.end - info.begin)},
@@ -74,6 +82,7 @@ std::string recording_text(const RecordingInfo& info) {
                   info.missing_cycles, counted(about.slaves.size(), "slave"), end_text(info));
   for (const auto& document : about.documents)
     text += fmt::format("{}: {}, {} bytes\n", document.kind, document.name, document.body.size());
+  for (const auto& variable : about.watched.variables()) text += fmt::format("variable: {}\n", variable.name);
   for (const auto& event : info.events)
     text += fmt::format("{:9.3f} s  {}\n", seconds(event.time - info.begin), event.text);
   for (const auto& finding : info.findings) text += fmt::format("{}: {}\n", finding.level, finding.text);
@@ -93,13 +102,16 @@ void show_info(Context& context, const RecordingOptions& options) {
 
 /// As a run writes it, byte for byte.
 Status write_csv(RecordingReader& reader, const std::string& path) {
+  const auto info = reader.info();
+  if (!info) return tl::unexpected(info.error());
+  const auto& watched = info->about.watched;
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  auto status = file->write(sample_csv_header());
+  auto status = file->write(sample_csv_header(watched));
   std::string text;
   auto read = reader.samples([&](std::span<const CycleSample> samples) {
     text.clear();
-    append_sample_csv(text, samples);
+    append_sample_csv(text, samples, watched);
     status = file->write(text);
     return status.has_value();
   });

@@ -21,6 +21,7 @@
 #include "app/cli/run_recording.h"
 #include "app/cli/terminal_reason.h"
 #include "app/composition/open_link.h"
+#include "config/watched_variable.h"
 #include "engine/run_network.h"
 #include "findings/error_text.h"
 #include "protocol/object_value.h"
@@ -30,6 +31,7 @@
 #include "trace/csv.h"
 #include "trace/dcm_log.h"
 #include "trace/host_recorder.h"
+#include "trace/watch_lists.h"
 
 namespace syncline::cli {
 namespace {
@@ -38,7 +40,7 @@ struct RunOptions {
   std::string file, network, link, duration = "10s", csv, dcm_log, capture, save_host, state = "OP";
   RecordOptions record;
   BlackBoxOptions black_box;
-  std::vector<std::string> overrides, sdo_reads;
+  std::vector<std::string> overrides, sdo_reads, watched;
   bool json = false, lateness = false, every_event = false;
 };
 
@@ -76,20 +78,21 @@ class SideFile {
 /// The tables of a run that are written while it goes on.
 class RunFiles {
  public:
-  RunFiles(Context& context, const NetworkConfig& config)
+  RunFiles(Context& context, const NetworkConfig& config, const WatchLists& watched)
       : csv_(context),
         log_file_(context),
+        watched_(watched),
         log_(effective_set_value(config.dc.dcm, config.cycle_time()), config.cycle_time()) {}
   Status open(const std::string& csv, const std::string& dcm_log) {
     auto status = Status{};
-    if (!csv.empty()) status = csv_.open(csv, sample_csv_header());
+    if (!csv.empty()) status = csv_.open(csv, sample_csv_header(watched_));
     if (status && !dcm_log.empty()) status = log_file_.open(dcm_log, dcm_log_header());
     return status;
   }
   void add(std::span<const CycleSample> samples) {
     if (csv_.is_open()) {
       text_.clear();
-      append_sample_csv(text_, samples);
+      append_sample_csv(text_, samples, watched_);
       csv_.add(text_);
     }
     if (!log_file_.is_open()) return;
@@ -107,9 +110,27 @@ class RunFiles {
 
  private:
   SideFile csv_, log_file_;
+  const WatchLists& watched_;
   DcmLog log_;
   std::string text_;
 };
+
+/// One list, of all that are named.
+Result<WatchLists> watched_of(const RunOptions& options, const NetworkConfig& config) {
+  WatchLists watched;
+  if (options.watched.empty()) return watched;
+  std::vector<WatchedVariable> variables;
+  for (const auto& text : options.watched) {
+    auto variable = find_watchable(config, text);
+    if (!variable) return fail(ErrorCode::kBadValue, "--watch " + text, variable.error().detail);
+    if (std::ranges::find(variables, *variable) == variables.end()) variables.push_back(std::move(*variable));
+  }
+  if (!watched.add(variables)) {
+    return fail(ErrorCode::kBadValue, "--watch",
+                fmt::format("{} variables are named, at most {} can be watched", variables.size(), kMostWatched));
+  }
+  return watched;
+}
 
 /// SLAVE:INDEX:SUB of each.
 Result<std::vector<SlaveRequest>> requests_of(const RunOptions& options, std::size_t slaves) {
@@ -167,23 +188,26 @@ void execute(Context& context, const RunOptions& options) {
 
   auto requests = requests_of(options, compiled->config.slaves.size());
   if (!requests) return context.fail_with(requests.error());
+  const auto watched = watched_of(options, compiled->config);
+  if (!watched) return context.fail_with(watched.error());
   auto opened = open_link(options.link);
   if (!opened) return context.fail_with(opened.error());
 
   const bool virtual_time = opened->clock->is_virtual();
-  RunFiles files(context, compiled->config);
+  RunFiles files(context, compiled->config, *watched);
   // The manual's name for a log that is on without another name.
   const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
   if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status)
     return context.fail_with(status.error());
-  const auto started =
-      RunRecording::start(context, options.record, options.file, options.link, compiled->config, virtual_time);
+  const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config,
+                                           *watched, virtual_time);
   if (!started) return context.fail_with(started.error());
   auto& recording = **started;
   RunBlackBox black_box(context, options.black_box);
   RunRequest request;
   request.target = *target;
   request.duration = *duration;
+  request.watch = watched->command();
   request.capture = options.capture;
   request.on_capture_lost = [&context](const Error& error) { context.fail_with(error); };
   request.on_ready = [&](MasterChannels& channels) {
@@ -276,6 +300,9 @@ void add_run_command(CLI::App& app, Context& context) {
   command->add_option("--for", options->duration, "How long, e.g. 20s or 500ms")->capture_default_str();
   command->add_option("--state", options->state, "State to reach: INIT, PREOP, SAFEOP or OP")->capture_default_str();
   command->add_option("--csv", options->csv, "Write every cycle's sample to this file");
+  command->add_option("--watch", options->watched,
+                      "A variable of the process image, by its name or as SLAVE.ENTRY, e.g. \"3.Position actual "
+                      "value\": --csv and --record hold it in every cycle; up to 16");
   command->add_option("--dcm-log", options->dcm_log, "Write the log of the master synchronisation to this file");
   command->add_option(
       "--set", options->overrides,

@@ -46,7 +46,8 @@ void add_record_options(CLI::App& command, RecordOptions& options) {
 
 Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, const RecordOptions& options,
                                                           const std::string& file, const std::string& link,
-                                                          const NetworkConfig& config, bool virtual_time) {
+                                                          const NetworkConfig& config, const WatchLists& watched,
+                                                          bool virtual_time) {
   std::unique_ptr<RunRecording> recording(new RunRecording(context));
   if (options.file.empty()) return recording;
   Recorder::Options bounds;
@@ -58,8 +59,9 @@ Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, cons
   bounds.by_clock = !virtual_time;
   bounds.most_bytes = options.most_mib * kMiB;
   bounds.keep_free_bytes = options.keep_free_mib * kMiB;
-  const auto what = about(file, link, config);
+  auto what = about(file, link, config);
   if (!what) return tl::unexpected(what.error());
+  what->watched = watched;
   auto recorder = Recorder::start(options.file, *what, bounds, [where = recording.get()](const Recorder::Stop& stop) {
     const std::lock_guard lock(where->mutex_);
     where->stop_ = stop;

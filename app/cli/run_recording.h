@@ -28,7 +28,8 @@ class RunRecording {
  public:
   [[nodiscard]] static Result<std::unique_ptr<RunRecording>> start(Context& context, const RecordOptions& options,
                                                                    const std::string& file, const std::string& link,
-                                                                   const NetworkConfig& config, bool virtual_time);
+                                                                   const NetworkConfig& config,
+                                                                   const WatchLists& watched, bool virtual_time);
   void add(std::span<const CycleSample> samples);
   void add(const Snapshot& snapshot);
   void add(const Event& event);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "channels/watch_command.h"
 #include "config/dcm_settings.h"
 #include "config/network_config.h"
 #include "protocol/al_state.h"
@@ -43,6 +44,6 @@ struct ReleaseOutputCommand {
 struct ReleaseAllOutputsCommand {};
 using MasterCommand = std::variant<GoOnlineCommand, GoOfflineCommand, RequestStateCommand, ClearStatisticsCommand,
                                    ConfigureDcmCommand, ResetDcmStatusCommand, CompensateDelaysCommand,
-                                   ForceOutputCommand, ReleaseOutputCommand, ReleaseAllOutputsCommand>;
+                                   ForceOutputCommand, ReleaseOutputCommand, ReleaseAllOutputsCommand, WatchCommand>;
 
 }  // namespace syncline

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "channels/values/sync_state.h"
+#include "channels/watch_command.h"
 #include "protocol/al_state.h"
 #include "support/types.h"
 
@@ -53,6 +56,11 @@ struct CycleSample {
   std::uint8_t master_state = 0;  // AlState
   /// The two verdicts of this cycle, as DcStatus::state and DcmStatus::state.
   SyncState slaves_sync = SyncState::kNotMonitored, master_sync = SyncState::kNotMonitored;
+  /// Variables of the process image that somebody watches (WatchCommand): inputs as they came back in this cycle,
+  /// outputs as they went out with it.
+  std::uint16_t watched_known = 0;                    // a bit a place of the list: it has a value
+  std::uint32_t watch_list = 0;                       // whose places these are; 0 = none
+  std::array<std::uint64_t, kMostWatched> watched{};  // bits of each, the lowest first; 0 without a value
 };
 
 }  // namespace syncline

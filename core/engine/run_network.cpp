@@ -102,6 +102,7 @@ RunOutcome run_on(std::unique_ptr<BackgroundMaster> master, Clock& clock, const 
                   const RunRequest& request, CaptureWatch& capture) {
   auto& channels = master->channels();
   Drain drain(channels, config, request, capture);
+  if (request.watch.count > 0) channels.commands.push(request.watch);
   channels.commands.push(GoOnlineCommand{config, request.target});
   const auto end = clock.now() + request.duration;
 

@@ -23,6 +23,7 @@ struct RunRequest {
   std::function<void(const Error&)> on_capture_lost;  // writing it failed, the run goes on; once
   std::function<Status(MasterChannels&)> on_ready;    // before the first frame; its error is that of the run
   std::function<void(const Event&)> on_event;         // may be empty
+  WatchCommand watch;                                 // variables that the samples hold, from the first cycle on
   std::vector<SlaveRequest> requests;                 // asked once the bring-up is over, all at once
   std::function<void(const SlaveRequest&, const SlaveAnswer&)> on_answer;  // in the order in which they come
   std::function<void(std::span<const CycleSample>)> on_samples;

@@ -33,6 +33,7 @@ struct MasterService::Impl {
   void execute(const ForceOutputCommand& command);
   void execute(const ReleaseOutputCommand& command);
   void execute(const ReleaseAllOutputsCommand&);
+  void execute(const WatchCommand& command);
   bool step();
   void publish_latest();
   void bind_thread(const RealTimeSettings& settings);
@@ -47,6 +48,7 @@ struct MasterService::Impl {
   FrameExchange exchange;
   std::unique_ptr<Operation> operation;
   DcStartTimeCallback start_time;
+  WatchCommand watch;  // the last one
 };
 
 void MasterService::Impl::tell(EventDetails what) { channels.events.push({clock.now(), -1, std::move(what)}); }
@@ -63,6 +65,7 @@ void MasterService::Impl::execute(GoOnlineCommand& command) {
   bind_thread(command.config.real_time);
   operation = std::make_unique<Operation>(std::move(command.config), exchange, clock, channels);
   operation->set_start_time(start_time);
+  operation->watch(watch);
   const auto status = operation->start(command.target);
   if (!status) tell(status.error());
   const bool cancelled = !status && status.error().code == ErrorCode::kCancelled;
@@ -116,6 +119,11 @@ void MasterService::Impl::execute(const ReleaseOutputCommand& command) {
 
 void MasterService::Impl::execute(const ReleaseAllOutputsCommand&) {
   if (operation) operation->release_all_outputs();
+}
+
+void MasterService::Impl::execute(const WatchCommand& command) {
+  watch = command;
+  if (operation) operation->watch(watch);
 }
 
 void MasterService::Impl::run_cycle() {

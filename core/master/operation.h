@@ -46,6 +46,7 @@ class Operation {
   Status force(const ForceOutputCommand& wanted);
   Status release(const ReleaseOutputCommand& wanted);
   void release_all_outputs();
+  void watch(const WatchCommand& command) { task_.watched().watch(command); }
   /// Continuous compensation of the propagation delays.
   void compensate_delays(bool on);
   void set_start_time(DcStartTimeCallback callback) { sync_.set_start_time(std::move(callback)); }

@@ -122,6 +122,9 @@ inline constexpr std::string_view kCommonReasons[] = {
     "more slaves than addresses",
     "the bus is offline",
     "the process image has no such bits",
+    "the process image has no such variable of 1 to 64 bits: use its name, or SLAVE.ENTRY with the slave's position or "
+    "name, e.g. \"3.Position actual value\"",
+    "it could be any of {names}",
     "no slave on the bus has a system time",
     "no slave is configured as reference clock",
     "it has no system time and cannot be the reference clock, and no slave behind it can",
@@ -216,6 +219,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     "no unsaved work of Syncline",
     "a recording is shown: close it first (File, Close Recording)",
     "the network \"{name}\" runs on it: choose another link or take that one offline",
+    "a run holds {count} different ones: go offline and online again to watch others",
     "no machine runs: go online first",
     "no cycle has run yet: go online first",
     "another stretch is being written; try again in a moment",

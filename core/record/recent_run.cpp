@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
+#include <type_traits>
 #include <utility>
 
 #include "reasons/because.h"
@@ -14,27 +17,36 @@ namespace syncline {
 namespace {
 
 constexpr std::size_t kChunkCycles = 4096;
+/// What watched variables add to a sample stands at its end.
+constexpr std::size_t kUnwatched = offsetof(CycleSample, watched_known);
+static_assert(std::is_trivially_copyable_v<CycleSample> && std::is_standard_layout_v<CycleSample>);
+static_assert(offsetof(CycleSample, watch_list) > kUnwatched && offsetof(CycleSample, watched) > kUnwatched);
 constexpr std::uint64_t kBytesOfCycle = 100;       // in a file, and some
+constexpr std::uint64_t kBytesOfVariable = 10;     // the same, of each that is watched
 constexpr std::uint64_t kLeaveFree = 64ULL << 20;  // of the disk
 constexpr std::size_t kHeldCapacity = 1;           // of cycles, of which there are none
 
-Status has_room(const std::string& path, std::size_t cycles) {
+bool watches(const CycleSample& sample) { return sample.watch_list != 0; }
+
+Status has_room(const std::string& path, std::size_t cycles, std::size_t variables) {
   std::error_code error;
   const auto folder = std::filesystem::absolute(path, error).parent_path();
   const auto space = std::filesystem::space(folder, error);
-  if (error || space.available >= cycles * kBytesOfCycle + kLeaveFree) return {};
+  const auto needed = cycles * (kBytesOfCycle + variables * kBytesOfVariable);
+  if (error || space.available >= needed + kLeaveFree) return {};
   return fail(Error{.code = ErrorCode::kFileNotWritable,
                     .detail = because("it needs about {need} MiB, and the disk has {left} MiB left",
-                                      (cycles * kBytesOfCycle + kLeaveFree) >> 20, space.available >> 20),
+                                      (needed + kLeaveFree) >> 20, space.available >> 20),
                     .file = path});
 }
 
 Status write_all(RecordingWriter& writer, const RecentRun& run) {
   auto event = run.events.begin();
   for (const auto& chunk : run.samples) {
-    const auto begin = std::ranges::lower_bound(*chunk, run.from, {}, &CycleSample::send_time);
+    const auto samples = chunk->samples();
+    const auto begin = std::ranges::lower_bound(samples, run.from, {}, &CycleSample::send_time);
     RecordingBatch batch;
-    const auto end = std::ranges::upper_bound(begin, chunk->end(), run.to, {}, &CycleSample::send_time);
+    const auto end = std::ranges::upper_bound(begin, samples.end(), run.to, {}, &CycleSample::send_time);
     batch.samples.assign(begin, end);
     if (batch.samples.empty()) continue;
     const auto until = batch.samples.back().send_time;
@@ -52,8 +64,19 @@ Status write_all(RecordingWriter& writer, const RecentRun& run) {
 
 }  // namespace
 
-RecentSamples::RecentSamples(std::size_t budget)
-    : most_chunks_(std::max<std::size_t>(budget / (kChunkCycles * sizeof(CycleSample)), 1)) {}
+SampleChunk::SampleChunk(std::span<const CycleSample> samples)
+    : stride_(std::ranges::any_of(samples, watches) ? sizeof(CycleSample) : kUnwatched),
+      bytes_(samples.size() * stride_),
+      first_(samples.front().send_time),
+      last_(samples.back().send_time) {
+  for (std::size_t i = 0; i < samples.size(); ++i) std::memcpy(&bytes_[i * stride_], &samples[i], stride_);
+}
+
+std::vector<CycleSample> SampleChunk::samples() const {
+  std::vector<CycleSample> samples(size());
+  for (std::size_t i = 0; i < samples.size(); ++i) std::memcpy(&samples[i], &bytes_[i * stride_], stride_);
+  return samples;
+}
 
 void RecentSamples::add(std::span<const CycleSample> samples) {
   while (!samples.empty()) {
@@ -62,36 +85,40 @@ void RecentSamples::add(std::span<const CycleSample> samples) {
     open_.insert(open_.end(), samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
     samples = samples.subspan(count);
     if (open_.size() < kChunkCycles) return;
-    chunks_.push_back(std::make_shared<const std::vector<CycleSample>>(std::exchange(open_, {})));
-    if (chunks_.size() > most_chunks_) chunks_.pop_front();
+    chunks_.push_back(std::make_shared<const SampleChunk>(open_));
+    bytes_ += chunks_.back()->bytes();
+    open_.clear();
+    for (; bytes_ > budget_ && chunks_.size() > 1; chunks_.pop_front()) bytes_ -= chunks_.front()->bytes();
   }
 }
 
 void RecentSamples::clear() {
   chunks_.clear();
+  bytes_ = 0;
   open_.clear();
 }
 
 Nanoseconds RecentSamples::begin() const {
-  if (!chunks_.empty()) return chunks_.front()->front().send_time;
+  if (!chunks_.empty()) return chunks_.front()->first_time();
   return open_.empty() ? 0 : open_.front().send_time;
 }
 
 Nanoseconds RecentSamples::span() const {
   if (empty()) return 0;
-  return (open_.empty() ? chunks_.back()->back() : open_.back()).send_time - begin();
+  return (open_.empty() ? chunks_.back()->last_time() : open_.back().send_time) - begin();
 }
 
 Nanoseconds RecentSamples::reach(Nanoseconds cycle_time) const {
-  return static_cast<Nanoseconds>(most_chunks_ * kChunkCycles) * cycle_time;
+  const auto of_chunk = chunks_.empty() ? kChunkCycles * kUnwatched : chunks_.back()->bytes();
+  return static_cast<Nanoseconds>(std::max<std::size_t>(budget_ / of_chunk, 1) * kChunkCycles) * cycle_time;
 }
 
 std::vector<RecentSamples::Chunk> RecentSamples::since(Nanoseconds from) const {
   std::vector<Chunk> result;
   for (const auto& chunk : chunks_) {
-    if (chunk->back().send_time >= from) result.push_back(chunk);
+    if (chunk->last_time() >= from) result.push_back(chunk);
   }
-  if (!open_.empty()) result.push_back(std::make_shared<const std::vector<CycleSample>>(open_));
+  if (!open_.empty()) result.push_back(std::make_shared<const SampleChunk>(open_));
   return result;
 }
 
@@ -122,7 +149,7 @@ std::unique_ptr<SampleStore> held_copy(const RunRecord& record, Nanoseconds unti
 Status save_recent(const std::string& path, const RecentRun& run) {
   std::size_t cycles = 0;
   for (const auto& chunk : run.samples) cycles += chunk->size();
-  if (auto status = has_room(path, cycles); !status) return status;
+  if (auto status = has_room(path, cycles, run.about.watched.variables().size()); !status) return status;
   auto writer = RecordingWriter::create(path, run.about);
   if (!writer) return tl::unexpected(writer.error());
   writer->take_held_from(*run.held);

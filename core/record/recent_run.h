@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -14,13 +15,29 @@
 /// The last stretch of a run, every cycle of it, in memory: what was not recorded can be kept afterwards.
 namespace syncline {
 
+/// Cycles one after the other, in little room: what nobody watches takes none.
+class SampleChunk {
+ public:
+  explicit SampleChunk(std::span<const CycleSample> samples);
+  [[nodiscard]] std::vector<CycleSample> samples() const;
+  [[nodiscard]] std::size_t size() const { return bytes_.size() / stride_; }
+  [[nodiscard]] std::size_t bytes() const { return bytes_.size(); }
+  [[nodiscard]] Nanoseconds first_time() const { return first_; }
+  [[nodiscard]] Nanoseconds last_time() const { return last_; }
+
+ private:
+  std::size_t stride_;
+  std::vector<std::byte> bytes_;
+  Nanoseconds first_, last_;
+};
+
 /// A ring of samples within a budget. For one thread; what since() gives is for any.
 class RecentSamples {
  public:
-  using Chunk = std::shared_ptr<const std::vector<CycleSample>>;
+  using Chunk = std::shared_ptr<const SampleChunk>;
 
   /// Bytes; one chunk of cycles at least is kept.
-  explicit RecentSamples(std::size_t budget);
+  explicit RecentSamples(std::size_t budget) : budget_(budget) {}
   void add(std::span<const CycleSample> samples);
   void clear();
 
@@ -29,13 +46,13 @@ class RecentSamples {
   [[nodiscard]] Nanoseconds begin() const;
   /// From the oldest to the newest.
   [[nodiscard]] Nanoseconds span() const;
-  /// How long a stretch the budget holds.
+  /// How long a stretch the budget holds, of samples like the latest.
   [[nodiscard]] Nanoseconds reach(Nanoseconds cycle_time) const;
   /// All that may have samples from `from` on, without copying those that are full.
   [[nodiscard]] std::vector<Chunk> since(Nanoseconds from) const;
 
  private:
-  std::size_t most_chunks_;
+  std::size_t budget_, bytes_ = 0;  // of the chunks
   std::deque<Chunk> chunks_;
   std::vector<CycleSample> open_;
 };

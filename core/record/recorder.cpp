@@ -76,6 +76,11 @@ void Recorder::tell(RecordedDocument document) {
   if (!stopped_ && !finished_) open_.documents.push_back(std::move(document));
 }
 
+void Recorder::tell(std::vector<WatchedVariable> list) {
+  const std::lock_guard lock(mutex_);
+  if (!stopped_ && !finished_) open_.lists.push_back(std::move(list));
+}
+
 std::uint64_t Recorder::lost_samples() const {
   const std::lock_guard lock(mutex_);
   return lost_;

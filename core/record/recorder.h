@@ -53,6 +53,8 @@ class Recorder {
   void tell(const RunStanding& standing);
   /// What is run by now, in place of the document of its kind.
   void tell(RecordedDocument document);
+  /// The samples of the next list of watched variables may come from now on, as RunRecord::watch() is told.
+  void tell(std::vector<WatchedVariable> list);
   /// The rest is on the disk, with why the recording ended and what the run means. The first error of all.
   Status finish(const std::string& why = "end of the run", std::span<const RecordedFinding> findings = {});
 
@@ -60,7 +62,7 @@ class Recorder {
   [[nodiscard]] std::uint64_t lost_samples() const;
 
  private:
-  static constexpr std::size_t kMostWaiting = 1U << 19;  // samples between the two threads, 60 MB
+  static constexpr std::size_t kMostWaiting = 1U << 19;  // samples between the two threads, 150 MB
 
   Recorder(RecordingWriter writer, const Options& options, std::function<void(const Stop&)> on_stopped);
   void run();

@@ -22,6 +22,7 @@ RecordingAbout about_run(const RunRecord& run) {
   const auto standing = run.standing();
   about.limits = standing.limits;
   about.armed = standing.armed.value_or(RecordingAbout::kNotArmed);
+  about.watched = run.watched();
   return about;
 }
 

@@ -9,6 +9,7 @@
 
 #include "record/run_record.h"
 #include "trace/sync0_slaves.h"
+#include "trace/watch_lists.h"
 
 /// What stands in a recording besides samples: given by who records, read back as it was.
 namespace syncline {
@@ -39,6 +40,7 @@ struct RecordingAbout {
   std::optional<Nanoseconds> armed;
   std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
   std::vector<Sync0Slave> sync0{};             // by position; out of the configuration, and not in the file
+  WatchLists watched{};                        // of the whole recording
 };
 /// Slaves and limits of a configuration; the rest is left to the caller.
 [[nodiscard]] RecordingAbout about_run(const NetworkConfig& config);

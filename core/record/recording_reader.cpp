@@ -7,17 +7,21 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "reasons/because.h"
 #include "record/column_codec.h"
 #include "record/sample_columns.h"
+#include "record/watched_columns.h"
 
 namespace syncline {
 namespace {
 
 /// More slaves than a segment can have: the number is damaged.
 constexpr std::int64_t kMostSlaves = 65'535;
+/// More than anybody chooses in a run: the number is damaged.
+constexpr std::int64_t kMostLists = 1 << 20;
 
 template <class T>
 T number_of(std::string_view text, T otherwise) {
@@ -84,7 +88,57 @@ Status RecordingReader::read_about(RecordingInfo& info) {
                   return {};
                 });
   if (status && about.limits.cycle_time <= 0) return damaged_recording(database_, because("it has no cycle time"));
+  if (status) status = read_watched(about.watched);
   return status;
+}
+
+Status RecordingReader::read_watched(WatchLists& watched) {
+  watched = {};
+  const auto version = recording_version(database_);
+  if (!version) return read_error(database_, version.error());
+  if (*version < kFirstWithVariables) return {};
+  const auto no_lists = [this] { return damaged_recording(database_, "its lists of watched variables are none"); };
+  std::vector<WatchedVariable> variables;
+  auto status =
+      each("SELECT id, name, slave, direction, data_type, bit_offset, bit_size FROM variable ORDER BY id",
+           [&](const SqlStatement& row) -> Status {
+             const auto size = row.integer(6);
+             if (row.integer(0) != static_cast<std::int64_t>(variables.size()) || size < 1 ||
+                 size > static_cast<std::int64_t>(kMostWatchedBits))
+               return no_lists();
+             variables.push_back({std::string(row.text(1)), std::string(row.text(4)), row.text(3) == "output",
+                                  static_cast<std::uint32_t>(row.integer(5)), static_cast<std::uint32_t>(size),
+                                  row.is_null(2) ? -1 : static_cast<int>(row.integer(2))});
+             return {};
+           });
+  std::vector<std::vector<WatchedVariable>> lists;
+  if (status) {
+    status = each("SELECT number, place, variable FROM watch_list ORDER BY number, place",
+                  [&](const SqlStatement& row) -> Status {
+                    const auto number = row.integer(0);
+                    const auto variable = row.integer(2);
+                    if (number < 1 || number > kMostLists || variable < 0 ||
+                        variable >= static_cast<std::int64_t>(variables.size()))
+                      return no_lists();
+                    // Of those that were empty there is no row.
+                    if (static_cast<std::size_t>(number) > lists.size()) lists.resize(static_cast<std::size_t>(number));
+                    if (row.integer(1) != static_cast<std::int64_t>(lists.back().size())) return no_lists();
+                    lists.back().push_back(variables[static_cast<std::size_t>(variable)]);
+                    return {};
+                  });
+  }
+  if (!status) return status;
+  for (const auto& list : lists) {
+    if (!watched.add(list)) return no_lists();
+  }
+  return watched.variables() == variables ? Status{} : no_lists();
+}
+
+std::optional<std::size_t> RecordingReader::variable_of(std::int64_t series) const {
+  const auto number = series - static_cast<std::int64_t>(Signal::kVariable);
+  if (number < kBusSeries || number % kBusSeries != 0) return std::nullopt;
+  const auto variable = static_cast<std::size_t>(number / kBusSeries - 1);
+  return variable < watched_.variables().size() ? std::optional(variable) : std::nullopt;
 }
 
 Status RecordingReader::read_told(RecordingInfo& info) {
@@ -167,10 +221,13 @@ bool RecordingReader::read_points(const SqlStatement& row, Points& out) {
 Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>& out, AllPoints* points) {
   const auto count = static_cast<std::size_t>(block.cycles);
   out.assign(count, CycleSample{});
-  auto row = database_.prepare("SELECT id, codec, count, cells, times FROM data WHERE id >= ? AND id < ?");
+  // One that is being written may have others by now.
+  if (auto status = read_watched(watched_); !status) return status;
+  const bool whole = points != nullptr || !watched_.variables().empty();
+  auto row = database_.prepare("SELECT id, codec, count, cells, times FROM data WHERE id >= ? AND id < ? ORDER BY id");
   if (!row) return read_error(database_, row.error());
   const auto first = block.number * kSeriesPerBlock;
-  row->bind(0, first).bind(1, first + (points != nullptr ? kSeriesPerBlock : kBusSeries));
+  row->bind(0, first).bind(1, first + (whole ? kSeriesPerBlock : kBusSeries));
   const auto unread = [&](std::int64_t series) {
     const auto signal = static_cast<std::size_t>(series % kBusSeries);
     const auto key = signal < kSignalCount ? signals()[signal].key : std::string_view("a signal");
@@ -189,6 +246,11 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
       good = row->integer(2) == block.cycles &&
              decode_column(static_cast<ColumnCodec>(codec), row->blob(3), count, cells_);
       if (good) put(out, cells_);
+    } else if (const auto variable = variable_of(series)) {
+      ++columns;  // behind the column that says of which list each cycle is
+      good = row->integer(2) == block.cycles &&
+             decode_column(static_cast<ColumnCodec>(codec), row->blob(3), count, cells_) &&
+             take_watched_cells(watched_, *variable, cells_, out);
     } else if (points != nullptr && codec == 0) {
       good = read_points(*row, (*points)[series]);
     }
@@ -277,33 +339,45 @@ Result<RecordingReader::Points> RecordingReader::points(Signal signal, int slave
 }
 
 Status RecordingReader::check_sums(const Block& block, std::span<const CycleSample> samples) {
-  auto row = database_.prepare("SELECT count, min, max FROM summary WHERE id = ?");
-  if (!row) return read_error(database_, row.error());
+  std::vector<float> values(samples.size());
   for (const auto& signal : signals()) {
     if (signal.form != SignalInfo::Form::kCycles) continue;
-    std::int64_t count = 0;
-    float low = 0, high = 0;
-    for (const auto& sample : samples) {
+    std::ranges::transform(samples, values.begin(), [&](const CycleSample& sample) {
       const auto number = signal.of_cycle(sample);
-      if (!number) continue;
-      const auto value = static_cast<float>(as_double(*number));
-      low = count == 0 ? value : std::min(low, value);
-      high = count == 0 ? value : std::max(high, value);
-      ++count;
-    }
-    row->bind(0, block.number * kSeriesPerBlock + series_number(signal.id));
-    const auto there = row->step();
-    if (!there) return read_error(database_, there.error());
-    const bool same = *there ? row->integer(0) == count && static_cast<float>(row->real(1)) == low &&
-                                   static_cast<float>(row->real(2)) == high
-                             : count == 0;
-    row->reset();
-    if (!same) {
-      return damaged_recording(database_, because("the sums of {signal} in block {number} are not those of its values",
-                                                  signal.key, block.number));
-    }
+      return number ? static_cast<float>(as_double(*number)) : std::numeric_limits<float>::quiet_NaN();
+    });
+    if (auto status = check_sum(block, series_number(signal.id), signal.key, values); !status) return status;
+  }
+  for (std::size_t i = 0; i < watched_.variables().size(); ++i) {
+    std::ranges::transform(samples, values.begin(),
+                           [&](const CycleSample& sample) { return watched_.drawn(sample, i); });
+    const auto series = series_number(Signal::kVariable, static_cast<int>(i));
+    if (auto status = check_sum(block, series, watched_.variables()[i].name, values); !status) return status;
   }
   return {};
+}
+
+Status RecordingReader::check_sum(const Block& block, std::int64_t series, std::string_view key,
+                                  std::span<const float> values) {
+  auto row = database_.prepare("SELECT count, min, max FROM summary WHERE id = ?");
+  if (!row) return read_error(database_, row.error());
+  std::int64_t count = 0;
+  float low = 0, high = 0;
+  for (const auto value : values) {
+    if (std::isnan(value)) continue;
+    low = count == 0 ? value : std::min(low, value);
+    high = count == 0 ? value : std::max(high, value);
+    ++count;
+  }
+  row->bind(0, block.number * kSeriesPerBlock + series);
+  const auto there = row->step();
+  if (!there) return read_error(database_, there.error());
+  const bool same = *there ? row->integer(0) == count && static_cast<float>(row->real(1)) == low &&
+                                 static_cast<float>(row->real(2)) == high
+                           : count == 0;
+  if (same) return {};
+  return damaged_recording(database_,
+                           fmt::format("the sums of {} in block {} are not those of its values", key, block.number));
 }
 
 Result<std::uint64_t> RecordingReader::verify() {

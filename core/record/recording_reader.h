@@ -44,7 +44,8 @@ class RecordingReader {
   [[nodiscard]] Result<RecordingInfo> info();
   /// All samples in their order, a block at a time, until `take` returns false.
   [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take);
-  /// A signal over the whole recording, a row a block that has any value of it; of a slave, or of the bus with -1.
+  /// A signal over the whole recording, a row a block that has any value of it; of a slave or a variable, or of the bus
+  /// with -1.
   [[nodiscard]] Result<std::vector<BlockSummary>> overview(Signal signal, int slave = -1);
   /// Values of slaves' counts and states, and of totals: when they changed; not-a-number where nothing is known.
   struct Points {
@@ -72,6 +73,11 @@ class RecordingReader {
   /// A row "id, codec, count, cells, times" of a series that is no column.
   static bool read_points(const SqlStatement& row, Points& out);
   Status check_sums(const Block& block, std::span<const CycleSample> samples);
+  Status check_sum(const Block& block, std::int64_t series, std::string_view key, std::span<const float> values);
+  /// Which variables were watched; what there is by now.
+  Status read_watched(WatchLists& watched);
+  /// Whose column a series is, as a variable's number; nothing: of none that is known.
+  [[nodiscard]] std::optional<std::size_t> variable_of(std::int64_t series) const;
   Status read_about(RecordingInfo& info);
   Status read_told(RecordingInfo& info);
   template <class Take>
@@ -79,6 +85,7 @@ class RecordingReader {
 
   SqlDatabase database_;
   ColumnCells cells_;  // room for one column
+  WatchLists watched_;
 };
 
 }  // namespace syncline

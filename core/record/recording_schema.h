@@ -11,8 +11,9 @@
 namespace syncline {
 
 inline constexpr std::int64_t kRecordingId = 0x53594E52;  // "SYNR", SQLite's application_id
-inline constexpr std::int64_t kRecordingVersion = 3;      // user_version
+inline constexpr std::int64_t kRecordingVersion = 4;      // user_version
 inline constexpr std::int64_t kFirstWithDetails = 2;      // of events and findings
+inline constexpr std::int64_t kFirstWithVariables = 4;    // that were watched
 /// Rows of `summary` and `data`: block * kSeriesPerBlock + series.
 inline constexpr std::int64_t kSeriesPerBlock = 1 << 20;
 inline constexpr std::int64_t kMostBlockCycles = 1 << 16;
@@ -21,7 +22,7 @@ inline constexpr std::size_t kLevelCycles = 256;
 
 /// Numbers of the bus's series; each slave has as many behind them.
 inline constexpr std::int64_t kBusSeries = 256;
-/// Number of a signal's series, of the bus or of a slave.
+/// Number of a signal's series, of the bus, of a slave, or of a variable by its number.
 [[nodiscard]] constexpr std::int64_t series_number(Signal signal, int slave = -1) {
   return static_cast<std::int64_t>(signal) + (std::int64_t{slave} + 1) * kBusSeries;
 }

@@ -11,12 +11,25 @@
 
 #include "record/column_codec.h"
 #include "record/sample_columns.h"
+#include "record/watched_columns.h"
 
 namespace syncline {
 namespace {
 
 using Form = SignalInfo::Form;
 using Scope = SignalInfo::Scope;
+
+constexpr std::string_view scope_name(Scope scope) {
+  switch (scope) {
+    case Scope::kBus:
+      return "bus";
+    case Scope::kSlave:
+      return "slave";
+    case Scope::kVariable:
+      break;
+  }
+  return "variable";
+}
 
 constexpr std::string_view form_name(Form form) {
   switch (form) {
@@ -30,6 +43,8 @@ constexpr std::string_view form_name(Form form) {
       return "held";
     case Form::kDerived:
       return "derived";
+    case Form::kWatched:
+      return "watched";
   }
   return "cell";
 }
@@ -43,26 +58,33 @@ SampleStore::Layout layout_of(const RecordingAbout& about) {
           .sync0 = about.sync0};
 }
 
-std::string levels_of(std::span<const CycleSample> samples, const SignalInfo& signal, std::vector<float>& values) {
-  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+
+std::string levels_of(std::span<const float> values) {
   std::vector<float> levels;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     if (i % kLevelCycles == 0) levels.insert(levels.end(), {kNothing, kNothing});
-    const auto number = signal.of_cycle(samples[i]);
-    values.push_back(number ? static_cast<float>(as_double(*number)) : kNothing);
-    if (!number) continue;
+    if (std::isnan(values[i])) continue;
     auto& low = levels[levels.size() - 2];
     auto& high = levels.back();
-    if (!(low <= values.back())) low = values.back();
-    if (!(high >= values.back())) high = values.back();
+    if (!(low <= values[i])) low = values[i];
+    if (!(high >= values[i])) high = values[i];
   }
   return encode_floats(levels);
+}
+
+void drawn_values(std::span<const CycleSample> samples, const SignalInfo& signal, std::vector<float>& values) {
+  values.clear();
+  for (const auto& sample : samples) {
+    const auto number = signal.of_cycle(sample);
+    values.push_back(number ? static_cast<float>(as_double(*number)) : kNothing);
+  }
 }
 
 }  // namespace
 
 RecordingWriter::RecordingWriter(SqlDatabase database, const RecordingAbout& about)
-    : database_(std::move(database)), store_(layout_of(about)) {}
+    : database_(std::move(database)), store_(layout_of(about)), lists_(about.watched) {}
 
 Result<RecordingWriter> RecordingWriter::create(const std::string& path, const RecordingAbout& about) {
   auto database = create_recording(path);
@@ -92,6 +114,7 @@ Status RecordingWriter::begin(const RecordingAbout& about) {
   }
   if (status && !slave) status = tl::unexpected(slave.error());
   if (status) status = put_signals();
+  if (status) status = put_watched(0, 0);
   return status ? transaction->commit() : status;
 }
 
@@ -126,9 +149,43 @@ Status RecordingWriter::put_signals() {
   if (!row) return tl::unexpected(row.error());
   for (const auto& signal : signals()) {
     row->bind(0, static_cast<std::int64_t>(signal.id)).bind(1, signal.key).bind(2, signal.name).bind(3, signal.unit);
-    row->bind(4, signal.scope == Scope::kBus ? std::string_view("bus") : std::string_view("slave"));
+    row->bind(4, scope_name(signal.scope));
     row->bind(5, form_name(signal.form)).bind(6, signal.source).bind(7, signal.since);
     if (auto status = row->run(); !status) return status;
+  }
+  return {};
+}
+
+Status RecordingWriter::add_lists(std::span<const std::vector<WatchedVariable>> lists) {
+  if (lists.empty()) return {};
+  const auto variables = lists_.variables().size();
+  const auto known = lists_.lists().size();
+  for (const auto& list : lists) (void)lists_.add(list);
+  return put_watched(variables, known);
+}
+
+Status RecordingWriter::put_watched(std::size_t variables, std::size_t lists) {
+  auto variable = database_.prepare(
+      "INSERT INTO variable(id, name, slave, direction, data_type, bit_offset, bit_size, series) VALUES(?, ?, ?, ?, ?, "
+      "?, ?, ?)");
+  if (!variable) return tl::unexpected(variable.error());
+  for (auto i = variables; i < lists_.variables().size(); ++i) {
+    const auto& what = lists_.variables()[i];
+    variable->bind(0, static_cast<std::int64_t>(i)).bind(1, what.name);
+    what.slave >= 0 ? variable->bind(2, std::int64_t{what.slave}) : variable->bind_null(2);
+    variable->bind(3, what.output ? std::string_view("output") : std::string_view("input")).bind(4, what.data_type);
+    variable->bind(5, std::int64_t{what.bit_offset}).bind(6, std::int64_t{what.bit_size});
+    variable->bind(7, series_number(Signal::kVariable, static_cast<int>(i)));
+    if (auto status = variable->run(); !status) return status;
+  }
+  auto place = database_.prepare("INSERT INTO watch_list(number, place, variable) VALUES(?, ?, ?)");
+  if (!place) return tl::unexpected(place.error());
+  for (auto i = lists; i < lists_.lists().size(); ++i) {
+    const auto& list = lists_.lists()[i];
+    for (std::size_t at = 0; at < list.places.size(); ++at) {
+      place->bind(0, std::int64_t{list.number}).bind(1, static_cast<std::int64_t>(at));
+      if (auto status = place->bind(2, static_cast<std::int64_t>(list.places[at])).run(); !status) return status;
+    }
   }
   return {};
 }
@@ -142,7 +199,7 @@ Status RecordingWriter::put_meta(std::string_view key, std::string_view value) {
 Status RecordingWriter::write(const RecordingBatch& batch) {
   auto transaction = SqlTransaction::begin(database_);
   if (!transaction) return write_error(database_, transaction.error());
-  Status status;
+  auto status = add_lists(batch.lists);
   store(batch);
   for (auto rest = std::span(batch.samples); status && !rest.empty();) {
     const auto count = std::min(rest.size(), static_cast<std::size_t>(kMostBlockCycles));
@@ -208,13 +265,15 @@ void RecordingWriter::store(const RecordingBatch& batch) {
 Status RecordingWriter::put_block(std::span<const CycleSample> samples) {
   const auto columns = put_columns(samples);
   if (!columns) return tl::unexpected(columns.error());
+  const auto variables = put_variables(samples);
+  if (!variables) return tl::unexpected(variables.error());
   auto row = database_.prepare(
       "INSERT INTO block(number, first_cycle, last_cycle, cycles, begin_ns, end_ns, columns) VALUES(?, ?, ?, ?, ?, ?, "
       "?)");
   if (!row) return tl::unexpected(row.error());
   row->bind(0, blocks_).bind(1, static_cast<std::int64_t>(samples.front().cycle));
   row->bind(2, static_cast<std::int64_t>(samples.back().cycle)).bind(3, static_cast<std::int64_t>(samples.size()));
-  row->bind(4, samples.front().send_time).bind(5, samples.back().send_time).bind(6, *columns);
+  row->bind(4, samples.front().send_time).bind(5, samples.back().send_time).bind(6, *columns + *variables);
   if (auto status = row->run(); !status) return status;
   if (!any_) first_ = samples.front().send_time;
   any_ = true;
@@ -238,13 +297,42 @@ Result<std::int64_t> RecordingWriter::put_columns(std::span<const CycleSample> s
     ++count;
     const auto series = series_number(column);
     if (auto status = put_series(series, column, -1); !status) return tl::unexpected(status.error());
-    values.clear();
-    const auto levels = signal.form == Form::kCycles ? levels_of(samples, signal, values) : std::string();
+    std::string levels;
+    if (signal.form == Form::kCycles) {
+      drawn_values(samples, signal, values);
+      levels = levels_of(values);
+    }
     row->bind(0, blocks_ * kSeriesPerBlock + series).bind(1, static_cast<std::int64_t>(encoded->codec));
     row->bind(2, static_cast<std::int64_t>(samples.size())).bind_blob(3, encoded->bytes);
     if (auto status = (levels.empty() ? row->bind_null(4) : row->bind_blob(4, levels)).run(); !status)
       return tl::unexpected(status.error());
     if (signal.form != Form::kCycles) continue;
+    if (auto status = put_summary(blocks_, series, values); !status) return tl::unexpected(status.error());
+  }
+  return count;
+}
+
+/// As put_columns().
+Result<std::int64_t> RecordingWriter::put_variables(std::span<const CycleSample> samples) {
+  auto row = database_.prepare("INSERT INTO data(id, codec, count, cells, levels) VALUES(?, ?, ?, ?, ?)");
+  if (!row) return tl::unexpected(row.error());
+  std::int64_t count = 0;
+  Cells cells;
+  std::vector<float> values;
+  for (std::size_t variable = 0; variable < lists_.variables().size(); ++variable) {
+    put_watched_cells(lists_, variable, samples, cells);
+    const auto encoded = encode_column(cells);
+    if (!encoded) continue;
+    ++count;
+    const auto number = static_cast<int>(variable);
+    const auto series = series_number(Signal::kVariable, number);
+    if (auto status = put_series(series, Signal::kVariable, lists_.variables()[variable].slave); !status)
+      return tl::unexpected(status.error());
+    values.clear();
+    for (const auto& sample : samples) values.push_back(lists_.drawn(sample, variable));
+    row->bind(0, blocks_ * kSeriesPerBlock + series).bind(1, static_cast<std::int64_t>(encoded->codec));
+    row->bind(2, static_cast<std::int64_t>(samples.size())).bind_blob(3, encoded->bytes);
+    if (auto status = row->bind_blob(4, levels_of(values)).run(); !status) return tl::unexpected(status.error());
     if (auto status = put_summary(blocks_, series, values); !status) return tl::unexpected(status.error());
   }
   return count;
@@ -256,8 +344,7 @@ Status RecordingWriter::put_sums(std::span<const CycleSample> samples) {
   for (const auto& signal : signals()) {
     const bool is_column = std::ranges::find(sample_columns(), signal.id) != sample_columns().end();
     if (signal.form != Form::kCycles || is_column) continue;
-    values.clear();
-    (void)levels_of(samples, signal, values);
+    drawn_values(samples, signal, values);
     if (auto status = put_summary(blocks_, series_number(signal.id), values); !status) return status;
   }
   return {};

@@ -28,9 +28,10 @@ struct RecordingBatch {
   std::optional<std::vector<RecordedFinding>> findings{};  // what the run means by now, in place of what it meant
   std::optional<RunStanding> standing{};                   // in place of what was before
   std::vector<RecordedDocument> documents{};               // each in place of that of its kind
+  std::vector<std::vector<WatchedVariable>> lists{};       // of watched variables that samples may be of from now on
   [[nodiscard]] bool empty() const {
     return samples.empty() && snapshots.empty() && events.empty() && notes.empty() && !findings && !standing &&
-           documents.empty();
+           documents.empty() && lists.empty();
   }
 };
 
@@ -63,10 +64,14 @@ class RecordingWriter {
   Status put_armed(Nanoseconds time);
   Status put_documents(std::span<const RecordedDocument> documents);
   Status put_findings(std::span<const RecordedFinding> findings);
+  /// Those behind the first `variables` and `lists`.
+  Status put_watched(std::size_t variables, std::size_t lists);
+  Status add_lists(std::span<const std::vector<WatchedVariable>> lists);
   void store(const RecordingBatch& batch);
   Status put_block(std::span<const CycleSample> samples);
   /// How many have values.
   Result<std::int64_t> put_columns(std::span<const CycleSample> samples);
+  Result<std::int64_t> put_variables(std::span<const CycleSample> samples);
   Status put_sums(std::span<const CycleSample> samples);
   /// What slaves and counts have shown since the block before.
   Status put_held(std::int64_t block, Nanoseconds begin);
@@ -76,6 +81,7 @@ class RecordingWriter {
   SqlDatabase database_;
   SampleStore store_;  // the same that draws: gaps and ages are decided once
   const SampleStore* watched_ = nullptr;
+  WatchLists lists_;                             // of watched variables
   std::map<std::int64_t, Nanoseconds> written_;  // by series, time of the newest sample
   std::set<std::int64_t> known_series_;
   std::int64_t blocks_ = 0;

@@ -82,6 +82,11 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   auto& record = *run.record;
   // Where cycles are missing a sample says so: one for each of them at most.
   record.reserve(run.info.cycles + std::min(run.info.missing_cycles, run.info.cycles / 16));
+  for (const auto& list : run.info.about.watched.lists()) {
+    std::vector<WatchedVariable> variables;
+    for (const auto number : list.places) variables.push_back(run.info.about.watched.variables()[number]);
+    (void)record.watch(variables);
+  }
   if (run.info.about.armed) record.arm_from(*run.info.about.armed);
   const auto events = events_of(run.info, run.only_words);
   auto next = events.begin();

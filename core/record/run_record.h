@@ -56,6 +56,9 @@ class RunRecord {
   void add(RunNote note);
   /// In place of all there are.
   void set_notes(std::vector<RunNote> notes);
+  /// Samples of the next list of watched variables may come from now on; the master is told by watched().command().
+  /// False, and nothing is changed, where it cannot be: see WatchLists::add().
+  bool watch(std::span<const WatchedVariable> variables) { return samples_.watch(variables); }
   /// So many cycles are going to come.
   void reserve(std::size_t cycles) { samples_.reserve(cycles); }
   /// Out of a recording, see SampleStore::restore().
@@ -75,6 +78,7 @@ class RunRecord {
   /// As the configuration names it; its number where there is none.
   [[nodiscard]] std::string slave_name(std::size_t position) const;
   [[nodiscard]] const SampleStore& samples() const { return samples_; }
+  [[nodiscard]] const WatchLists& watched() const { return samples_.watched(); }
   /// The newest while the bus was online; empty before.
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
   /// In their order, the latest kMostEvents.

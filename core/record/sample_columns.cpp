@@ -78,6 +78,7 @@ constexpr std::array kSampleColumns{
     state<&CycleSample::master_sync>(Signal::kMasterSync),
     whole<&CycleSample::master_state>(Signal::kMasterState),
     whole<&CycleSample::sync_base>(Signal::kSyncBase),
+    whole<&CycleSample::watch_list>(Signal::kWatchList),
 };
 
 constexpr auto kColumns = [] {

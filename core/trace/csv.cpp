@@ -6,6 +6,7 @@
 #include <array>
 #include <iterator>
 
+#include "support/csv_field.h"
 #include "trace/signals.h"
 
 namespace syncline {
@@ -42,21 +43,26 @@ constexpr std::array kCsvColumns{Signal::kCycle,
 
 }  // namespace
 
-std::string sample_csv_header() {
+std::string sample_csv_header(const WatchLists& watched) {
   std::string header;
   for (const auto column : kCsvColumns) {
     if (!header.empty()) header += ',';
     header += info(column).key;
   }
+  for (const auto& variable : watched.variables()) header += ',' + csv_field(variable.name);
   return header + '\n';
 }
 
-void append_sample_csv(std::string& out, std::span<const CycleSample> samples) {
+void append_sample_csv(std::string& out, std::span<const CycleSample> samples, const WatchLists& watched) {
+  const auto put = [&out](auto value) { fmt::format_to(std::back_inserter(out), "{}", value); };
   for (const auto& sample : samples) {
     for (std::size_t i = 0; i < kCsvColumns.size(); ++i) {
       if (i > 0) out += ',';
-      if (const auto number = info(kCsvColumns[i]).of_cycle(sample))
-        std::visit([&out](auto value) { fmt::format_to(std::back_inserter(out), "{}", value); }, *number);
+      if (const auto number = info(kCsvColumns[i]).of_cycle(sample)) std::visit(put, *number);
+    }
+    for (std::size_t i = 0; i < watched.variables().size(); ++i) {
+      out += ',';
+      if (const auto bits = watched.bits(sample, i)) std::visit(put, watched_number(watched.variables()[i], *bits));
     }
     out += '\n';
   }

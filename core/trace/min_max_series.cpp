@@ -45,6 +45,11 @@ MinMaxSeries MinMaxSeries::beside(const MinMaxSeries& leader) {
   MinMaxSeries series(leader.capacity_);
   series.times_ = leader.times_;
   series.leads_ = false;
+  series.begin_ = leader.begin_;
+  series.end_ = leader.end_;
+  series.values_.assign(leader.values_.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t level = 0; level < kLevels; ++level)
+    series.levels_[level].assign(leader.levels_[level].size(), Range{kHuge, -kHuge});
   return series;
 }
 
@@ -240,6 +245,22 @@ std::optional<MinMaxSeries::Reading> MinMaxSeries::held_at(Nanoseconds time) con
 std::optional<MinMaxSeries::Reading> MinMaxSeries::at(Nanoseconds time) const {
   auto index = lower_bound(time + 1);
   while (index > begin_) {
+    // Long gaps are left out a bucket at a time.
+    std::uint64_t bucket = kTop;
+    std::size_t level = kLevels;
+    const auto is_gap = [&] {
+      if (index % bucket != 0 || index - begin_ < bucket) return false;
+      const auto& range = levels_[level - 1][slot(index - bucket) / bucket];
+      return range.min > range.max;
+    };
+    while (level > 0 && !is_gap()) {
+      bucket /= kFactor;
+      --level;
+    }
+    if (level > 0) {
+      index -= bucket;
+      continue;
+    }
     --index;
     if (!std::isnan(values_[slot(index)])) return Reading{time_of(index), values_[slot(index)]};
   }

@@ -29,7 +29,8 @@ class MinMaxSeries {
   /// up to it (12.6 bytes a sample).
   explicit MinMaxSeries(std::size_t capacity = 1U << 20);
   /// Of the same capacity and with the same times as `leader`, which are kept once (4.6 bytes a sample here): whatever
-  /// is appended here was appended there just before, at the same time. Clear both or none.
+  /// is appended here was appended there just before, at the same time. Clear both or none. What the leader has already
+  /// are gaps here.
   [[nodiscard]] static MinMaxSeries beside(const MinMaxSeries& leader);
   MinMaxSeries(MinMaxSeries&&) noexcept = default;
   MinMaxSeries& operator=(MinMaxSeries&&) noexcept = default;

@@ -35,6 +35,7 @@ SampleStore::SampleStore(const Layout& layout)
     switch (signal.form) {
       case Form::kCell:
       case Form::kDerived:
+      case Form::kWatched:
         break;
       case Form::kCycles:
         first = of_cycles_.size();
@@ -75,6 +76,8 @@ const MinMaxSeries& SampleStore::series(Signal signal, std::size_t slave) const 
       return of_held_.at(place(signal, slave)).series();
     case Form::kDerived:
       return arrivals_->phase(slave, series(Signal::kPropagationDelay, slave));
+    case Form::kWatched:
+      return of_variables_.at(slave);
     default:
       return of_cycles_.at(place(signal, slave));
   }
@@ -122,6 +125,7 @@ std::size_t SampleStore::memory_bytes() const {
   for (const auto& series : of_cycles_) bytes += series.memory_bytes();
   for (const auto& series : of_readings_) bytes += series.memory_bytes();
   for (const auto& held : of_held_) bytes += held.series().memory_bytes();
+  for (const auto& series : of_variables_) bytes += series.memory_bytes();
   bytes += arrivals_->memory_bytes();
   return bytes;
 }
@@ -143,9 +147,17 @@ void SampleStore::reserve(std::size_t cycles) {
   for (auto& series : of_cycles_) series.reserve(cycles);
 }
 
+bool SampleStore::watch(std::span<const WatchedVariable> variables) {
+  if (!watched_.add(variables)) return false;
+  while (of_variables_.size() < watched_.variables().size())
+    of_variables_.push_back(MinMaxSeries::beside(of_cycles_.front()));
+  return true;
+}
+
 /// One gap sample keeps the lines from being joined across what is missing.
 void SampleStore::leave_gap(Nanoseconds time) {
   for (auto& series : of_cycles_) series.append(time, kGap);
+  for (auto& series : of_variables_) series.append(time, kGap);
   arrivals_->leave_gap(time);
   slips_.begin_anew();
   hear_slips(time);
@@ -193,7 +205,17 @@ void SampleStore::append_cycles(std::span<const CycleSample> run) {
     cycle_values(cycles_[i]->id)(run.subspan(from), values.data());
     of_cycles_[i].append(times, values);
   }
+  append_variables(run.subspan(from), times, values);
   arrivals_->append(run.subspan(from), times);
+}
+
+void SampleStore::append_variables(std::span<const CycleSample> run, std::span<const Nanoseconds> times,
+                                   std::span<float> values) {
+  for (std::size_t variable = 0; variable < of_variables_.size(); ++variable) {
+    std::ranges::transform(run, values.begin(),
+                           [&](const CycleSample& sample) { return watched_.drawn(sample, variable); });
+    of_variables_[variable].append(times, values);
+  }
 }
 
 void SampleStore::hear_slips(Nanoseconds time) {

@@ -14,6 +14,7 @@
 #include "trace/min_max_series.h"
 #include "trace/setpoint_slips.h"
 #include "trace/signals.h"
+#include "trace/watch_lists.h"
 
 namespace syncline {
 
@@ -34,6 +35,10 @@ class SampleStore {
   explicit SampleStore(const Layout& layout);
 
   void append(std::span<const CycleSample> samples);
+  /// The samples of the next list of watched variables may come from now on; see WatchLists::add().
+  bool watch(std::span<const WatchedVariable> variables);
+  /// All that were watched, in the order in which they came: a variable's number is that of its series.
+  [[nodiscard]] const WatchLists& watched() const { return watched_; }
   /// So many cycles are going to come, see MinMaxSeries::reserve().
   void reserve(std::size_t cycles);
   /// Counts and states; the samples that came before it first.
@@ -44,8 +49,9 @@ class SampleStore {
   void restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times, std::span<const float> values,
                Nanoseconds until);
 
-  /// Of a signal that is drawn (not SignalInfo::Form::kCell), of the bus or of one slave. What is derived is made now,
-  /// and stays for as long as ArrivalSeries says.
+  /// Of a signal that is drawn (not SignalInfo::Form::kCell), of the bus, of one slave or of one variable, by their
+  /// numbers. Of variables they are exact up to 2^24, above that to seven digits, and stay where they are. What is
+  /// derived is made now, and stays for as long as ArrivalSeries says.
   [[nodiscard]] const MinMaxSeries& series(Signal signal) const;
   [[nodiscard]] const MinMaxSeries& series(Signal signal, std::size_t slave) const;
   /// The same of a held signal, with how long its last value holds; null for the others.
@@ -75,6 +81,7 @@ class SampleStore {
   /// Consecutive cycles whose times do not go back.
   void append_run(std::span<const CycleSample> run);
   void append_cycles(std::span<const CycleSample> run);
+  void append_variables(std::span<const CycleSample> run, std::span<const Nanoseconds> times, std::span<float> values);
   void append_slaves(const CycleSample& sample);
   /// The counts of setpoint slips as they are at `time`.
   void hear_slips(Nanoseconds time);
@@ -89,6 +96,8 @@ class SampleStore {
   std::vector<const SignalInfo*> cycles_, readings_, held_, held_by_slave_;
   std::vector<MinMaxSeries> of_cycles_, of_readings_;
   std::vector<HeldSeries> of_held_;
+  WatchLists watched_;
+  std::deque<MinMaxSeries> of_variables_;
   mutable std::optional<ArrivalSeries> arrivals_;  // always there; makes series when they are asked for
   SetpointSlips slips_;
   std::vector<Nanoseconds> run_times_;  // room for one run

@@ -81,12 +81,14 @@ enum class Signal : std::uint8_t {
   kPropagationDelay,             // of each slave
   kArrivalPhase,
   kSetpointSlips,
+  kWatchList,  // of the bus, in every cycle
+  kVariable,   // of each variable of the process image that is watched
 };
 enum class PortSignal : std::uint8_t { kInvalidFrames, kReceiveErrors, kForwardedErrors, kLostLinks };
 inline constexpr std::size_t kPorts = 4, kPortSignals = 4;
 static_assert(static_cast<std::size_t>(Signal::kSyncBase) ==
               static_cast<std::size_t>(Signal::kPortErrors) + kPorts * kPortSignals);
-inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kSetpointSlips) + 1;
+inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kVariable) + 1;
 [[nodiscard]] constexpr Signal port_signal(std::size_t port, PortSignal kind) {
   return static_cast<Signal>(static_cast<std::size_t>(Signal::kPortErrors) + port * kPortSignals +
                              static_cast<std::size_t>(kind));
@@ -102,13 +104,14 @@ struct SlaveReading {
 };
 
 struct SignalInfo {
-  enum class Scope : std::uint8_t { kBus, kSlave };
+  enum class Scope : std::uint8_t { kBus, kSlave, kVariable };  // kVariable: see WatchLists
   enum class Form : std::uint8_t {
     kCell,      // belongs to a cycle and is not drawn: its number, its times, which slave it told of
     kCycles,    // another value in every cycle
     kReadings,  // read now and then; between two readings nothing is known
     kHeld,      // a count or a state: holds from one reading to the next
     kDerived,   // of a slave, another value in every cycle; made of the bus's when somebody looks at it
+    kWatched,   // of a variable, another value in every cycle while it is watched
   };
   enum class Scale : std::uint8_t { kLinear, kSignedLog, kLog, kBand };
 
@@ -121,8 +124,8 @@ struct SignalInfo {
   Scope scope;
   Form form;
   Scale scale;
-  /// At most one of the three, by scope and form (readings of single slaves and what is derived have none); empty where
-  /// the cycle or the slave has none.
+  /// At most one of the three, by scope and form (readings of single slaves, variables and what is derived have none);
+  /// empty where the cycle or the slave has none.
   std::optional<SignalNumber> (*of_cycle)(const CycleSample&);
   std::optional<double> (*of_bus)(const Snapshot&);
   /// `speed_counter_start`: register 0x0930, to which 0x0932 relates.

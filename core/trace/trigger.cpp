@@ -10,7 +10,32 @@
 namespace syncline {
 namespace {
 
-bool is_of_slaves(Signal signal) { return info(signal).scope == SignalInfo::Scope::kSlave; }
+using Scope = SignalInfo::Scope;
+
+/// Which of its series the trigger watches; nothing: the run does not have it.
+std::optional<std::size_t> place_of(const Trigger& trigger, const SampleStore& store) {
+  switch (info(trigger.signal).scope) {
+    case Scope::kBus:
+      break;
+    case Scope::kSlave:
+      if (trigger.slave < 0 || static_cast<std::size_t>(trigger.slave) >= store.slave_count()) return std::nullopt;
+      return static_cast<std::size_t>(trigger.slave);
+    case Scope::kVariable: {
+      const auto& variables = store.watched().variables();
+      const auto found = std::ranges::find(variables, trigger.variable, &WatchedVariable::name);
+      if (found == variables.end()) return std::nullopt;
+      return static_cast<std::size_t>(found - variables.begin());
+    }
+  }
+  return 0;
+}
+
+int slave_of(const Trigger& trigger, const SampleStore& store) {
+  if (info(trigger.signal).scope == Scope::kSlave) return trigger.slave;
+  if (info(trigger.signal).scope == Scope::kBus) return -1;
+  const auto place = place_of(trigger, store);
+  return place ? store.watched().variables()[*place].slave : -1;
+}
 
 bool crosses(Trigger::Edge edge, double level, double before, double now) {
   const bool up = before < level && now >= level;
@@ -25,9 +50,9 @@ TriggerWatch::TriggerWatch(Trigger trigger, Nanoseconds from)
 
 bool TriggerWatch::look(const SampleStore& store, Nanoseconds portion) {
   if (trigger_.kind == Trigger::Kind::kEvent || done()) return true;
-  const bool of_slaves = is_of_slaves(trigger_.signal);
-  if (of_slaves && (trigger_.slave < 0 || static_cast<std::size_t>(trigger_.slave) >= store.slave_count())) return true;
-  const auto& series = store.series(trigger_.signal, of_slaves ? static_cast<std::size_t>(trigger_.slave) : 0);
+  const auto place = place_of(trigger_, store);
+  if (!place) return true;
+  const auto& series = store.series(trigger_.signal, *place);
   if (series.empty() || next_ > series.last_time()) return true;
   next_ = std::max(next_, series.first_time());
   const auto last = series.last_time();
@@ -46,7 +71,7 @@ void TriggerWatch::take(Nanoseconds time, float value, Nanoseconds longest_gap, 
   const auto now = trigger_.magnitude ? std::abs(static_cast<double>(value)) : static_cast<double>(value);
   const bool joined = before_ && time - before_time_ <= longest_gap;
   if (joined && fires(*before_, now)) {
-    fire(time, is_of_slaves(trigger_.signal) ? trigger_.slave : -1, static_cast<double>(value), store);
+    fire(time, slave_of(trigger_, store), static_cast<double>(value), store);
   }
   before_ = now;
   before_time_ = time;

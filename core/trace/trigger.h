@@ -28,6 +28,7 @@ struct Trigger {
   Mode mode = Mode::kNormal;
   Signal signal = Signal::kDeviation;  // of those that are drawn, not SignalInfo::Form::kCell
   int slave = -1;                      // whose signal, where it is one of slaves; of events -1: of any
+  std::string variable{};              // its name, where the signal is that of a watched one
   Edge edge = Edge::kUp;
   bool magnitude = false;           // of the absolute value of the signal
   bool enters = false;              // of a window: comes in; else goes out

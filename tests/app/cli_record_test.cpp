@@ -2,11 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "tests/app/cli_runner.h"
+#include "trace/csv.h"
 
 namespace syncline::test {
 namespace {
@@ -41,6 +43,34 @@ TEST_F(CliRecord, ExportsTheTableThatTheRunWrites) {
   const auto table = read_text(csv);
   EXPECT_GT(table.size(), 100'000U);
   EXPECT_TRUE(table == read_text(exported)) << "byte for byte";
+}
+
+TEST_F(CliRecord, HoldsTheVariablesThatAreWatched) {
+  const auto csv = folder.file("run.csv"), exported = folder.file("exported.csv");
+  const auto recorded = run({"--csv", csv, "--watch", "3.Position actual value", "--watch", "3.statusword"});
+  ASSERT_EQ(recorded.code, cli::kDone) << recorded.err;
+  const auto table = read_text(csv);
+  const auto head = table.substr(0, table.find('\n'));
+  EXPECT_THAT(head, HasSubstr("Position actual value\",\""));
+  EXPECT_TRUE(head.ends_with("Statusword\"")) << head;
+  const auto last = table.substr(table.rfind('\n', table.size() - 2) + 1);
+  EXPECT_EQ(std::ranges::count(last, ','), std::ranges::count(sample_csv_header(), ',') + 2) << last;
+  EXPECT_NE(last[last.rfind(',') + 1], '\n') << "it has a value in OP";
+  ASSERT_EQ(cli_run({"record", "export", recording, exported}).code, cli::kDone);
+  EXPECT_TRUE(table == read_text(exported)) << "byte for byte";
+  const auto json = cli_run({"record", "info", recording, "--json"}).json();
+  ASSERT_EQ(json["variables"].size(), 2U);
+  EXPECT_EQ(json["variables"][0]["slave"], 3);
+  EXPECT_EQ(json["variables"][0]["type"], "DINT");
+  EXPECT_EQ(json["variables"][0]["direction"], "input");
+  EXPECT_EQ(cli_run({"record", "verify", recording}).code, cli::kDone);
+}
+
+TEST_F(CliRecord, RefusesVariablesThatAreNotThere) {
+  const auto refused = run({"--watch", "3.Nothing of the kind"});
+  EXPECT_EQ(refused.code, cli::kUsage) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("--watch 3.Nothing of the kind"));
+  EXPECT_FALSE(std::filesystem::exists(recording));
 }
 
 TEST_F(CliRecord, TellsWhatWasRun) {

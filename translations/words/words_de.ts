@@ -7141,6 +7141,10 @@
         <translation>eine Aufzeichnung wird gezeigt: sie zuerst schließen (Datei, Aufzeichnung schließen)</translation>
     </message>
     <message>
+        <source>a run holds {count} different ones: go offline and online again to watch others</source>
+        <translation>ein Lauf fasst {count} verschiedene: offline und wieder online gehen, um andere zu beobachten</translation>
+    </message>
+    <message>
         <source>no machine runs: go online first</source>
         <translation>es läuft keine Maschine: zuerst online gehen</translation>
     </message>
@@ -8115,6 +8119,14 @@
     <message>
         <source>the process image has no such bits</source>
         <translation>das Prozessabbild hat keine solchen Bits</translation>
+    </message>
+    <message>
+        <source>the process image has no such variable of 1 to 64 bits: use its name, or SLAVE.ENTRY with the slave's position or name, e.g. "3.Position actual value"</source>
+        <translation>das Prozessabbild hat keine solche Variable von 1 bis 64 Bit: ihren Namen angeben, oder SLAVE.EINTRAG mit Position oder Name des Slaves, z. B. „3.Position actual value“</translation>
+    </message>
+    <message>
+        <source>it could be any of {names}</source>
+        <translation>es könnte jede von diesen sein: {names}</translation>
     </message>
     <message>
         <source>the network "{name}" runs on it: choose another link or take that one offline</source>

@@ -7141,6 +7141,10 @@
         <translation>正在显示录制文件：请先关闭（文件，关闭录制）</translation>
     </message>
     <message>
+        <source>a run holds {count} different ones: go offline and online again to watch others</source>
+        <translation>一次运行最多容纳 {count} 个不同的变量：请先离线再上线以监视其他变量</translation>
+    </message>
+    <message>
         <source>no machine runs: go online first</source>
         <translation>没有机器在运行：请先上线</translation>
     </message>
@@ -8115,6 +8119,14 @@
     <message>
         <source>the process image has no such bits</source>
         <translation>过程映像没有这些位</translation>
+    </message>
+    <message>
+        <source>the process image has no such variable of 1 to 64 bits: use its name, or SLAVE.ENTRY with the slave's position or name, e.g. "3.Position actual value"</source>
+        <translation>过程映像中没有这样的 1 到 64 位变量：请使用变量名，或用 SLAVE.ENTRY 的形式给出从站的位置或名称及条目，例如“3.Position actual value”</translation>
+    </message>
+    <message>
+        <source>it could be any of {names}</source>
+        <translation>可能是以下任意一个：{names}</translation>
     </message>
     <message>
         <source>the network "{name}" runs on it: choose another link or take that one offline</source>

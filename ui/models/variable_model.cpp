@@ -104,6 +104,18 @@ bool VariableModel::forced(int row) const {
                              [](std::uint8_t bits) { return bits != 0; });
 }
 
+void VariableModel::setWatched(std::set<QString> inputs, std::set<QString> outputs) {
+  if (inputs == watched_inputs_ && outputs == watched_outputs_) return;
+  watched_inputs_ = std::move(inputs);
+  watched_outputs_ = std::move(outputs);
+  if (!rows_.empty()) Q_EMIT dataChanged(index(0, kMonitor), index(rowCount() - 1, kMonitor));
+}
+
+bool VariableModel::watched(int row) const {
+  const auto& one = rows_[static_cast<std::size_t>(row)];
+  return (one.output ? watched_outputs_ : watched_inputs_).contains(one.entry.name);
+}
+
 int VariableModel::unknownInputs() const {
   return static_cast<int>(std::ranges::count_if(rows_, [this](const Row& row) { return !row.output && !known(row); }));
 }
@@ -116,8 +128,8 @@ int VariableModel::columnCount(const QModelIndex& parent) const { return parent.
 
 QVariant VariableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[kColumns] = {tr("Variable"), tr("Direction"), tr("Type"),  tr("Place"),
-                                    tr("Value"),    tr("Hex"),       tr("Forced")};
+  const QString titles[kColumns] = {tr("Variable"), tr("Direction"), tr("Type"),   tr("Place"),
+                                    tr("Value"),    tr("Hex"),       tr("Forced"), tr("Monitor")};
   return titles[section];
 }
 
@@ -142,6 +154,8 @@ QString VariableModel::text(int row, int column) const {
     }
     case kForced:
       return forced(row) ? tr("forced") : QString();
+    case kMonitor:
+      return watched(row) ? tr("watched") : QString();
     default:
       return {};
   }
@@ -174,14 +188,14 @@ QVariant VariableModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kValue || index.column() == kPlace) return int{Qt::AlignRight | Qt::AlignVCenter};
       return {};
     case Qt::FontRole:
-      if (index.column() >= kValue && forced(row)) {
+      if (index.column() >= kValue && index.column() <= kForced && forced(row)) {
         QFont font;
         font.setBold(true);
         return font;
       }
       return {};
     case Qt::ForegroundRole:
-      if (index.column() >= kValue && forced(row))
+      if (index.column() >= kValue && index.column() <= kForced && forced(row))
         return theme::toneColor(QGuiApplication::palette(), theme::Tone::kWarning);
       return {};
     case kWordsRole:

@@ -5,6 +5,7 @@
 #include <QString>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "channels/image_contents.h"
@@ -18,7 +19,7 @@ class VariableModel final : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column : int { kName, kDirection, kType, kPlace, kValue, kRaw, kForced, kColumns };
+  enum Column : int { kName, kDirection, kType, kPlace, kValue, kRaw, kForced, kMonitor, kColumns };
   enum Role { kWordsRole = Qt::UserRole + 1, kOutputRole, kForcedRole };
 
   struct Row {
@@ -29,7 +30,9 @@ class VariableModel final : public QAbstractTableModel {
     DictionaryEntry entry{};  // name, type and size
     bool operator==(const Row&) const = default;
     /// A value of so many bits fits into a command.
-    [[nodiscard]] bool forcible() const { return output && entry.bits >= 1 && entry.bits <= 64; }
+    [[nodiscard]] bool forcible() const { return output && isNumber(); }
+    /// As the monitor can watch it.
+    [[nodiscard]] bool isNumber() const { return entry.bits >= 1 && entry.bits <= 64; }
   };
 
   explicit VariableModel(QObject* parent = nullptr);
@@ -40,7 +43,11 @@ class VariableModel final : public QAbstractTableModel {
   /// Null: nothing is known. `silent`: of which slaves nothing is known now, by position.
   void setImage(const ImageContents* image, const std::vector<bool>& silent);
 
+  /// Which of them the monitor watches, of inputs and of outputs by their names.
+  void setWatched(std::set<QString> inputs, std::set<QString> outputs);
+
   [[nodiscard]] const Row* row(int row) const;
+  [[nodiscard]] bool watched(int row) const;
   /// As it stands in the image; empty: not known.
   [[nodiscard]] std::vector<std::uint8_t> value(int row) const;
   [[nodiscard]] bool forced(int row) const;
@@ -64,6 +71,7 @@ class VariableModel final : public QAbstractTableModel {
   std::vector<Row> rows_;
   std::optional<ImageContents> image_;
   std::vector<bool> silent_;
+  std::set<QString> watched_inputs_, watched_outputs_;
 };
 
 /// Bits of an image as bytes, the lowest bit first; empty when they reach beyond it.

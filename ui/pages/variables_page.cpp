@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/variables_page.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <set>
 #include <utility>
 
 #include "support/le_number.h"
@@ -68,9 +70,10 @@ VariablesPage::VariablesPage(Workspace& workspace) : Page(workspace, "variablesP
   table_ = named(new QTableView, "variableTable", tr("Variables of the process image"));
   table_->setModel(filter_);
   setUpTable(*table_);
-  const std::pair<VariableModel::Column, int> widths[] = {
-      {VariableModel::kDirection, 80}, {VariableModel::kType, 80}, {VariableModel::kPlace, 70},
-      {VariableModel::kValue, 140},    {VariableModel::kRaw, 130}, {VariableModel::kForced, 80}};
+  const std::pair<VariableModel::Column, int> widths[] = {{VariableModel::kDirection, 80}, {VariableModel::kType, 80},
+                                                          {VariableModel::kPlace, 70},     {VariableModel::kValue, 140},
+                                                          {VariableModel::kRaw, 130},      {VariableModel::kForced, 80},
+                                                          {VariableModel::kMonitor, 80}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   stretchColumn(*table_, VariableModel::kName);
   table_->setTextElideMode(Qt::ElideMiddle);  // slave in front, entry behind
@@ -79,7 +82,14 @@ VariablesPage::VariablesPage(Workspace& workspace) : Page(workspace, "variablesP
   hint_->setMinimumWidth(60);
   layout->addWidget(hint_);
   layout->addWidget(buildForcing());
+  watch_action_ = new QAction(tr("Watch in the Monitor"), table_);
+  watch_action_->setObjectName(QStringLiteral("actionWatchVariable"));
+  watch_action_->setCheckable(true);
+  table_->addAction(watch_action_);
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   setWidget(content);
+  connect(watch_action_, &QAction::triggered, this, &VariablesPage::watch);
+  connect(&workspace.variables(), &VariableWatch::changed, this, &VariablesPage::showWatched);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this, &VariablesPage::showSelected);
   connect(filter_, &QAbstractItemModel::modelReset, this, &VariablesPage::showSelected);
   connect(model_, &VariableModel::forcesChanged, filter_, &VariableFilter::forcesChanged);
@@ -87,6 +97,7 @@ VariablesPage::VariablesPage(Workspace& workspace) : Page(workspace, "variablesP
   connect(&workspace.live(), &LiveSession::phaseChanged, this, [this] {
     if (isVisible()) refresh();
   });
+  showWatched();
   showSelected();
 }
 
@@ -124,7 +135,12 @@ QWidget* VariablesPage::buildForcing() {
   release_ = named(new QPushButton(tr("Re&lease")), "variableRelease", tr("Let the application set this output again"));
   release_all_ = named(new QPushButton(tr("Release All")), "variableReleaseAll", tr("Force no output any more"));
   for (auto* button : {force_, release_, release_all_}) button->setToolTip(button->accessibleName());
+  watch_ = named(new QPushButton(tr("&Watch in the Monitor")), "variableWatch",
+                 tr("Record the variable in every cycle and draw it below the plots"));
+  watch_->setCheckable(true);
+  connect(watch_, &QPushButton::clicked, this, &VariablesPage::watch);
   layout->addWidget(selected_, 1);
+  layout->addWidget(watch_);
   for (QWidget* part : {static_cast<QWidget*>(value_), static_cast<QWidget*>(force_), static_cast<QWidget*>(release_),
                         static_cast<QWidget*>(release_all_)})
     layout->addWidget(part);
@@ -234,6 +250,31 @@ void VariablesPage::enableForcing() {
   force_->setEnabled(runs && typed().has_value());
   release_->setEnabled(runs && one != nullptr && model_->forced(row));
   release_all_->setEnabled(runs && workspace().live().snapshot().forced_bits > 0);
+  const bool watched = one != nullptr && model_->watched(row);
+  const bool full = !watched && !workspace().variables().hasRoom();
+  const bool can = one != nullptr && one->isNumber() && !full;
+  watch_->setEnabled(can);
+  watch_action_->setEnabled(can);
+  watch_->setChecked(watched);
+  watch_action_->setChecked(watched);
+  watch_->setToolTip(full ? tr("%1 variables are watched already: take one away first").arg(kMostWatched)
+                          : watch_->accessibleName());
+}
+
+void VariablesPage::showWatched() {
+  std::set<QString> inputs, outputs;
+  for (const auto& [name, output] : workspace().variables().names())
+    (output ? outputs : inputs).insert(QString::fromStdString(name));
+  model_->setWatched(std::move(inputs), std::move(outputs));
+  enableForcing();
+}
+
+void VariablesPage::watch(bool on) {
+  const auto* row = model_->row(current());
+  if (row == nullptr) return;
+  const VariableName name{row->entry.name.toStdString(), row->output};
+  on ? workspace().variables().add(name) : workspace().variables().remove(name);
+  enableForcing();
 }
 
 void VariablesPage::force() {

@@ -7,6 +7,7 @@
 #include "ui/editors/page.h"
 #include "ui/models/variable_model.h"
 
+class QAction;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -19,7 +20,7 @@ class ValueLabel;
 class VariableFilter;
 
 /// The process image by its variables, of the whole bus or of one slave: where they stand and, while the machine runs,
-/// what is in them. Outputs can be forced.
+/// what is in them. Outputs can be forced, and each can be watched in the monitor.
 class VariablesPage final : public Page {
   Q_OBJECT
 
@@ -44,6 +45,9 @@ class VariablesPage final : public Page {
   void force();
   void release();
   void releaseAll();
+  void showWatched();
+  /// The selected one is watched by the monitor from now on, or no more.
+  void watch(bool on);
   [[nodiscard]] int current() const;
   [[nodiscard]] std::optional<std::uint64_t> typed() const;
 
@@ -53,7 +57,8 @@ class VariablesPage final : public Page {
   QLineEdit *words_, *value_;
   QTableView* table_;
   ValueLabel *hint_, *selected_;
-  QPushButton *force_, *release_, *release_all_;
+  QPushButton *force_, *release_, *release_all_, *watch_;
+  QAction* watch_action_;
   Nanoseconds shown_ = 0;  // time of the image in the table
   bool allowed_ = false;   // the question was answered, for this run
   QString selected_name_;

@@ -15,6 +15,7 @@
 #include <iterator>
 #include <utility>
 
+#include "support/csv_field.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
@@ -59,6 +60,7 @@ DistributionView::DistributionView(const TimeView* view, const CursorSet* cursor
   signals_ = named(new SignalChooser([](const SignalInfo&) { return true; }), "distributionSignals",
                    tr("Signals of the distribution"));
   signals_->setSources({Source{}});
+  connect(signals_, &SignalChooser::variablesWanted, this, &DistributionView::variablesWanted);
   connect(signals_, &SignalChooser::changed, this, [this] {
     moments_->hide();
     plot_->setChosen(-2);
@@ -102,10 +104,10 @@ DistributionView::DistributionView(const TimeView* view, const CursorSet* cursor
   layout->addLayout(body, 1);
 }
 
-void DistributionView::setRecord(const RunRecord* record) {
+void DistributionView::setRecord(const RunRecord* record, bool recorded) {
   for (auto& count : counts_) count.aim(nullptr, 0, 0, {});
   record_ = record;
-  signals_->setRecord(record);
+  signals_->setRecord(record, recorded);
   if (sources().empty()) signals_->setSources({Source{}});
   grid_ = {};
   moments_->hide();
@@ -185,6 +187,7 @@ void DistributionView::showFigures() {
   const QLocale locale;
   const auto unit = [](const Source& source) { return fromView(info(source.signal).unit); };
   const auto number = [&](double value, const Source& source) {
+    if (source.signal == Signal::kVariable) return numberText(value);
     return locale.toString(value, 'f', value == std::floor(value) ? 0 : 2) + u' ' + unit(source);
   };
   const int columns = static_cast<int>(sources().size());
@@ -243,8 +246,9 @@ void DistributionView::listBin(qint64 bin) {
     put(*moments_, i, 0, tr("%1 s").arg(locale.toString(since, 'f', 6)));
     moments_->item(i, 0)->setData(Qt::UserRole, static_cast<qlonglong>(row.hit.time));
     put(*moments_, i, 1,
-        locale.toString(static_cast<double>(row.hit.value), 'g', 7) + u' ' +
-            fromView(info(sources()[row.source].signal).unit));
+        (locale.toString(static_cast<double>(row.hit.value), 'g', 7) + u' ' +
+         fromView(info(sources()[row.source].signal).unit))
+            .trimmed());
     moments_->item(i, 1)->setForeground(plot_colors::trace(palette(), static_cast<int>(row.source)));
   }
   moments_->setColumnWidth(0, 118);
@@ -256,7 +260,8 @@ void DistributionView::listBin(qint64 bin) {
 std::string DistributionView::csv() const {
   const auto& grid = grid_;
   std::string text = "from,to";
-  for (const auto& source : sources()) text += ',' + keyOf(source);
+  for (const auto& source : sources())
+    text += ',' + (record_ == nullptr ? std::string(info(source.signal).key) : csv_field(keyOf(*record_, source)));
   const auto line = [&](const std::string& from, const std::string& to, auto count) {
     text += '\n' + from + ',' + to;
     for (std::size_t i = 0; i < sources().size(); ++i)

@@ -31,7 +31,7 @@ class DistributionView final : public QWidget {
 
   DistributionView(const TimeView* view, const CursorSet* cursors, QWidget* parent = nullptr);
   /// Null: nothing. It must outlive the view or be replaced.
-  void setRecord(const RunRecord* record);
+  void setRecord(const RunRecord* record, bool recorded = false);
   void setSources(std::vector<Source> sources) { signals_->setSources(std::move(sources)); }
   [[nodiscard]] const std::vector<Source>& sources() const { return signals_->sources(); }
   /// Counts a portion and draws what there is; once a tick while it is seen.
@@ -45,6 +45,8 @@ class DistributionView final : public QWidget {
  Q_SIGNALS:
   /// The moment of a sample that was chosen.
   void momentChosen(syncline::Nanoseconds time);
+  /// Variables to be watched besides those that are.
+  void variablesWanted();
 
  private:
   [[nodiscard]] double limit() const;

@@ -17,6 +17,7 @@
 #include "ui/panels/live_strip_toolbar.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
+#include "ui/panels/variables_row.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
@@ -24,6 +25,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kTickMs = 33;
+constexpr int kLeastHeight = 160, kLeastWithVariables = 270;
 constexpr unsigned kTextEvery = 6;         // ticks between updates of numbers: faster cannot be read
 constexpr unsigned kPointedTextEvery = 2;  // the same while a cursor moves
 constexpr unsigned kChooseEvery = 30;      // ticks between choices of the worst slaves
@@ -34,12 +36,19 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   setAccessibleName(tr("Live plots"));
   setFocusPolicy(Qt::ClickFocus);
   plots_ = new QWidget;
-  auto* row = new QHBoxLayout(plots_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* rows = new QVBoxLayout(plots_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(6);
+  auto* row = new QHBoxLayout;
   row->setSpacing(14);
   panels_ = {new DeviationPanel(&view_, &cursors_), new Sm2Panel(&view_, &cursors_), new DcmPanel(&view_, &cursors_)};
-  for (auto* panel : panels_) {
-    row->addWidget(panel, 1);
+  for (auto* panel : panels_) row->addWidget(panel, 1);
+  variables_ = new VariablesRow(&view_, &cursors_);
+  rows->addLayout(row, 1);
+  rows->addWidget(variables_, 1);
+  all_panels_.assign(panels_.begin(), panels_.end());
+  all_panels_.insert(all_panels_.end(), variables_->panels().begin(), variables_->panels().end());
+  for (auto* panel : all_panels_) {
     connect(panel->plot(), &TracePlot::menuRequested, this, &LiveStrip::openMenu);
     connect(panel->plot(), &TracePlot::triggerLevelDragged, this, &LiveStrip::triggerLevelDragged);
     connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::showEventAt);
@@ -65,8 +74,11 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   layout->addWidget(toolbar_);
   layout->addWidget(body, 1);
 
+  // Two rows of plots need more room than one.
+  connect(variables_, &VariablesRow::changed, this,
+          [this] { setMinimumHeight(variables_->isHidden() ? kLeastHeight : kLeastWithVariables); });
   connect(toolbar_, &LiveStripToolbar::fitRequested, this, [this] {
-    for (auto* panel : panels_) panel->plot()->fitValues();
+    for (auto* panel : all_panels_) panel->plot()->fitValues();
   });
   connect(toolbar_, &LiveStripToolbar::cursorsToggled, this, [this](bool on) {
     if (!on) return cursors_.clear();
@@ -90,6 +102,8 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     goTo(time);
   });
   connect(toolbar_, &LiveStripToolbar::triggerWanted, this, &LiveStrip::triggerWanted);
+  connect(distribution_, &DistributionView::variablesWanted, this, &LiveStrip::variablesWanted);
+  connect(stability_, &StabilityView::variablesWanted, this, &LiveStrip::variablesWanted);
   connect(distribution_, &DistributionView::momentChosen, this, &LiveStrip::goTo);
   connect(toolbar_, &LiveStripToolbar::menuRequested, this,
           [this](const QPoint& global) { openMenu(global, cursorPlace()); });
@@ -110,8 +124,9 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   marked_ = 0;
   noted_ = 0;
   for (auto* panel : panels_) panel->setSource(record_);
-  distribution_->setRecord(record_);
-  stability_->setRecord(record_);
+  variables_->setRecord(record_, recorded);
+  distribution_->setRecord(record_, recorded);
+  stability_->setRecord(record_, recorded);
   slaves_->setRecord(record_);
   cycle_->setRecord(record_);
   cursors_.clear();
@@ -120,7 +135,7 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   if (recorded && hasSamples()) {
     followRecord();
     view_.showAll();
-    for (auto* panel : panels_) panel->refreshText(true);
+    for (auto* panel : all_panels_) panel->refreshText(true);
   }
   showState();
 }
@@ -165,7 +180,7 @@ void LiveStrip::setTriggerLevel(const TriggerLevel& level) {
 
 /// Which slaves are drawn changes as they do.
 void LiveStrip::showTriggerLevel() {
-  for (auto* panel : panels_) panel->showTriggerLevel(level_.signal, level_.slave, level_.level);
+  for (auto* panel : all_panels_) panel->showTriggerLevel(level_.signal, level_.slave, level_.level);
 }
 
 /// Events that came since it looked last. What they say in words stands in the messages.
@@ -185,7 +200,7 @@ void LiveStrip::collectMarks() {
     marks_.erase(marks_.begin(), marks_.end() - static_cast<std::ptrdiff_t>(RunRecord::kMostEvents));
   }
   marked_ = all;
-  for (auto* panel : panels_) panel->plot()->markDirty();
+  for (auto* panel : all_panels_) panel->plot()->markDirty();
   slaves_->plot()->markDirty();
 }
 
@@ -226,10 +241,11 @@ void LiveStrip::refresh() {
 void LiveStrip::tick() {
   if (window()->isMinimized()) return;
   if (hasSamples()) followRecord();
+  variables_->follow();
   if (ticks_ % kTextEvery == 0 || (text_wanted_ && ticks_ % kPointedTextEvery == 0)) {
     text_wanted_ = false;
     const bool moving = view_.mode() == TimeView::Mode::kLive;
-    for (auto* panel : panels_) panel->refreshText(moving && ticks_ % kChooseEvery == 0);
+    for (auto* panel : all_panels_) panel->refreshText(moving && ticks_ % kChooseEvery == 0);
     showTriggerLevel();
     showState();
   }
@@ -240,7 +256,7 @@ void LiveStrip::tick() {
   if (body_ == Body::kStability && isVisible()) return stability_->refresh();
   if (body_ == Body::kSlaves && isVisible()) return slaves_->refresh();
   if (body_ == Body::kCycle && isVisible()) return cycle_->refresh();
-  for (auto* panel : panels_) panel->plot()->refresh();
+  for (auto* panel : all_panels_) panel->plot()->refresh();
 }
 
 void LiveStrip::showState() {
@@ -260,12 +276,12 @@ void LiveStrip::showBody(Body body) {
   toolbar_->setWanted(body == Body::kDistribution, body == Body::kStability, body == Body::kSlaves,
                       body == Body::kCycle);
   showState();
-  for (auto* panel : panels_) panel->plot()->markDirty();
+  for (auto* panel : all_panels_) panel->plot()->markDirty();
   refresh();
 }
 
 void LiveStrip::applyTheme() {
-  for (auto* panel : panels_) panel->applyTheme();
+  for (auto* panel : all_panels_) panel->applyTheme();
   auto colors = empty_->palette();
   colors.setColor(QPalette::WindowText, theme::mutedText(palette()));
   empty_->setPalette(colors);
@@ -279,7 +295,7 @@ void LiveStrip::changeEvent(QEvent* event) {
 
 void LiveStrip::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  for (auto* panel : panels_) panel->plot()->markDirty();
+  for (auto* panel : all_panels_) panel->plot()->markDirty();
   tick_.start();
 }
 
@@ -312,7 +328,7 @@ void LiveStrip::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Space:
       return view_.mode() == TimeView::Mode::kLive ? view_.freeze() : view_.goLive();
     case Qt::Key_F:
-      for (auto* panel : panels_) panel->plot()->fitValues();
+      for (auto* panel : all_panels_) panel->plot()->fitValues();
       return;
     case Qt::Key_A:
       return cursors_.set(CursorSet::kA, cursorPlace());

@@ -24,8 +24,10 @@ class DistributionView;
 class LiveStripToolbar;
 class SlavesView;
 class StabilityView;
+class VariablesRow;
 
-/// Three plots over one time axis: DC deviation, missed SM2 events, DCM error. Draws what a run's record holds on a
+/// Three plots over one time axis: DC deviation, missed SM2 events, DCM error; below them those of the variables that
+/// are watched. Draws what a run's record holds on a
 /// tick of its own, only what can be seen; names and limits are those of the configuration that runs.
 class LiveStrip : public QWidget {
   Q_OBJECT
@@ -48,7 +50,7 @@ class LiveStrip : public QWidget {
   /// The level of a trigger, drawn where its signal is; nothing: none.
   struct TriggerLevel {
     Signal signal = Signal::kDeviation;
-    std::size_t slave = 0;
+    std::size_t slave = 0;  // or the variable's number
     std::optional<double> level;
   };
   void setTriggerLevel(const TriggerLevel& level);
@@ -61,6 +63,7 @@ class LiveStrip : public QWidget {
   [[nodiscard]] CursorSet* cursors() { return &cursors_; }
   [[nodiscard]] const SampleStore* store() const { return record_ == nullptr ? nullptr : &record_->samples(); }
   [[nodiscard]] const std::array<TracePanel*, 3>& panels() const { return panels_; }
+  [[nodiscard]] VariablesRow* variables() const { return variables_; }
   [[nodiscard]] DistributionView* distribution() const { return distribution_; }
   [[nodiscard]] StabilityView* stability() const { return stability_; }
   [[nodiscard]] SlavesView* slaves() const { return slaves_; }
@@ -86,6 +89,8 @@ class LiveStrip : public QWidget {
   void triggerLevelDragged(double level);
   /// A slave of the run, by position, was chosen.
   void slaveWanted(int position);
+  /// The page on which variables are chosen to be watched.
+  void variablesWanted();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -124,6 +129,8 @@ class LiveStrip : public QWidget {
   SlavesView* slaves_;
   CycleView* cycle_;
   std::array<TracePanel*, 3> panels_{};
+  VariablesRow* variables_;
+  std::vector<TracePanel*> all_panels_;  // those of the variables, too
   QTimer tick_;
   unsigned ticks_ = 0;
   std::vector<EventMark> marks_;  // of the record's events, by time

@@ -49,15 +49,19 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
   std::vector<CsvColumn> columns;
   if (record_ == nullptr) return series_csv(columns, 0, 0, 0);
   const auto& samples = record_->samples();
+  using Scope = SignalInfo::Scope;
   for (const auto& signal : signals()) {
     // Made for all slaves at once it would take as much room as everything else; the distribution saves it.
     if (signal.form == SignalInfo::Form::kCell || signal.form == SignalInfo::Form::kDerived) continue;
-    const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
-    for (std::size_t slave = 0; slave < (of_slaves ? samples.slave_count() : 1); ++slave) {
-      const auto& series = samples.series(signal.id, slave);
+    const auto count = signal.scope == Scope::kSlave      ? samples.slave_count()
+                       : signal.scope == Scope::kVariable ? samples.watched().variables().size()
+                                                          : 1;
+    for (std::size_t number = 0; number < count; ++number) {
+      const auto& series = samples.series(signal.id, number);
       if (series.empty()) continue;
       auto name = std::string(signal.key);
-      if (of_slaves) name += " " + record_->slave_name(slave);
+      if (signal.scope == Scope::kSlave) name += " " + record_->slave_name(number);
+      if (signal.scope == Scope::kVariable) name = samples.watched().variables()[number].name;
       columns.push_back({std::move(name), &series});
     }
   }
@@ -75,7 +79,7 @@ Picture LiveStrip::picture() {
     auto* shown = body();
     const auto colours = shown->palette();
     shown->setPalette(printPalette());
-    for (auto* panel : panels_) panel->applyTheme();
+    for (auto* panel : all_panels_) panel->applyTheme();
     if (body_ == Body::kDistribution) distribution_->refresh();
     if (body_ == Body::kStability) stability_->refresh();
     if (body_ == Body::kSlaves) slaves_->refresh();
@@ -85,7 +89,7 @@ Picture LiveStrip::picture() {
     painter.setFont(font());
     painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter, title);
     shown->setPalette(colours);
-    for (auto* panel : panels_) panel->applyTheme();
+    for (auto* panel : all_panels_) panel->applyTheme();
   };
   return {size + QSize(2 * kMargin, 2 * kMargin + kCaption), logicalDpiX(), title, paint};
 }
@@ -134,10 +138,10 @@ void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
   menu->addSeparator();
   menu->addAction(tr("Show everything"), this, [this] { view_.showAll(); });
   menu->addAction(tr("Fit values"), this, [this] {
-    for (auto* panel : panels_) panel->plot()->fitValues();
+    for (auto* panel : all_panels_) panel->plot()->fitValues();
   });
   auto* hold = menu->addAction(tr("Keep the value axes as they are"), this, [this](bool on) {
-    for (auto* panel : panels_) {
+    for (auto* panel : all_panels_) {
       const auto& range = panel->plot()->valueRange();
       on ? panel->plot()->fixValues(range.low(), range.high()) : panel->plot()->fitValues();
     }

@@ -17,17 +17,30 @@ SignalChooser::SignalChooser(bool (*suits)(const SignalInfo&), QWidget* parent) 
   connect(menu(), &QMenu::aboutToShow, this, &SignalChooser::fill);
 }
 
-void SignalChooser::setRecord(const RunRecord* record) {
+void SignalChooser::setRecord(const RunRecord* record, bool recorded) {
   record_ = record;
+  recorded_ = recorded;
   if (record == nullptr) return;
-  std::erase_if(sources_, [&](const SignalSource& source) {
-    return info(source.signal).scope == SignalInfo::Scope::kSlave && source.slave >= record->samples().slave_count();
-  });
+  const auto& there = record->watched().variables();
+  auto variable = variables_.begin();
+  for (auto& source : sources_) {
+    if (source.signal != Signal::kVariable) continue;
+    source.slave = static_cast<std::size_t>(std::ranges::find(there, *variable++) - there.begin());
+  }
+  std::erase_if(sources_, [&](const SignalSource& source) { return !isThere(*record, source); });
+  std::erase_if(variables_, [&](const WatchedVariable& one) { return std::ranges::find(there, one) == there.end(); });
 }
 
 void SignalChooser::setSources(std::vector<SignalSource> sources) {
+  std::erase_if(sources, [this](const SignalSource& source) {
+    return record_ == nullptr ? source.signal == Signal::kVariable : !isThere(*record_, source);
+  });
   sources.resize(std::min(sources.size(), kMost));
   sources_ = std::move(sources);
+  variables_.clear();
+  for (const auto& source : sources_) {
+    if (source.signal == Signal::kVariable) variables_.push_back(record_->watched().variables()[source.slave]);
+  }
   Q_EMIT changed();
 }
 
@@ -63,6 +76,19 @@ void SignalChooser::fill() {
   }
   // Where no slave has SYNC0 it would open nothing.
   if (phases != nullptr) phases->menuAction()->setVisible(!phases->isEmpty());
+  if (suits_(info(Signal::kVariable))) fillVariables(*menu()->addMenu(tr("Variable of the process image")));
+}
+
+void SignalChooser::fillVariables(QMenu& menu) {
+  for (std::size_t number = 0; number < record_->watched().variables().size(); ++number) {
+    const SignalSource variable{Signal::kVariable, number};
+    offer(menu, nameOf(*record_, variable), variable);
+  }
+  if (!recorded_) {
+    menu.addSeparator();
+    menu.addAction(tr("Watch others…"), this, &SignalChooser::variablesWanted);
+  }
+  menu.menuAction()->setVisible(!menu.isEmpty());
 }
 
 }  // namespace syncline::ui

@@ -17,7 +17,8 @@ std::string SlavesView::csv() const {
   if (record_ == nullptr) return text + '\n';
   for (const auto& row : plot_->rows()) {
     if (row.is_reference || row.slave >= cells.slaves()) continue;
-    text += ',' + csv_field(keyOf({Signal::kSlaveDeviation, row.slave}) + ' ' + record_->slave_name(row.slave));
+    text +=
+        ',' + csv_field(keyOf(*record_, {Signal::kSlaveDeviation, row.slave}) + ' ' + record_->slave_name(row.slave));
     columns.push_back(cells.row(row.slave));
   }
   text += '\n';

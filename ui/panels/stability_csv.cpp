@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "support/csv_field.h"
 #include "ui/panels/stability_view.h"
 
 namespace syncline::ui {
@@ -30,14 +31,17 @@ void addAmplitudes(std::string& text, const std::string& key, const Spectrum& sp
 
 std::string StabilityView::csv() const {
   const bool spectrum = figure() == Figure::kSpectrum;
-  std::string text =
-      spectrum ? "signal,frequency_hz,amplitude_ns\n" : "signal,tau_s,adev,mdev,tdev_ns,mtie_ns,windows\n";
+  // What variables count nobody knows here.
+  const std::string unit = ofVariables() ? "" : "_ns";
+  auto text = spectrum ? fmt::format("signal,frequency_hz,amplitude{}\n", unit)
+                       : fmt::format("signal,tau_s,adev,mdev,tdev{},mtie{},windows\n", unit, unit);
   for (const auto& studied : studied_) {
     if (studied.study == nullptr) continue;
+    const auto key = csv_field(keyOf(*record_, studied.source));
     if (spectrum) {
-      addAmplitudes(text, keyOf(studied.source), studied.study->spectrum);
+      addAmplitudes(text, key, studied.study->spectrum);
     } else {
-      addFigures(text, keyOf(studied.source), *studied.study);
+      addFigures(text, key, *studied.study);
     }
   }
   return text;

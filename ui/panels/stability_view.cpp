@@ -25,11 +25,15 @@ namespace syncline::ui {
 namespace {
 
 constexpr std::size_t kCopiedATick = 1'000'000;  // samples: some milliseconds
-constexpr double kUnit = 1e-9;                   // of the signals that are offered: ns
+constexpr double kUnit = 1e-9;                   // of the signals that are times: ns
 constexpr int kWordsWidth = 300;
 
-/// Times that come at even distances. What comes only when something is late has none.
-bool isEven(const SignalInfo& row) { return row.unit == "ns" && row.id != Signal::kFrameLateBy; }
+/// Times that come at even distances, and variables. What comes only when something is late has none.
+bool isEven(const SignalInfo& row) {
+  return (row.unit == "ns" && row.id != Signal::kFrameLateBy) || row.id == Signal::kVariable;
+}
+
+bool isVariable(const SignalSource& source) { return source.signal == Signal::kVariable; }
 
 double figureOf(const StabilityPoint& point, StabilityView::Figure figure) {
   switch (figure) {
@@ -71,8 +75,17 @@ StabilityView::StabilityView(const TimeView* view, const CursorSet* cursors, QWi
   words_->document()->setDocumentMargin(2);
   connect(signals_, &SignalChooser::changed, this, [this] {
     signals_chosen_ = true;
+    // Times and variables have no axis in common: what was chosen last stays.
+    const auto kind = sources().empty() || isVariable(sources().back());
+    const auto other = [kind](const SignalSource& source) { return isVariable(source) != kind; };
+    if (!sources().empty() && std::ranges::any_of(sources(), other)) {
+      auto alike = sources();
+      std::erase_if(alike, other);
+      return signals_->setSources(std::move(alike));
+    }
     refresh();
   });
+  connect(signals_, &SignalChooser::variablesWanted, this, &StabilityView::variablesWanted);
   const auto draw_anew = [this] {
     dirty_ = true;
     refresh();
@@ -106,10 +119,10 @@ StabilityView::StabilityView(const TimeView* view, const CursorSet* cursors, QWi
   layout->addLayout(body, 1);
 }
 
-void StabilityView::setRecord(const RunRecord* record) {
+void StabilityView::setRecord(const RunRecord* record, bool recorded) {
   forget();
   record_ = record;
-  signals_->setRecord(record);
+  signals_->setRecord(record, recorded);
 }
 
 void StabilityView::setSources(std::vector<SignalSource> sources) { signals_->setSources(std::move(sources)); }
@@ -187,7 +200,7 @@ void StabilityView::refresh() {
   startNext(wanted);
   if (job_ && !worker_.isBusy() && gathering_.work(kCopiedATick)) {
     const auto longest = gathering_.longest();
-    worker_.start(gathering_.take(), longest, kUnit);
+    worker_.start(gathering_.take(), longest, isVariable(job_->source) ? 1 : kUnit);
   }
   if (std::exchange(dirty_, false)) draw();
   showState();
@@ -228,18 +241,23 @@ LogLogPlot::Limit StabilityView::limit() const {
   return {most, tr("at most %1, limit %2").arg(quantityText(Quantity::kNanoseconds, most), limitName(source))};
 }
 
+bool StabilityView::ofVariables() const { return !sources().empty() && isVariable(sources().front()); }
+
+/// Of what varies.
+Quantity StabilityView::quantity() const { return ofVariables() ? Quantity::kRatio : Quantity::kNanoseconds; }
+
 LogLogPlot::Axes StabilityView::axes() const {
   switch (figure()) {
     case Figure::kAdev:
       return {Quantity::kSeconds, Quantity::kRatio, tr("ADEV over the observation time \u03C4")};
     case Figure::kTdev:
-      return {Quantity::kSeconds, Quantity::kNanoseconds, tr("TDEV over the observation time \u03C4")};
+      return {Quantity::kSeconds, quantity(), tr("TDEV over the observation time \u03C4")};
     case Figure::kMtie:
-      return {Quantity::kSeconds, Quantity::kNanoseconds, tr("MTIE over the observation time \u03C4")};
+      return {Quantity::kSeconds, quantity(), tr("MTIE over the observation time \u03C4")};
     case Figure::kSpectrum:
       break;
   }
-  return {Quantity::kHertz, Quantity::kNanoseconds, tr("Amplitude over the frequency")};
+  return {Quantity::kHertz, quantity(), tr("Amplitude over the frequency")};
 }
 
 LogLogPlot::Curve StabilityView::curveOf(const Studied& studied, int number) const {
@@ -285,13 +303,12 @@ QString StabilityView::linesTable(const Studied& studied) const {
   int number = 0;
   for (const auto& peak : spectrum.peaks) {
     const auto cause = causeText(peak, known, *studied.study);
-    html +=
-        QStringLiteral(
-            "<tr><td>%1&nbsp;</td><td align=\"right\">%2&nbsp;</td><td align=\"right\">%3&nbsp;&nbsp;"
-            "</td><td>%4</td></tr>")
-            .arg(++number)
-            .arg(quantityText(Quantity::kHertz, peak.frequency), quantityText(Quantity::kNanoseconds, peak.amplitude),
-                 cause.isEmpty() ? noText() : cause.toHtmlEscaped());
+    html += QStringLiteral(
+                "<tr><td>%1&nbsp;</td><td align=\"right\">%2&nbsp;</td><td align=\"right\">%3&nbsp;&nbsp;"
+                "</td><td>%4</td></tr>")
+                .arg(++number)
+                .arg(quantityText(Quantity::kHertz, peak.frequency), quantityText(quantity(), peak.amplitude),
+                     cause.isEmpty() ? noText() : cause.toHtmlEscaped());
   }
   return html + QStringLiteral("</table>") +
          paragraph(tr("Lines are named by their frequency alone: a hint, no proof."));
@@ -300,7 +317,7 @@ QString StabilityView::linesTable(const Studied& studied) const {
 QStringList StabilityView::sentences(const Studied& studied) const {
   const auto& study = *studied.study;
   QStringList said;
-  if (figure() != Figure::kSpectrum || study.used == 0) said << verdictText(study);
+  if (figure() != Figure::kSpectrum || study.used == 0) said << verdictText(study, quantity());
   const double limit = limitOf(record_->limits(), studied.source.signal);
   if (figure() == Figure::kMtie && limit > 0)
     said << limitText(study, bound(studied.source), limitName(studied.source));

@@ -22,8 +22,8 @@ namespace syncline::ui {
 class ValueLabel;
 
 /// How signals behave over observation times: Allan deviation, time deviation, MTIE, or the spectrum, of up to four
-/// signals, with what that means in words. Samples are copied a portion a tick, figures are made in a thread of their
-/// own: the window never waits.
+/// times or up to four variables, with what that means in words. Samples are copied a portion a tick, figures are made
+/// in a thread of their own: the window never waits.
 class StabilityView final : public QWidget {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class StabilityView final : public QWidget {
 
   StabilityView(const TimeView* view, const CursorSet* cursors, QWidget* parent = nullptr);
   /// Null: nothing. It must outlive the view or be replaced.
-  void setRecord(const RunRecord* record);
+  void setRecord(const RunRecord* record, bool recorded = false);
   void setSources(std::vector<SignalSource> sources);
   [[nodiscard]] const std::vector<SignalSource>& sources() const { return signals_->sources(); }
   void setFigure(Figure figure);
@@ -45,6 +45,10 @@ class StabilityView final : public QWidget {
   [[nodiscard]] QString words() const;
   /// What is drawn, as a table; C locale.
   [[nodiscard]] std::string csv() const;
+
+ Q_SIGNALS:
+  /// Variables to be watched besides those that are.
+  void variablesWanted();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -66,6 +70,8 @@ class StabilityView final : public QWidget {
   [[nodiscard]] Figure figure() const;
   [[nodiscard]] LogLogPlot::Curve curveOf(const Studied& studied, int number) const;
   [[nodiscard]] LogLogPlot::Curve spectrumOf(const Studied& studied, int number) const;
+  [[nodiscard]] bool ofVariables() const;
+  [[nodiscard]] Quantity quantity() const;
   [[nodiscard]] LogLogPlot::Axes axes() const;
   [[nodiscard]] LogLogPlot::Limit limit() const;
   [[nodiscard]] double bound(const SignalSource& source) const;

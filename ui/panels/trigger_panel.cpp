@@ -39,6 +39,7 @@ QString triggerSignal(Signal signal) {
   if (signal == Signal::kArrivalPhase) return TriggerPanel::tr("Arrival phase of a slave");
   if (signal == Signal::kSetpointSlips) return TriggerPanel::tr("Setpoint slips of a slave");
   if (signal == Signal::kSlaveDeviation) return TriggerPanel::tr("Deviation of a slave");
+  if (signal == Signal::kVariable) return TriggerPanel::tr("A watched variable");
   return signalText(signal);
 }
 
@@ -51,8 +52,10 @@ QString valueOf(Signal signal, double value) {
   const auto& row = info(signal);
   if (row.unit == "ns") return signedTimeText(static_cast<Nanoseconds>(std::llround(value)));
   if (row.unit == "ppm") return ppmText(value);
-  return QLocale().toString(value, 'g', 10);
+  return signal == Signal::kVariable ? numberText(value) : QLocale().toString(value, 'g', 10);
 }
+
+constexpr double kLargestTime = 2e9, kLargestValue = 1e12;  // of the fields
 
 bool ofSlave(int source) {
   return source == kEventSource || info(static_cast<Signal>(source)).scope == SignalInfo::Scope::kSlave;
@@ -81,6 +84,8 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
   source_ =
       choice("triggerSource", tr("What the trigger watches"), tr("A signal, in every cycle of it, or an event"), 14);
   slave_ = choice("triggerSlave", tr("Slave of the trigger"), tr("Whose signal or event"), 8);
+  variable_ = choice("triggerVariable", tr("Variable of the trigger"),
+                     tr("Which variable; they are watched on the page Variables"), 18);
   condition_ = choice("triggerCondition", tr("Condition of the trigger"), tr("What the signal does"), 10);
   condition_->addItems({tr("rises to"), tr("falls to"), tr("crosses"), tr("leaves"), tr("enters")});
   event_ = choice("triggerEvent", tr("Event of the trigger"), tr("Which event"), 22);
@@ -127,7 +132,7 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
     label->setBuddy(field);
     return label;
   };
-  addLine({source_, slave_, magnitude_});
+  addLine({source_, slave_, variable_, magnitude_});
   addLine({condition_, event_, level_, low_, high_, labelFor(tr("Hold-off"), hold_off_), hold_off_});
   addLine({mode_, labelFor(tr("Before"), pre_), pre_, labelFor(tr("After"), post_), post_});
   fields->addStretch(1);
@@ -204,7 +209,7 @@ QComboBox* TriggerPanel::choice(const char* name, const QString& accessible, con
 QDoubleSpinBox* TriggerPanel::number(const char* name, const QString& accessible, const QString& tip) {
   auto* spin = named(new QDoubleSpinBox, name, accessible);
   spin->setToolTip(tip);
-  spin->setRange(-2e9, 2e9);
+  spin->setRange(-kLargestTime, kLargestTime);
   spin->setDecimals(0);
   spin->setKeyboardTracking(false);
   spin->setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -252,6 +257,18 @@ void TriggerPanel::fillSlaves() {
   slave_->setCurrentIndex(std::max(slave_->findData(wanted), 0));
 }
 
+void TriggerPanel::fillVariables() {
+  variable_->clear();
+  const auto name = [](const std::string& text) { return QString::fromStdString(text); };
+  if (const auto* record = monitor_.record()) {
+    for (const auto& variable : record->watched().variables()) variable_->addItem(name(variable.name));
+  }
+  // It stays as it was set, also where this run does not have it.
+  const auto wanted = name(monitor_.trigger().variable);
+  if (variable_->findText(wanted) < 0 && !wanted.isEmpty()) variable_->addItem(wanted);
+  variable_->setCurrentIndex(std::max(variable_->findText(wanted), 0));
+}
+
 void TriggerPanel::showTrigger() {
   showing_ = true;
   const auto& trigger = monitor_.trigger();
@@ -260,6 +277,9 @@ void TriggerPanel::showTrigger() {
   source_->setCurrentIndex(source_->findData(event ? kEventSource : static_cast<int>(trigger.signal)));
   fillSlaves();
   slave_->setVisible(ofSlave(source_->currentData().toInt()));
+  fillVariables();
+  const bool variable = !event && trigger.signal == Signal::kVariable;
+  variable_->setVisible(variable);
   condition_->setCurrentIndex(band ? (trigger.enters ? kEnters : kLeaves) : static_cast<int>(trigger.edge));
   condition_->setVisible(!event);
   event_->setCurrentIndex(std::max(event_->findData(QString::fromStdString(trigger.code)), 0));
@@ -267,7 +287,9 @@ void TriggerPanel::showTrigger() {
   const auto unit = fromView(info(trigger.signal).unit);
   for (auto* spin : {level_, low_, high_}) {
     spin->setSuffix(unit.isEmpty() ? QString() : u' ' + unit);
-    spin->setDecimals(unit == QLatin1String("ppm") ? 3 : 0);
+    spin->setDecimals(unit == QLatin1String("ppm") || variable ? 3 : 0);
+    const double largest = variable ? kLargestValue : kLargestTime;
+    spin->setRange(-largest, largest);
   }
   level_->setValue(trigger.level);
   low_->setValue(trigger.low);
@@ -298,6 +320,8 @@ Trigger TriggerPanel::fields() const {
   if (condition < kLeaves) trigger.edge = static_cast<Trigger::Edge>(condition);
   trigger.enters = condition == kEnters;
   trigger.slave = slave_->currentIndex() < 0 ? -1 : slave_->currentData().toInt();
+  if (trigger.kind != Trigger::Kind::kEvent && trigger.signal == Signal::kVariable)
+    trigger.variable = variable_->currentText().toStdString();
   // A signal is always somebody's.
   if (source != kEventSource && ofSlave(source)) trigger.slave = std::max(trigger.slave, 0);
   trigger.code = event_->currentData().toString().toStdString();
@@ -331,7 +355,8 @@ QString TriggerPanel::causeText(const TriggerEpisode& episode) const {
   auto text = trigger.kind == Trigger::Kind::kEvent
                   ? eventTitle(trigger.code)
                   : tr("%1 %2: %3")
-                        .arg(source_->currentText(), condition_->currentText(), valueOf(trigger.signal, episode.value));
+                        .arg(trigger.signal == Signal::kVariable ? variable_->currentText() : source_->currentText(),
+                             condition_->currentText(), valueOf(trigger.signal, episode.value));
   if (episode.left_out > 0) text += tr(" (%1 more in the hold-off)").arg(countText(episode.left_out));
   return text;
 }

@@ -39,6 +39,7 @@ class TriggerPanel final : public QWidget {
   QDoubleSpinBox* number(const char* name, const QString& accessible, const QString& tip);
   void fillSources();
   void fillSlaves();
+  void fillVariables();
   void showTrigger();
   void showEpisodes();
   void enableExports();
@@ -49,7 +50,7 @@ class TriggerPanel final : public QWidget {
   [[nodiscard]] const TriggerEpisode* chosen() const;
 
   TriggerMonitor& monitor_;
-  QComboBox *source_, *slave_, *condition_, *event_, *mode_;
+  QComboBox *source_, *slave_, *variable_, *condition_, *event_, *mode_;
   QDoubleSpinBox *level_, *low_, *high_, *pre_, *post_, *hold_off_;
   QCheckBox* magnitude_;
   QPushButton* arm_;

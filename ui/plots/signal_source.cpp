@@ -8,23 +8,33 @@
 namespace syncline::ui {
 namespace {
 
-bool isOfSlave(Signal signal) { return info(signal).scope == SignalInfo::Scope::kSlave; }
+using Scope = SignalInfo::Scope;
+
+bool isOfSlave(Signal signal) { return info(signal).scope == Scope::kSlave; }
+bool isOfVariable(Signal signal) { return info(signal).scope == Scope::kVariable; }
 
 }  // namespace
 
+bool isThere(const RunRecord& record, const SignalSource& source) {
+  if (isOfSlave(source.signal)) return source.slave < record.samples().slave_count();
+  return !isOfVariable(source.signal) || source.slave < record.watched().variables().size();
+}
+
 const MinMaxSeries& seriesOf(const RunRecord& record, const SignalSource& source) {
-  return isOfSlave(source.signal) ? record.samples().series(source.signal, source.slave)
-                                  : record.samples().series(source.signal);
+  return info(source.signal).scope == Scope::kBus ? record.samples().series(source.signal)
+                                                  : record.samples().series(source.signal, source.slave);
 }
 
 QString nameOf(const RunRecord& record, const SignalSource& source) {
+  if (isOfVariable(source.signal)) return QString::fromStdString(record.watched().variables().at(source.slave).name);
   if (!isOfSlave(source.signal)) return signalText(source.signal);
   const auto slave =
       u'#' + QString::number(source.slave) + u' ' + QString::fromStdString(record.slave_name(source.slave));
   return source.signal == Signal::kArrivalPhase ? slave + QStringLiteral(": ") + signalText(source.signal) : slave;
 }
 
-std::string keyOf(const SignalSource& source) {
+std::string keyOf(const RunRecord& record, const SignalSource& source) {
+  if (isOfVariable(source.signal)) return record.watched().variables().at(source.slave).name;
   const auto key = info(source.signal).key;
   return isOfSlave(source.signal) ? fmt::format("{} #{}", key, source.slave) : std::string(key);
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "trace/statistics.h"
+#include "ui/plots/signal_source.h"
 #include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/value_label.h"
@@ -44,6 +45,11 @@ TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, 
   layout->addWidget(legend_);
   layout->addWidget(plot_, 1);
   heading_->setBuddy(plot_);
+  setTitle(title);
+}
+
+void TracePanel::setTitle(const QString& title) {
+  heading_->setText(title);
   plot_->setAccessibleName(title);
   legend_->setAccessibleName(tr("Legend: %1").arg(title));
   readout_->setAccessibleName(tr("Figures: %1").arg(title));
@@ -136,10 +142,9 @@ void TracePanel::draw(SeriesItem& item, Signal signal, std::size_t slave) const 
 }
 
 void TracePanel::showTriggerLevel(Signal signal, std::size_t slave, std::optional<double> level) {
-  const bool of_slaves = info(signal).scope == SignalInfo::Scope::kSlave;
   bool drawn = false;
-  if (source_ != nullptr && (!of_slaves || slave < store().slave_count())) {
-    const auto* series = &store().series(signal, of_slaves ? slave : 0);
+  if (source_ != nullptr && isThere(*source_, {signal, slave})) {
+    const auto* series = &seriesOf(*source_, {signal, slave});
     for (const auto* item : plot_->items()) drawn = drawn || (item->isVisible() && item->series() == series);
   }
   plot_->setTriggerLevel(drawn ? level : std::nullopt);

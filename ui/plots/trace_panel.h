@@ -51,6 +51,7 @@ class TracePanel : public QWidget {
   [[nodiscard]] virtual const SeriesItem* primary() const = 0;
   [[nodiscard]] virtual QString valueText(double value) const = 0;
 
+  void setTitle(const QString& title);
   [[nodiscard]] bool hasSource() const { return source_ != nullptr; }
   [[nodiscard]] const RunRecord& source() const { return *source_; }
   [[nodiscard]] const SampleStore& store() const { return source_->samples(); }

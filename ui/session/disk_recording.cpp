@@ -31,6 +31,9 @@ void DiskRecording::connectRun() {
     recorder_->add(samples);
     tellStanding();
   });
+  connect(&run_, &NetworkRun::watchChanged, this, [this](const std::vector<WatchedVariable>& variables) {
+    if (recorder_) recorder_->tell(variables);
+  });
   connect(&run_, &NetworkRun::snapshotChanged, this, [this] {
     if (recorder_) recorder_->add(run_.snapshot());
   });

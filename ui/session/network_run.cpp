@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/network_run.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -34,10 +36,13 @@ Status NetworkRun::goOnline(const QString& link, RunOrigin origin) {
   master_ = std::move(*master);
   link_ = link;
   origin_ = std::move(origin);
-  const auto before = std::exchange(record_, std::make_unique<RunRecord>(origin_.config));
+  auto record = std::make_unique<RunRecord>(origin_.config);
+  if (const auto variables = watchedOf(origin_.config, watched_); !variables.empty()) (void)record->watch(variables);
+  const auto before = std::exchange(record_, std::move(record));
   Q_EMIT recordChanged();
   snapshot_ = Snapshot{};
   image_ = ImageContents{};
+  if (!record_->watched().lists().empty()) send(record_->watched().command());
   send(GoOnlineCommand{record_->config(), AlState::kOp});
   setPhase(Phase::kStarting);
   if (!master_->is_virtual() || auto_advance_) master_->start();
@@ -108,6 +113,21 @@ void NetworkRun::releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size)
 
 void NetworkRun::releaseAllOutputs() {
   if (master_) send(ReleaseAllOutputsCommand{});
+}
+
+Status NetworkRun::watch(std::vector<VariableName> names) {
+  watched_ = std::move(names);
+  if (!master_) return {};
+  const auto variables = watchedOf(record_->config(), watched_);
+  if (variables == record_->watched().latest()) return {};
+  if (!record_->watch(variables)) {
+    return fail(ErrorCode::kNotSupported, "variables",
+                fmt::format("a run holds {} different ones: go offline and online again to watch others",
+                            WatchLists::kMostVariables));
+  }
+  send(record_->watched().command());
+  Q_EMIT watchChanged(variables);
+  return {};
 }
 
 /// A master that has stopped listening is told like whatever else goes wrong with it.

@@ -18,6 +18,7 @@
 #include "record/run_record.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
+#include "ui/session/variable_watch.h"
 
 namespace syncline::ui {
 
@@ -63,6 +64,10 @@ class NetworkRun final : public QObject {
   void releaseOutput(std::uint32_t bit_offset, std::uint32_t bit_size);
   void releaseAllOutputs();
 
+  /// Which variables the samples hold from now on, those that the running configuration has; in later runs, too. A run
+  /// keeps WatchLists::kMostVariables in all: kNotSupported where these are more, and it goes on with those before.
+  Status watch(std::vector<VariableName> names);
+
   /// Runs `duration` of machine time at once and drains the channels; virtual clock only.
   void advance(Nanoseconds duration);
   /// Whether a virtual clock runs by itself; tests switch it off before going online and call advance().
@@ -92,6 +97,8 @@ class NetworkRun final : public QObject {
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);
   void eventArrived(const syncline::Event& event);
   void noteAdded(const syncline::RunNote& note);
+  /// Other variables than before: samples of a list after the latest of the record's may come.
+  void watchChanged(const std::vector<syncline::WatchedVariable>& variables);
   /// All channels have been looked at, whether there was something or not.
   void drained();
 
@@ -111,6 +118,7 @@ class NetworkRun final : public QObject {
   QString link_;
   RunOrigin origin_;
   std::unique_ptr<RunRecord> record_;
+  std::vector<VariableName> watched_;
   Snapshot snapshot_;
   ImageContents image_;
   std::vector<CycleSample> samples_;

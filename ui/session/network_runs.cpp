@@ -37,6 +37,7 @@ NetworkSession* NetworkRuns::make() {
   auto* session = new NetworkSession(
       environment_, [this](const NetworkSession& of) { return boxName(of); }, this);
   session->frames.setWish(black_box_);
+  (void)session->run.watch(watched_);
   listen(*session);
   return session;
 }
@@ -121,6 +122,15 @@ void NetworkRuns::tell() {
 
 void NetworkRuns::setLink(const QString& link) {
   if (std::exchange(current().link, link) != link) Q_EMIT linkChanged();
+}
+
+Status NetworkRuns::watch(const std::vector<VariableName>& names) {
+  watched_ = names;
+  Status status;
+  for (auto* session : sessions_) {
+    if (auto taken = session->run.watch(names); !taken) status = std::move(taken);
+  }
+  return status;
 }
 
 int NetworkRuns::userOf(const QString& link) const {

@@ -51,6 +51,8 @@ class NetworkRuns final : public QObject {
 
   /// LINK of the network in work.
   void setLink(const QString& link);
+  /// Which variables are watched in all of them, also in those that come.
+  Status watch(const std::vector<VariableName>& names);
   /// Another network that runs on this link, which is a network card; -1: none.
   [[nodiscard]] int userOf(const QString& link) const;
   /// Which network the run of this number is of; -1: none any more.
@@ -96,6 +98,7 @@ class NetworkRuns final : public QObject {
   ProjectDocument& document_;
   const Environment& environment_;
   BlackBoxWish black_box_;
+  std::vector<VariableName> watched_;      // before the sessions, which are told
   std::vector<NetworkSession*> of_run_;    // of each run there was in the window, by its number - 1; null: gone
   std::vector<NetworkSession*> sessions_;  // of each network; children of this
   std::size_t shown_at_ = 0;

@@ -32,7 +32,11 @@ Trigger recalled(const WindowMemory& memory) {
   trigger.edge = static_cast<Trigger::Edge>(kept(memory, "edge", 0, 2));
   const auto key = memory.value(kTriggerKey.arg(QLatin1String("signal"))).toString().toStdString();
   const bool of_slave = memory.value(kTriggerKey.arg(QLatin1String("ofSlave"))).toBool();
-  const auto* signal = find_signal(key, of_slave ? SignalInfo::Scope::kSlave : SignalInfo::Scope::kBus);
+  trigger.variable = memory.value(kTriggerKey.arg(QLatin1String("variable"))).toString().toStdString();
+  using Scope = SignalInfo::Scope;
+  const auto* signal = find_signal(key, of_slave                   ? Scope::kSlave
+                                        : trigger.variable.empty() ? Scope::kBus
+                                                                   : Scope::kVariable);
   if (signal != nullptr && signal->form != SignalInfo::Form::kCell) trigger.signal = signal->id;
   trigger.slave = kept(memory, "slave", -1, 65535);
   trigger.magnitude = kept(memory, "magnitude", 0, 1) == 1;
@@ -58,6 +62,8 @@ void keep(WindowMemory& memory, const Trigger& trigger) {
   put("signal", QString::fromUtf8(signal.key.data(), static_cast<qsizetype>(signal.key.size())));
   put("ofSlave", signal.scope == SignalInfo::Scope::kSlave);
   put("slave", trigger.slave);
+  const bool of_variable = signal.scope == SignalInfo::Scope::kVariable;
+  put("variable", of_variable ? QString::fromStdString(trigger.variable) : QString());
   put("magnitude", trigger.magnitude ? 1 : 0);
   put("enters", trigger.enters ? 1 : 0);
   put("level", trigger.level);

@@ -31,6 +31,8 @@ class TriggerMonitor final : public QObject {
   [[nodiscard]] const Trigger& trigger() const { return trigger_; }
   /// What was found with another one is forgotten; an armed one waits anew.
   void setTrigger(const Trigger& trigger);
+  /// The record has more variables than before.
+  void tellVariables() { Q_EMIT recordChanged(); }
   /// Of a run from now on, of a recording from its beginning.
   void arm();
   void disarm();
@@ -49,7 +51,7 @@ class TriggerMonitor final : public QObject {
 
  Q_SIGNALS:
   void triggerChanged();
-  /// Another run or recording: other slaves.
+  /// Another run or recording: other slaves; or other variables are watched.
   void recordChanged();
   /// Episodes, or the state.
   void changed();

@@ -47,6 +47,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
       requests_(live()),
       running_slaves_(document_, live()),
       watched_(document_, memory_),
+      variables_(document_, memory_),
       run_difference_(document_, configuration_, live()) {
   runs_.setBlackBox(rememberedWish(memory_));
   network_.setProject(document_.project());
@@ -63,6 +64,11 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&live(), &LiveSession::snapshotChanged, this, [this] {
     network_.setSnapshot(live().snapshot(), running_slaves_.positions());
     cables_.setSnapshot(live().snapshot(), running_slaves_.positions());
+  });
+  connect(&variables_, &VariableWatch::changed, this, [this] {
+    if (const auto status = runs_.watch(variables_.names()); !status)
+      report(status.error(), Severity::kWarning, tr("Monitor"));
+    trigger_.tellVariables();
   });
   connect(&runs_, &NetworkRuns::eventArrived, this, &Workspace::appendEvent);
   connect(&runs_, &NetworkRuns::noteAdded, this, &Workspace::appendNote);

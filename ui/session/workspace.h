@@ -22,6 +22,7 @@
 #include "ui/session/slave_requests.h"
 #include "ui/session/template_store.h"
 #include "ui/session/trigger_monitor.h"
+#include "ui/session/variable_watch.h"
 #include "ui/session/watch_list.h"
 #include "ui/session/window_memory.h"
 
@@ -52,6 +53,8 @@ class Workspace final : public QObject {
   /// Which slave of the project is which of the run.
   [[nodiscard]] const RunningSlaves& runningSlaves() const { return running_slaves_; }
   [[nodiscard]] WatchList& watched() { return watched_; }
+  /// Which variables of the process image the monitor watches.
+  [[nodiscard]] VariableWatch& variables() { return variables_; }
   /// What the project would do otherwise than what runs.
   [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
   [[nodiscard]] TriggerMonitor& trigger() { return trigger_; }
@@ -131,6 +134,7 @@ class Workspace final : public QObject {
   SlaveRequests requests_;
   RunningSlaves running_slaves_;
   WatchList watched_;
+  VariableWatch variables_;
   RunDifference run_difference_;
   OpenedRecording recording_;
   TriggerMonitor trigger_{memory_};

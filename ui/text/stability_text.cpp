@@ -33,7 +33,7 @@ QString gapText(std::size_t gaps) {
 
 }  // namespace
 
-QString verdictText(const SignalStudy& study) {
+QString verdictText(const SignalStudy& study, Quantity quantity) {
   if (study.given == 0) return say(QT_TRANSLATE_NOOP("StabilityText", "No samples in this range."));
   if (study.used == 0) {
     return say(QT_TRANSLATE_NOOP("StabilityText", "No even samples: between two gaps there are never as many as %1."))
@@ -60,7 +60,7 @@ QString verdictText(const SignalStudy& study) {
   }
   if (reading.runs_away > 0) {
     said << say(QT_TRANSLATE_NOOP("StabilityText", "It moves away by about %1 in each second."))
-                .arg(quantityText(Quantity::kNanoseconds, reading.runs_away));
+                .arg(quantityText(quantity, reading.runs_away));
   }
   if (!said.isEmpty()) return joinedSentences(said);
   if (!reading.short_slope) return say(QT_TRANSLATE_NOOP("StabilityText", "Too few samples for a verdict."));

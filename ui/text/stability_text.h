@@ -6,12 +6,13 @@
 
 #include "trace/signal_study.h"
 #include "trace/spectrum.h"
+#include "ui/text/quantity_text.h"
 
 /// What a study of a signal's stability says, in words; nothing that its samples do not support.
 namespace syncline::ui {
 
-/// Jitter, hunting and drift, told apart by the slopes of the Allan deviation.
-[[nodiscard]] QString verdictText(const SignalStudy& study);
+/// Jitter, hunting and drift, told apart by the slopes of the Allan deviation. `quantity`: of the samples.
+[[nodiscard]] QString verdictText(const SignalStudy& study, Quantity quantity);
 /// "10000 samples, one each 1.00 ms, 2 gaps": what was left out is said.
 [[nodiscard]] QString sampleText(const SignalStudy& study);
 /// Observation times that have enough windows; empty without any.

@@ -61,6 +61,12 @@ QString ppmText(double ppm) {
 
 QString countText(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
 
+QString numberText(double value) {
+  constexpr double kLongest = 1e10;
+  const bool whole = value == std::floor(value) && std::abs(value) < kLongest;
+  return whole ? QLocale().toString(value, 'f', 0) : QLocale().toString(value, 'g', 7);
+}
+
 QString hexText(std::uint64_t value, int digits) {
   return QStringLiteral("0x%1")
       .arg(static_cast<qulonglong>(value), digits, 16, QLatin1Char('0'))

@@ -19,6 +19,8 @@ namespace syncline::ui {
 [[nodiscard]] QString cycleText(Nanoseconds value);
 [[nodiscard]] QString ppmText(double ppm);
 [[nodiscard]] QString countText(std::uint64_t value);
+/// Without a unit, as plots hold it: whole ones as such, others with seven digits.
+[[nodiscard]] QString numberText(double value);
 /// "0x0300": `digits` hexadecimal digits, as registers and identities are written in ESI and ENI.
 [[nodiscard]] QString hexText(std::uint64_t value, int digits);
 /// "14 Bit", "4 Byte".

@@ -291,6 +291,27 @@ void CyclicFrameSet::mark_known_inputs(std::span<std::uint8_t> known) const {
   }
 }
 
+std::size_t CyclicFrameSet::find_carriers(bool output, std::size_t first_byte, std::size_t count,
+                                          std::span<Carrier> out) const {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const auto& command = *entries_[i].command;
+    const bool carries = output ? command.command == Command::kLwr || command.command == Command::kLrw
+                                : command.command != Command::kLwr;
+    if (!carries) continue;
+    const auto begin = std::size_t{output ? command.output_offset : command.input_offset} + data_offset_;
+    unsigned bytes = 0;
+    for (std::size_t byte = 0; byte < count; ++byte) {
+      const auto place = first_byte + byte;
+      if (place >= begin && place < begin + command.length()) bytes |= 1U << byte;
+    }
+    if (bytes == 0) continue;
+    if (found < out.size()) out[found] = {static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(bytes)};
+    ++found;
+  }
+  return found;
+}
+
 void CyclicFrameSet::store_inputs(const Entry& entry) {
   if (entry.command->command == Command::kLwr) return;
   std::ranges::copy(entry.data, inputs_.begin() + entry.command->input_offset + data_offset_);

@@ -80,6 +80,23 @@ class CyclicFrameSet {
   /// Ones for the bytes of inputs() that came back lately with the expected working counter (0.1 s, or the last time
   /// that a slower task read them); zeros for the others, which keep what they were. As long as inputs().
   void mark_known_inputs(std::span<std::uint8_t> known) const;
+  /// A command that carries some bytes of the image.
+  struct Carrier {
+    std::uint16_t entry = 0;
+    std::uint16_t bytes = 0;  // a bit a byte, the first in bit 0
+  };
+  /// Those of at most 16 bytes from `first_byte` on, of the inputs or the outputs; how many there are, the first of
+  /// which are put into `out`.
+  std::size_t find_carriers(bool output, std::size_t first_byte, std::size_t count, std::span<Carrier> out) const;
+  /// Its inputs are those of the last time that it was due, which is in this cycle or belongs to a slower task: they
+  /// came back with the expected working counter. After evaluate().
+  [[nodiscard]] bool has_news(Carrier carrier) const {
+    return entries_[carrier.entry].read && entries_[carrier.entry].unread == 0;
+  }
+  /// It goes out with this cycle; in the state that is selected at all. After prepare().
+  [[nodiscard]] bool is_sent(Carrier carrier) const { return entries_[carrier.entry].sent; }
+  [[nodiscard]] bool is_selected(Carrier carrier) const { return entries_[carrier.entry].selected; }
+  [[nodiscard]] std::span<const std::uint8_t> outputs() const { return outputs_; }
   [[nodiscard]] std::span<std::uint8_t> outputs() { return outputs_; }
   [[nodiscard]] std::span<const std::uint8_t> inputs() const { return inputs_; }
 

@@ -27,6 +27,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       sync_(sync),
       frames_(run.config()),
       forces_(frames_.outputs().size()),
+      watched_(frames_, run),
       slaves_(run),
       mailbox_bits_(run, frames_),
       sync_events_(run, sync),
@@ -63,6 +64,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   reference_.address(slaves_.settled());
   frames_.prepare(sample.cycle, steering_);
   publish_image(sample.cycle);
+  watched_.take_outputs();
   forces_.restore(frames_.outputs());
   fill_acyclic(acyclic, send_time_);
   first_stamp_.reset();
@@ -301,6 +303,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
 void CyclicTaskRunner::finish_sample(CycleSample& sample) {
   auto& snapshot = run_.snapshot;
   sample.master_state = static_cast<std::uint8_t>(snapshot.state);
+  watched_.fill(sample);
   snapshot.time = sample.send_time;
   ++snapshot.cycles;
   (void)run_.channels().samples.push(sample);

@@ -20,6 +20,7 @@
 #include "master/cyclic/spin_budget.h"
 #include "master/cyclic/standstill_cause.h"
 #include "master/cyclic/sync_event_watch.h"
+#include "master/cyclic/watched_values.h"
 #include "master/cyclic/working_counter.h"
 #include "master/exchange/bus.h"
 #include "master/exchange/run_state.h"
@@ -46,6 +47,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   [[nodiscard]] ReferenceClock& reference() { return reference_; }
   [[nodiscard]] ClockFeed& feed() { return feed_; }
   [[nodiscard]] OutputForces& forces() { return forces_; }
+  /// What of the process image goes into the samples.
+  [[nodiscard]] WatchedValues& watched() { return watched_; }
   /// Expects the working counter of those slaves that are there and exchange process data, and are not about to stop
   /// it. Tells a change.
   void expect_present(std::optional<std::size_t> leaving = std::nullopt);
@@ -84,6 +87,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   CyclicFrameSet frames_;
   OutputForces forces_;
   ImageContents image_;  // published last
+  WatchedValues watched_;
   SlaveWatch slaves_;
   MailboxBits mailbox_bits_;
   SyncEventWatch sync_events_;

@@ -121,6 +121,22 @@ TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenOutputsAreForced) {
   EXPECT_EQ(counts.locks, 0U);
 }
 
+/// Other variables each 0.1 s, in the middle of the cycles.
+TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenVariablesAreWatched) {
+  go_online(test::two_axes());
+  for (std::uint32_t list = 1; list <= 5; ++list) {
+    WatchCommand command{list, kMostWatched, {}};
+    for (std::uint32_t i = 0; i < kMostWatched; ++i) command.places[i] = {i % 3 == 0, i * 7 + list, 8 + i, 1};
+    service->channels().commands.push(command);
+    count_for(100 * kMillisecond);
+  }
+  EXPECT_EQ(counts.allocations, 0U);
+  EXPECT_EQ(counts.locks, 0U);
+  ASSERT_FALSE(samples.empty());
+  EXPECT_EQ(samples.back().watch_list, 5U);
+  EXPECT_NE(samples.back().watched_known, 0);
+}
+
 /// A slave that is gone, told by its cable, its presence, its state and the working counter.
 TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenASlaveGoes) {
   auto network = test::two_axes();

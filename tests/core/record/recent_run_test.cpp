@@ -13,7 +13,30 @@
 namespace syncline {
 namespace {
 
-constexpr std::size_t kChunk = 4096 * sizeof(CycleSample);
+constexpr std::size_t kChunk = 4096 * offsetof(CycleSample, watched_known);
+
+/// Values of variables take room only while some are watched.
+TEST(RecentSamples, ReachAsFarAsTheyDidWhereNothingIsWatched) {
+  RecentSamples recent(8 * kChunk);
+  test::MadeSamples made(1);
+  const auto plain = recent.reach(kMillisecond);
+  for (int i = 0; i < 20; ++i) recent.add(made.next(4096));
+  EXPECT_EQ(recent.reach(kMillisecond), plain);
+  EXPECT_EQ(plain, 8 * 4096 * kMillisecond);
+  auto watched = made.next(4096);
+  for (auto& sample : watched) {
+    sample.watch_list = 1;
+    sample.watched_known = 1;
+    sample.watched[0] = sample.cycle;
+  }
+  for (int i = 0; i < 20; ++i) recent.add(watched);
+  EXPECT_LT(recent.reach(kMillisecond), plain);
+  EXPECT_GT(recent.reach(kMillisecond), plain / 3);
+  const auto back = recent.since(0).back()->samples();
+  ASSERT_EQ(back.size(), watched.size());
+  EXPECT_EQ(back[77].watched[0], watched[77].cycle);
+  EXPECT_EQ(back[77].dcm_error_ns, watched[77].dcm_error_ns);
+}
 
 TEST(RecentSamples, KeepsWhatTheBudgetHolds) {
   RecentSamples recent(3 * kChunk);
@@ -32,7 +55,7 @@ TEST(RecentSamples, KeepsWhatTheBudgetHolds) {
   const auto all = recent.since(0);
   Nanoseconds before = 0;
   for (const auto& chunk : all) {
-    for (const auto& sample : *chunk) {
+    for (const auto& sample : chunk->samples()) {
       EXPECT_GT(sample.send_time, before);
       before = sample.send_time;
     }

@@ -218,7 +218,7 @@ TEST_F(RecordingFile, ReplaysWhatWasDrawn) {
     return all;
   };
   for (const auto& signal : signals()) {
-    if (signal.form == SignalInfo::Form::kCell) continue;
+    if (signal.form == SignalInfo::Form::kCell || signal.form == SignalInfo::Form::kWatched) continue;
     const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
     for (std::size_t slave = 0; slave < (of_slaves ? 3U : 1U); ++slave) {
       const auto was = points(live.samples().series(signal.id, slave));

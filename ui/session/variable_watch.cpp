@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/variable_watch.h"
+
+#include <QCryptographicHash>
+#include <QStringList>
+#include <algorithm>
+#include <utility>
+
+#include "channels/watch_command.h"
+#include "ui/session/project_document.h"
+#include "ui/session/window_memory.h"
+
+namespace syncline::ui {
+namespace {
+
+const QString kOutput = QStringLiteral("out "), kInput = QStringLiteral("in ");
+
+}  // namespace
+
+VariableWatch::VariableWatch(ProjectDocument& document, WindowMemory& memory, QObject* parent)
+    : QObject(parent), document_(document), memory_(memory), path_(document.path()) {
+  load();
+  connect(&document_, &ProjectDocument::machineReplaced, this, [this] { replaced_ = true; });
+  connect(&document_, &ProjectDocument::taken, this, [this] {
+    if (!std::exchange(replaced_, false)) return;  // another network of it
+    path_ = document_.path();
+    load();
+    Q_EMIT changed();
+  });
+  // Saved under another name it is the same machine, whatever that file held before.
+  connect(&document_, &ProjectDocument::pathChanged, this, [this] {
+    if (path_ == document_.path()) return;
+    path_ = document_.path();
+    store();
+  });
+}
+
+/// A path is no name of a setting.
+QString VariableWatch::place() const {
+  const auto hash = QCryptographicHash::hash(path_.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
+  return QStringLiteral("watchedVariables/") + QString::fromLatin1(hash);
+}
+
+/// "in Servo.Inputs.Position actual value"
+void VariableWatch::load() {
+  names_.clear();
+  if (path_.isEmpty()) return;
+  for (const auto& line : memory_.value(place()).toStringList()) {
+    const bool output = line.startsWith(kOutput);
+    if ((!output && !line.startsWith(kInput)) || !hasRoom()) continue;
+    names_.push_back({line.sliced((output ? kOutput : kInput).size()).toStdString(), output});
+  }
+}
+
+void VariableWatch::store() {
+  if (path_.isEmpty()) return;
+  QStringList lines;
+  for (const auto& [name, output] : names_) lines << (output ? kOutput : kInput) + QString::fromStdString(name);
+  memory_.setValue(place(), lines);
+}
+
+bool VariableWatch::has(const VariableName& name) const { return std::ranges::find(names_, name) != names_.end(); }
+
+bool VariableWatch::hasRoom() const { return names_.size() < kMostWatched; }
+
+void VariableWatch::add(const VariableName& name) {
+  if (has(name) || !hasRoom()) return;
+  auto names = names_;
+  names.push_back(name);
+  set(std::move(names));
+}
+
+void VariableWatch::remove(const VariableName& name) {
+  auto names = names_;
+  std::erase(names, name);
+  set(std::move(names));
+}
+
+void VariableWatch::clear() { set({}); }
+
+void VariableWatch::set(std::vector<VariableName> names) {
+  if (names == names_) return;
+  names_ = std::move(names);
+  store();
+  Q_EMIT changed();
+}
+
+std::vector<WatchedVariable> watchedOf(const NetworkConfig& config, const std::vector<VariableName>& names) {
+  std::vector<WatchedVariable> result;
+  if (names.empty()) return result;
+  const auto all = watchable_variables(config);
+  for (const auto& [name, output] : names) {
+    const auto found = std::ranges::find_if(
+        all, [&](const WatchedVariable& variable) { return variable.output == output && variable.name == name; });
+    const bool fresh = found != all.end() && std::ranges::find(result, *found) == result.end();
+    if (fresh) result.push_back(*found);
+  }
+  return result;
+}
+
+}  // namespace syncline::ui
