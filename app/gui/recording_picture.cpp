@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/gui/recording_picture.h"
 
+#include <fmt/format.h>
+
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QRegularExpression>
@@ -83,7 +85,7 @@ Status complete(const PictureOptions& options, const ReplayedRun& run, ui::Recor
   const auto slaves = run.info.about.slaves.size();
   if (wanted.slave >= 0 && static_cast<std::size_t>(wanted.slave) >= slaves) {
     return fail(ErrorCode::kBadValue, "--slave " + std::to_string(wanted.slave),
-                "slaves in the recording: " + std::to_string(slaves) + ", counted from 0");
+                fmt::format("slaves in the recording: {}, counted from 0", slaves));
   }
   for (const auto& text : options.signal_keys) {
     const auto source = ui::signalSourceOf(text, *run.record);

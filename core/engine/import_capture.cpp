@@ -212,14 +212,16 @@ std::optional<FrameKey> main_key(const std::vector<Exchange>& exchanges) {
   return best;
 }
 
-/// Deviations of slaves by their stations, and who is their reference clock.
+/// Deviations of slaves by their stations, without that of their reference clock.
 class Stations {
  public:
   explicit Stations(const std::vector<Exchange>& exchanges) {
+    std::optional<std::uint16_t> reference;
     for (const auto& exchange : exchanges) {
       for (const auto& reading : exchange.readings) numbers_.emplace(reading.station, 0);
-      if (exchange.reference) reference_ = exchange.reference;
+      if (exchange.reference) reference = exchange.reference;
     }
+    if (reference) numbers_.erase(*reference);  // what it shows is no deviation
     int next = 0;
     for (auto& [station, number] : numbers_) number = next++;
     latest_.resize(numbers_.size());
@@ -230,10 +232,11 @@ class Stations {
     return all;
   }
   void put(CycleSample& sample, const StationReading& reading) {
-    const int number = numbers_.at(reading.station);
+    const auto found = numbers_.find(reading.station);
+    if (found == numbers_.end()) return;
+    const int number = found->second;
     sample.slave_position = static_cast<std::int16_t>(number);
     sample.slave_deviation_ns = reading.deviation_ns;
-    if (reading.station == reference_) return;
     sample.flags |= Flag::kSlaveFollows;
     latest_[static_cast<std::size_t>(number)] = {
         sample.send_time, static_cast<std::uint32_t>(std::abs(std::int64_t{reading.deviation_ns}))};
@@ -249,7 +252,6 @@ class Stations {
 
  private:
   std::map<std::uint16_t, int> numbers_;
-  std::optional<std::uint16_t> reference_;
   struct Latest {
     Nanoseconds time = 0;  // 0: none yet
     std::uint32_t magnitude = 0;

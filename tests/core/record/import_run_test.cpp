@@ -13,6 +13,7 @@
 #include "tests/support/temporary_folder.h"
 #include "trace/csv.h"
 #include "trace/dcm_log.h"
+#include "trace/outages.h"
 #include "trace/range_figures.h"
 
 namespace syncline {
@@ -89,6 +90,8 @@ TEST(ImportRun, WhatALogDoesNotHoldIsUnknown) {
     EXPECT_EQ(figure.statistics.count(), held ? 1000U : 0U) << info(signal).key;
   }
   const auto replay = replayed(*run);
+  const auto& store = replay.record->samples();
+  EXPECT_TRUE(outages(store, store.first_time(), store.last_time(), kMillisecond).empty()) << "nor is it an outage";
   for (const auto signal : {Signal::kWkcExpected, Signal::kWkcReceived, Signal::kFramesLost, Signal::kSkippedCycles,
                             Signal::kMasterState}) {
     EXPECT_FALSE(replay.record->samples().value(signal, run->samples.back().send_time)) << info(signal).key;
