@@ -677,10 +677,6 @@
             <translation>Ein anderes Projekt wird geöffnet.</translation>
         </message>
         <message>
-            <source>It is a log of the master synchronisation: a spreadsheet shows it.</source>
-            <translation>Es ist ein Protokoll der Master-Synchronisation: eine Tabellenkalkulation zeigt es.</translation>
-        </message>
-        <message>
             <source>Another window has %1 open.</source>
             <translation>Ein anderes Fenster hat %1 geöffnet.</translation>
         </message>
@@ -705,8 +701,8 @@
             <translation>%1 wiederhergestellt; noch nicht gesichert</translation>
         </message>
         <message>
-            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;Recordings (*.slrec);;All files (*)</source>
-            <translation>Alles, was sich öffnen lässt (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline-Projekte (*.syncline);;Aufzeichnungen (*.slrec);;Alle Dateien (*)</translation>
+            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;Recordings (*.slrec);;All files (*)</source>
+            <translation>Alles, was sich öffnen lässt (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline-Projekte (*.syncline);;Aufzeichnungen (*.slrec);;Alle Dateien (*)</translation>
         </message>
         <message>
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
@@ -955,10 +951,6 @@
         <message>
             <source>Export the plots</source>
             <translation>Diagramme exportieren</translation>
-        </message>
-        <message>
-            <source>%1: its name must end in .png, .svg or .pdf.</source>
-            <translation>%1: Der Name muss auf .png, .svg oder .pdf enden.</translation>
         </message>
         <message>
             <source>Cursor A here</source>
@@ -5758,6 +5750,14 @@ Einstellung %2</translation>
             <source>; the plots show the last %1 of them</source>
             <translation>; die Diagramme zeigen die letzten %1 davon</translation>
         </message>
+        <message>
+            <source>up to the end of the file</source>
+            <translation>bis zum Ende der Datei</translation>
+        </message>
+        <message>
+            <source>an imported run</source>
+            <translation>ein importierter Lauf</translation>
+        </message>
 </context>
 <context>
     <name>FigureCard</name>
@@ -5959,6 +5959,30 @@ Einstellung %2</translation>
         <message>
             <source>%1 times the limit ±%2</source>
             <translation>%1-mal die Grenze ±%2</translation>
+        </message>
+        <message>
+            <source>Export and copy</source>
+            <translation>Exportieren und kopieren</translation>
+        </message>
+        <message>
+            <source>Syncline, %1, cycle %2</source>
+            <translation>Syncline, %1, Zyklus %2</translation>
+        </message>
+        <message>
+            <source>Export picture…</source>
+            <translation>Bild exportieren …</translation>
+        </message>
+        <message>
+            <source>Export the overview</source>
+            <translation>Übersicht exportieren</translation>
+        </message>
+        <message>
+            <source>Copy picture</source>
+            <translation>Bild kopieren</translation>
+        </message>
+        <message>
+            <source>Copy figures</source>
+            <translation>Zahlen kopieren</translation>
         </message>
 </context>
 <context>

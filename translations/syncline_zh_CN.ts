@@ -675,10 +675,6 @@
             <translation>将打开另一个项目。</translation>
         </message>
         <message>
-            <source>It is a log of the master synchronisation: a spreadsheet shows it.</source>
-            <translation>这是主站同步的日志：可用电子表格查看。</translation>
-        </message>
-        <message>
             <source>Another window has %1 open.</source>
             <translation>另一个窗口已打开 %1。</translation>
         </message>
@@ -703,8 +699,8 @@
             <translation>已恢复 %1；尚未保存</translation>
         </message>
         <message>
-            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;Recordings (*.slrec);;All files (*)</source>
-            <translation>所有可打开的文件 (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline 项目 (*.syncline);;记录 (*.slrec);;所有文件 (*)</translation>
+            <source>All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline projects (*.syncline);;Recordings (*.slrec);;All files (*)</source>
+            <translation>所有可打开的文件 (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline 项目 (*.syncline);;记录 (*.slrec);;所有文件 (*)</translation>
         </message>
         <message>
             <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
@@ -953,10 +949,6 @@
         <message>
             <source>Export the plots</source>
             <translation>导出曲线</translation>
-        </message>
-        <message>
-            <source>%1: its name must end in .png, .svg or .pdf.</source>
-            <translation>%1：名称必须以 .png、.svg 或 .pdf 结尾。</translation>
         </message>
         <message>
             <source>Cursor A here</source>
@@ -5727,6 +5719,14 @@ Setting %2</source>
             <source>; the plots show the last %1 of them</source>
             <translation>；曲线显示其最近的 %1</translation>
         </message>
+        <message>
+            <source>up to the end of the file</source>
+            <translation>直到文件末尾</translation>
+        </message>
+        <message>
+            <source>an imported run</source>
+            <translation>导入的运行</translation>
+        </message>
 </context>
 <context>
     <name>FigureCard</name>
@@ -5928,6 +5928,30 @@ Setting %2</source>
         <message>
             <source>%1 times the limit ±%2</source>
             <translation>限值 ±%2 的 %1 倍</translation>
+        </message>
+        <message>
+            <source>Export and copy</source>
+            <translation>导出和复制</translation>
+        </message>
+        <message>
+            <source>Syncline, %1, cycle %2</source>
+            <translation>Syncline，%1，周期 %2</translation>
+        </message>
+        <message>
+            <source>Export picture…</source>
+            <translation>导出图片…</translation>
+        </message>
+        <message>
+            <source>Export the overview</source>
+            <translation>导出概览</translation>
+        </message>
+        <message>
+            <source>Copy picture</source>
+            <translation>复制图片</translation>
+        </message>
+        <message>
+            <source>Copy figures</source>
+            <translation>复制数值</translation>
         </message>
 </context>
 <context>

@@ -11,4 +11,6 @@ namespace syncline::cli {
   return static_cast<double>(whole) / 1000;
 }
 
+[[nodiscard]] inline double seconds(Nanoseconds time) { return static_cast<double>(time) / 1e9; }
+
 }  // namespace syncline::cli

@@ -6,3 +6,4 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>

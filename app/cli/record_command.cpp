@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
+#include "app/cli/milliseconds.h"
 #include "app/cli/options.h"
+#include "app/cli/record_figures.h"
+#include "app/cli/record_range.h"
 #include "app/cli/terminal_reason.h"
+#include "engine/import_capture.h"
+#include "record/import_run.h"
 #include "record/recording_reader.h"
 #include "support/output_file.h"
+#include "support/whole_file.h"
 #include "trace/csv.h"
 
 namespace syncline::cli {
@@ -17,10 +28,12 @@ namespace {
 
 struct RecordingOptions {
   std::string file, out, document;
+  RecordRange range;
+  ImportLimits limits;
   bool json = false;
 };
 
-double seconds(Nanoseconds time) { return static_cast<double>(time) / 1e9; }
+constexpr std::size_t kLargestTable = 1U << 30;  // bytes: two hours at 1 kHz
 
 Json slave_or_null(int slave) { return slave < 0 ? Json(nullptr) : Json(slave); }
 
@@ -101,19 +114,30 @@ void show_info(Context& context, const RecordingOptions& options) {
 }
 
 /// As a run writes it, byte for byte.
-Status write_csv(RecordingReader& reader, const std::string& path) {
+Status write_csv(RecordingReader& reader, const RecordingOptions& options) {
   const auto info = reader.info();
   if (!info) return tl::unexpected(info.error());
   const auto& watched = info->about.watched;
-  auto file = OutputFile::create(path);
+  RecordStretch stretch{INT64_MIN, INT64_MAX};
+  if (options.range.any()) {
+    const auto typed = stretch_of(options.range, *info);
+    if (!typed) return tl::unexpected(typed.error());
+    stretch = *typed;
+  }
+  auto file = OutputFile::create(options.out);
   if (!file) return tl::unexpected(file.error());
   auto status = file->write(sample_csv_header(watched));
   std::string text;
+  std::vector<CycleSample> wanted;
   auto read = reader.samples([&](std::span<const CycleSample> samples) {
+    wanted.clear();
     text.clear();
-    append_sample_csv(text, samples, watched);
+    std::ranges::copy_if(samples, std::back_inserter(wanted), [&stretch](const CycleSample& sample) {
+      return sample.send_time >= stretch.begin && sample.send_time < stretch.end;
+    });
+    append_sample_csv(text, wanted, watched);
     status = file->write(text);
-    return status.has_value();
+    return status.has_value() && samples.front().send_time < stretch.end;
   });
   if (!read) return read;
   return status ? file->finish() : status;
@@ -136,8 +160,26 @@ Status write_document(RecordingReader& reader, const RecordingOptions& options) 
 void export_to(Context& context, const RecordingOptions& options) {
   auto reader = RecordingReader::open(options.file);
   if (!reader) return context.fail_with(reader.error());
-  const auto status = options.document.empty() ? write_csv(*reader, options.out) : write_document(*reader, options);
+  const auto status = options.document.empty() ? write_csv(*reader, options) : write_document(*reader, options);
   if (!status) context.fail_with(status.error());
+}
+
+/// A capture by its own mark, else a table by its first line.
+Result<ImportedRun> imported_run(const RecordingOptions& options) {
+  auto capture = import_capture(options.file, options.limits);
+  if (capture || capture.error().code != ErrorCode::kNotThatKindOfFile) return capture;
+  const auto text = read_whole_file(options.file, kLargestTable);
+  if (!text) return tl::unexpected(text.error());
+  return import_table(*text, std::filesystem::path(options.file).filename().string(), options.limits);
+}
+
+void import_from(Context& context, const RecordingOptions& options) {
+  const auto run = imported_run(options);
+  if (!run) return context.fail_with(run.error());
+  if (const auto status = write_recording(*run, options.out); !status) return context.fail_with(status.error());
+  context.console.out << fmt::format("{} cycles of {:g} us, {:.3f} s\n", run->samples.size(),
+                                     static_cast<double>(run->about.limits.cycle_time) / 1000,
+                                     seconds(run->samples.back().send_time - run->samples.front().send_time));
 }
 
 void verify(Context& context, const RecordingOptions& options) {
@@ -169,11 +211,35 @@ void add_record_command(CLI::App& app, Context& context) {
   auto* check = group->add_subcommand("verify", "Read everything and check it; exit code 1 when it is damaged");
   for (auto* command : {show, copy, check}) command->add_option("file", options->file, "Recording")->required();
   copy->add_option("out", options->out, "File to write")->required();
-  copy->add_option("--document", options->document, "Write this document instead: project or configuration");
-  for (auto* command : {show, check}) command->add_flag("--json", options->json, "Print JSON");
-  show->callback([&context, options] { show_info(context, *options); });
-  copy->callback([&context, options] { export_to(context, *options); });
-  check->callback([&context, options] { verify(context, *options); });
-}
+  auto* document =
+      copy->add_option("--document", options->document, "Write this document instead: project or configuration");
+  add_range_options(*copy, options->range);
+  for (const auto* name : {"--from", "--to"}) copy->get_option(name)->excludes(document);
+  auto* import = group->add_subcommand(
+      "import",
+      "Make a recording of a capture, a log of the master synchronisation (EC-Master's, too) or a table of "
+      "run --csv");
+  import->add_option("file", options->file, "Capture, log or table")->required();
+  import->add_option("out", options->out, "Recording to write")->required();
+  import->add_option("--deviation-limit-ns", options->limits.deviation_ns,
+                     "What the slaves' deviation is held against, which no such file tells");
+  import->add_option("--dcm-limit-ns", options->limits.dcm_error_ns, "The same of the master's filtered error")
+      ->check(CLI::NonNegativeNumber);
+  import->callback([&context, options] { import_from(context, *options);
+});
+auto figures_options = std::make_shared<FiguresOptions>();
+auto* figures = group->add_subcommand(
+    "figures", "What the overview shows, and each signal as numbers: of a range, or since the run was armed");
+figures->add_option("file", figures_options->file, "Recording")->required();
+add_range_options(*figures, figures_options->range);
+figures->add_option("--signal", figures_options->signals, "Key of a signal of the bus; may be given several times")
+    ->allow_extra_args(false);
+figures->add_flag("--json", figures_options->json, "Print JSON");
+figures->callback([&context, figures_options] { show_figures(context, *figures_options); });
+for (auto* command : {show, check}) command->add_flag("--json", options->json, "Print JSON");
+show->callback([&context, options] { show_info(context, *options); });
+copy->callback([&context, options] { export_to(context, *options); });
+check->callback([&context, options] { verify(context, *options); });
+}  // namespace syncline::cli
 
 }  // namespace syncline::cli

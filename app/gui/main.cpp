@@ -11,14 +11,17 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string_view>
 
+#include "app/cli/cli.h"
 #include "app/composition/eeprom_journal.h"
 #include "app/composition/slave_eeprom.h"
 #include "app/composition/state_folder.h"
 #include "app/gui/bus_functions.h"
 #include "app/gui/fault_pictures.h"
+#include "app/gui/recording_picture.h"
 #include "app/gui/screenshots.h"
 #include "link/pcap_link.h"
 #include "reasons/because.h"
@@ -41,7 +44,60 @@ struct Options {
   QString file, link, theme, screenshots, faults, language;
   bool demo = false, reset_settings = false;
   int exit_after_ms = 0;
+  PictureOptions picture;  // without a name to write to: none is wanted
 };
+
+/// What makes a picture of a recording, without a window.
+struct PictureSwitches {
+  QCommandLineOption out{
+      QStringLiteral("picture"),
+      QStringLiteral("Write a picture of the recording that is named to OUT (.png, .svg, .pdf), then "
+                     "exit; needs no display. Exit codes as synclinectl's."),
+      QStringLiteral("OUT")};
+  QCommandLineOption view{QStringLiteral("view"),
+                          QStringLiteral("With --picture: overview, plots (default), distribution, stability, cycle or "
+                                         "slaves."),
+                          QStringLiteral("NAME")};
+  QCommandLineOption from{
+      QStringLiteral("from"),
+      QStringLiteral("With --picture: begin of the range since the recording's, e.g. 1.5s or 2min."),
+      QStringLiteral("TIME")};
+  QCommandLineOption to{QStringLiteral("to"), QStringLiteral("With --picture: end of the range."),
+                        QStringLiteral("TIME")};
+  QCommandLineOption signal{
+      QStringLiteral("signal"),
+      QStringLiteral("With --picture: a signal of distribution or stability, e.g. dcm_error_ns, or deviation_ns@3 of "
+                     "slave 3; up to four times."),
+      QStringLiteral("KEY")};
+  QCommandLineOption figure{QStringLiteral("figure"),
+                            QStringLiteral("With --picture --view stability: adev, tdev, mtie or spectrum."),
+                            QStringLiteral("NAME")};
+  QCommandLineOption slave{
+      QStringLiteral("slave"),
+      QStringLiteral("With --picture: the slave that the plots draw in any case, whose cycle it is."),
+      QStringLiteral("POSITION")};
+  QCommandLineOption size{QStringLiteral("size"),
+                          QStringLiteral("With --picture: its size in pixels of a screen; a PNG has twice as many."),
+                          QStringLiteral("WxH")};
+
+  [[nodiscard]] QList<QCommandLineOption> all() const { return {out, view, from, to, signal, figure, slave, size}; }
+  [[nodiscard]] PictureOptions of(const QCommandLineParser& parser) const {
+    return {{},
+            parser.value(out),
+            parser.value(view),
+            parser.value(from),
+            parser.value(to),
+            parser.value(figure),
+            parser.value(slave),
+            parser.value(size),
+            parser.values(signal)};
+  }
+};
+
+[[noreturn]] void refuse(const QString& words) {
+  std::fprintf(stderr, "syncline: %s\n", qUtf8Printable(words));
+  std::exit(cli::kUsage);
+}
 
 Options parse(const QCoreApplication& app) {
   QCommandLineParser parser;
@@ -71,13 +127,25 @@ Options parse(const QCoreApplication& app) {
       QStringLiteral("faults"),
       QStringLiteral("With --screenshots: the overview of each scenario of FOLDER instead of the pages."),
       QStringLiteral("FOLDER"));
+  const PictureSwitches picture;
   parser.addOptions({demo, link, theme, language, screenshots, faults, exit_after, reset});
+  parser.addOptions(picture.all());
   parser.addPositionalArgument(QStringLiteral("file"),
-                               QStringLiteral("Project, ENI, ESI, capture or scenario to open."),
+                               QStringLiteral("Project, ENI, ESI, capture, recording or scenario to open."),
                                QStringLiteral("[file]"));
+  if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
   parser.process(app);
   Options options;
   if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().constFirst();
+  options.picture = picture.of(parser);
+  options.picture.file = options.file;
+  if (!parser.isSet(picture.out)) {
+    for (const auto& option : picture.all()) {
+      if (parser.isSet(option)) refuse(QStringLiteral("--%1 goes with --picture").arg(option.names().constFirst()));
+    }
+  } else if (options.picture.out.isEmpty()) {
+    refuse(QStringLiteral("--picture: name the file to write"));
+  }
   options.link = parser.value(link);
   options.theme = parser.value(theme);
   options.screenshots = parser.value(screenshots);
@@ -167,6 +235,22 @@ bool only_asks(int argc, char* argv[]) {
   });
 }
 
+/// A picture is the same with and without a display: it is drawn on none.
+bool draws_a_picture(int argc, char* argv[]) {
+  return std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+    return argument == "--picture" || argument.starts_with("--picture=");
+  });
+}
+
+/// The platform without a display has no size hints and says so for every widget, and a service has no folder of a
+/// session, which a picture does not need.
+void without_chatter(QtMsgType, const QMessageLogContext&, const QString& text) {
+  for (const char* chatter : {"propagateSizeHints", "XDG_RUNTIME_DIR"}) {
+    if (text.contains(QLatin1String(chatter))) return;
+  }
+  std::fprintf(stderr, "%s\n", qUtf8Printable(text));
+}
+
 void begin(const Options& options, ui::MainWindow& window, ui::Workspace& workspace) {
   if (!options.link.isEmpty()) workspace.setLink(options.link);
   window.bus().offerRepairs();
@@ -195,12 +279,22 @@ int main(int argc, char* argv[]) {
     QCoreApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
     parse(text);  // prints and ends
   }
+  const bool draws = draws_a_picture(argc, argv);
+  if (draws) {
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(without_chatter);
+  }
   Application app(argc, argv);
   QApplication::setApplicationName(QStringLiteral("syncline"));
   QApplication::setOrganizationName(QStringLiteral("syncline"));
   QApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("org.syncline.Syncline"));
   const auto options = parse(app);
+  if (draws) {
+    ui::installTranslation(options.language);
+    ui::theme::apply(ui::theme::Mode::kLight);
+    return writePictureOf(options.picture);
+  }
   QSettings settings(QSettings::IniFormat, QSettings::UserScope, QApplication::organizationName(),
                      QApplication::applicationName());
   if (options.reset_settings) {

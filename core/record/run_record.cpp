@@ -43,6 +43,22 @@ RunLimits limits_of(const NetworkConfig& config) {
   return limits;
 }
 
+double limit_of(const RunLimits& limits, Signal signal) {
+  switch (signal) {
+    case Signal::kDeviation:
+    case Signal::kDeviationOred:
+    case Signal::kNetworkToSlave:
+    case Signal::kSlaveDeviation:
+      return limits.deviation_ns;
+    case Signal::kDcmError:
+    case Signal::kDcmErrorFiltered:
+    case Signal::kMasterToNetwork:
+      return static_cast<double>(limits.dcm_error_ns);
+    default:
+      return 0;
+  }
+}
+
 std::uint16_t speed_counter_start_of(const NetworkConfig& config) {
   const auto cycle_time = std::max<Nanoseconds>(config.cycle_time(), 1);
   return config.dc.loop.speed_counter_start.value_or(dc::speed_counter_start(cycle_time));

@@ -27,6 +27,8 @@ struct RunLimits {
   bool operator==(const RunLimits&) const = default;
 };
 [[nodiscard]] RunLimits limits_of(const NetworkConfig& config);
+/// The magnitude that a signal is held against, in its unit; 0: none.
+[[nodiscard]] double limit_of(const RunLimits& limits, Signal signal);
 /// Register 0x0930 as the configuration sets it.
 [[nodiscard]] std::uint16_t speed_counter_start_of(const NetworkConfig& config);
 

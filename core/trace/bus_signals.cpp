@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "trace/untold.h"
+
 namespace syncline {
 namespace {
 
@@ -33,9 +35,10 @@ Number whole_when(bool valid, T value) {
 Number network_to_slave(const CycleSample& s) {
   if (has(s, Flag::kDeviationValid)) return whole(s.deviation_ored_ns);
   // Monitored, but not read in this cycle; or no clocks at all.
-  return has(s, Flag::kReferenceValid) ? std::nullopt : whole(0);
+  return has(s, Flag::kReferenceValid) || !is_told(s, kStateUntold) ? std::nullopt : whole(0);
 }
 Number master_to_network(const CycleSample& s) {
+  if (!is_told(s, kStateUntold) && !has(s, Flag::kDcmActive)) return std::nullopt;
   if (has(s, Flag::kReferenceValid)) return whole(s.dcm_error_ns);
   return has(s, Flag::kDcmActive) ? std::nullopt : whole(0);
 }
@@ -72,11 +75,15 @@ constexpr std::array kBusRows{
     cell(Signal::kCycle, "cycle", "Cycle", "", [](const CycleSample& s) { return whole(s.cycle); }),
     cell(Signal::kSendTime, "send_time_ns", "Send time", "ns", [](const CycleSample& s) { return whole(s.send_time); }),
     every_cycle(Signal::kLateness, "lateness_ns", "Send lateness", "ns", "host clock: send time less scheduled time",
-                Scale::kSignedLog, [](const CycleSample& s) { return whole(s.wake_lateness_ns); }),
-    every_cycle(Signal::kRoundTrip, "round_trip_ns", "Round trip", "ns", "host clock", Scale::kLog,
-                [](const CycleSample& s) { return whole_when(came_back(s), s.round_trip_ns); }),
+                Scale::kSignedLog,
+                [](const CycleSample& s) { return whole_when(is_told(s, kLatenessUntold), s.wake_lateness_ns); }),
+    every_cycle(
+        Signal::kRoundTrip, "round_trip_ns", "Round trip", "ns", "host clock", Scale::kLog,
+        [](const CycleSample& s) { return whole_when(came_back(s) && is_told(s, kRoundTripUntold), s.round_trip_ns); }),
     cell(Signal::kReferenceTime, "reference_time_ns", "System time", "ns",
-         [](const CycleSample& s) { return whole_when(has(s, Flag::kReferenceValid), s.reference_time); }),
+         [](const CycleSample& s) {
+           return whole_when(has(s, Flag::kReferenceValid) && s.reference_time != 0, s.reference_time);
+         }),
     every_cycle(Signal::kDcmError, "dcm_error_ns", "DCM error", "ns", kDcm, Scale::kSignedLog,
                 [](const CycleSample& s) { return whole_when(is_controlled(s), s.dcm_error_ns); }),
     every_cycle(Signal::kDcmErrorFiltered, "dcm_error_filtered_ns", "DCM error, filtered", "ns", kDcm,
@@ -85,7 +92,8 @@ constexpr std::array kBusRows{
     every_cycle(Signal::kFrameError, "frame_error_ns", "DCM error with lateness", "ns",
                 "DCM error and how late the frame was sent", Scale::kSignedLog,
                 [](const CycleSample& s) {
-                  return whole_when(is_controlled(s), std::int64_t{s.dcm_error_ns} + s.wake_lateness_ns);
+                  return whole_when(is_controlled(s) && is_told(s, kLatenessUntold),
+                                    std::int64_t{s.dcm_error_ns} + s.wake_lateness_ns);
                 }),
     every_cycle(
         Signal::kDrift, "drift_ppm", "Drift", "ppm", "host clock against reference clock", Scale::kLinear,
@@ -104,17 +112,19 @@ constexpr std::array kBusRows{
     every_cycle(Signal::kMasterToNetwork, "MdeviceToNetworkClkDiff_ns", "Master to network", "ns", kDcm,
                 Scale::kSignedLog, master_to_network),
     held(Signal::kWkcExpected, "wkc_expected", "Working counter, expected", "", kProcessData, Scale::kLinear,
-         [](const CycleSample& s) { return whole(s.wkc_expected); }),
+         [](const CycleSample& s) {
+           return whole_when(is_told(s, kFramesUntold) && is_told(s, kExpectedUntold), s.wkc_expected);
+         }),
     held(Signal::kWkcReceived, "wkc_received", "Working counter, received", "", kProcessData, Scale::kLinear,
-         [](const CycleSample& s) { return whole_when(came_back(s), s.wkc_received); }),
+         [](const CycleSample& s) { return whole_when(came_back(s) && is_told(s, kFramesUntold), s.wkc_received); }),
     cell(Signal::kFrameLost, "frame_lost", "Frame lost", "",
-         [](const CycleSample& s) { return whole(came_back(s) ? 0 : 1); }),
+         [](const CycleSample& s) { return whole_when(is_told(s, kFramesUntold), came_back(s) ? 0 : 1); }),
     held(Signal::kFramesLost, "frames_lost", "Frames lost in a cycle", "", "frames not back at their deadline",
-         Scale::kLinear, [](const CycleSample& s) { return whole(s.frames_lost); }),
+         Scale::kLinear, [](const CycleSample& s) { return whole_when(is_told(s, kFramesUntold), s.frames_lost); }),
     now_and_then(Signal::kFrameLateBy, "frame_late_by_ns", "Frame late by", "ns", "host clock: back after its deadline",
                  Scale::kLog, [](const CycleSample& s) { return whole_when(has(s, Flag::kFrameLate), s.late_by_ns); }),
     held(Signal::kSkippedCycles, "skipped_cycles", "Cycles left out before a cycle", "", "host clock", Scale::kLinear,
-         [](const CycleSample& s) { return whole(s.skipped_cycles); }),
+         [](const CycleSample& s) { return whole_when(is_told(s, kLatenessUntold), s.skipped_cycles); }),
     cell(Signal::kDcInSync, "dc_in_sync", "Slaves in sync", "",
          [](const CycleSample& s) {
            return whole_when(is_watched(s.slaves_sync), s.slaves_sync == SyncState::kInSync ? 1 : 0);

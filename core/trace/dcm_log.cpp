@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "reasons/because.h"
 
@@ -194,9 +195,17 @@ void append_dcm_log(std::string& out, const DcmLogRow& row) {
   out += '\n';
 }
 
+bool DcmLogTable::has(std::string_view column) const { return std::ranges::find(columns, column) != columns.end(); }
+
 Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text) {
+  auto table = read_dcm_table(text);
+  if (!table) return tl::unexpected(table.error());
+  return std::move(table->rows);
+}
+
+Result<DcmLogTable> read_dcm_table(std::string_view text) {
   std::optional<Header> header;
-  std::vector<DcmLogRow> rows;
+  DcmLogTable table;
   int number = 0;
   const auto bad = [&number](Reason detail) {
     return fail(Error{.code = ErrorCode::kMalformedData,
@@ -213,6 +222,9 @@ Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text) {
     if (!header) {
       header = read_header(line);
       if (!header) return bad(because("it names none of the log's columns"));
+      for (const auto& column : header->columns) {
+        if (column) table.columns.emplace_back(columns()[*column].name);
+      }
       continue;
     }
     DcmLogRow row;
@@ -223,10 +235,10 @@ Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text) {
       if (!cell) return bad(because("\"{text}\" is no number", values[i].substr(0, 40)));
       store(row, *header->columns[i], *cell);
     }
-    rows.push_back(row);
+    table.rows.push_back(row);
   }
   if (!header) return bad(because("it is empty"));
-  return rows;
+  return table;
 }
 
 }  // namespace syncline

@@ -57,5 +57,12 @@ void append_dcm_log(std::string& out, const DcmLogRow& row);
 /// their defaults, separated by semicolon, comma or tabulator. kMalformedData with the line when a cell is no number or
 /// a log has no column that is known.
 [[nodiscard]] Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text);
+/// The same with what it has.
+struct DcmLogTable {
+  std::vector<DcmLogRow> rows;
+  std::vector<std::string> columns;  // those that are known, named as in dcm_log_header()
+  [[nodiscard]] bool has(std::string_view column) const;
+};
+[[nodiscard]] Result<DcmLogTable> read_dcm_table(std::string_view text);
 
 }  // namespace syncline

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "trace/untold.h"
+
 namespace syncline {
 namespace {
 
@@ -33,7 +35,7 @@ class OutageFinder {
 std::vector<Outage> outages(const SampleStore& store, Nanoseconds from, Nanoseconds to, Nanoseconds width) {
   if (store.empty()) return {};
   // Every cycle whose frame came back has one. Before the run and behind it there is no outage.
-  const auto& trips = store.series(Signal::kRoundTrip);
+  const auto& trips = store.series(answered_signal(store));
   from = std::max(from, store.first_time());
   to = std::min(to, store.last_time() + 1);
   if (from >= to) return {};

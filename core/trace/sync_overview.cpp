@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "trace/signals.h"
+#include "trace/untold.h"
 
 namespace syncline {
 namespace {
@@ -21,7 +22,9 @@ void follow(SyncLamp& lamp, SyncState state, Nanoseconds time, bool counts) {
   lamp.since = time;
 }
 
-bool is_run_in_op(const CycleSample& sample) { return static_cast<AlState>(sample.master_state) == AlState::kOp; }
+bool is_run_in_op(const CycleSample& sample) {
+  return static_cast<AlState>(sample.master_state) == AlState::kOp || !is_told(sample, kStateUntold);
+}
 
 void note(OverviewFigure& figure, const CycleSample& sample, Signal signal, bool counts) {
   const auto number = info(signal).of_cycle(sample);

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -94,6 +97,165 @@ TEST_F(CliRecord, TellsWhatWasRun) {
   EXPECT_EQ(read_text(eni), read_text(exported));
   EXPECT_EQ(cli_run({"record", "export", recording, copy, "--document", "poem"}).code, cli::kUsage);
   EXPECT_THAT(cli_run({"record", "info", recording}).out, HasSubstr("cycles of 1000 us"));
+}
+
+TEST_F(CliRecord, ExportsARange) {
+  ASSERT_EQ(run().code, cli::kDone);
+  const auto all = folder.file("all.csv"), part = folder.file("part.csv");
+  ASSERT_EQ(cli_run({"record", "export", recording, all}).code, cli::kDone);
+  const auto exported = cli_run({"record", "export", recording, part, "--from", "1s", "--to", "1500ms"});
+  ASSERT_EQ(exported.code, cli::kDone) << exported.err;
+  const auto whole = read_text(all), table = read_text(part);
+  EXPECT_NEAR(static_cast<double>(std::count(table.begin(), table.end(), '\n')), 1 + 500, 1) << "half a second";
+  const auto lines = table.substr(table.find('\n') + 1);
+  EXPECT_THAT(whole, HasSubstr(lines));
+  EXPECT_EQ(table.substr(0, table.find('\n')), whole.substr(0, whole.find('\n')));
+  const auto empty = cli_run({"record", "export", recording, folder.file("none.csv"), "--from", "1h"});
+  EXPECT_EQ(empty.code, cli::kUsage);
+  EXPECT_THAT(empty.err, HasSubstr("it holds nothing of the recording"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("none.csv")));
+  EXPECT_EQ(cli_run({"record", "export", recording, part, "--from", "2s", "--to", "1s"}).code, cli::kUsage);
+  EXPECT_EQ(cli_run({"record", "export", recording, part, "--from", "soon"}).code, cli::kUsage);
+  EXPECT_EQ(cli_run({"record", "export", recording, part, "--from", "1s", "--document", "project"}).code, cli::kUsage);
+}
+
+/// The table of a range says the same as the figures of it.
+TEST_F(CliRecord, FiguresAreThoseOfItsCycles) {
+  ASSERT_EQ(run().code, cli::kDone);
+  const auto part = folder.file("part.csv");
+  ASSERT_EQ(cli_run({"record", "export", recording, part, "--from", "3s", "--to", "4s"}).code, cli::kDone);
+  std::istringstream lines(read_text(part));
+  std::string line;
+  std::getline(lines, line);
+  double sum = 0, largest = 0;
+  int count = 0;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (int column = 0; column < 6; ++column) std::getline(cells, cell, ',');  // dcm_error_ns
+    if (cell.empty()) continue;
+    ++count;
+    sum += std::stod(cell);
+    if (std::abs(std::stod(cell)) > std::abs(largest)) largest = std::stod(cell);
+  }
+  ASSERT_GT(count, 900);
+  const auto told =
+      cli_run({"record", "figures", recording, "--from", "3s", "--to", "4s", "--signal", "dcm_error_ns", "--json"});
+  ASSERT_EQ(told.code, cli::kDone) << told.err;
+  const auto json = told.json();
+  EXPECT_EQ(json["cycles"], 1000);
+  ASSERT_EQ(json["signals"].size(), 1U);
+  const auto& error = json["signals"][0];
+  EXPECT_EQ(error["key"], "dcm_error_ns");
+  EXPECT_EQ(error["unit"], "ns");
+  EXPECT_EQ(error["count"], count);
+  EXPECT_NEAR(error["mean"], sum / count, 0.001);
+  EXPECT_EQ(error["max"], largest);
+  EXPECT_GE(error["max_s"], 3.0);
+  EXPECT_LT(error["max_s"], 4.0);
+  EXPECT_GT(error["limit"], 0);
+  EXPECT_TRUE(error["margin"].is_null()) << "single late cycles are borne: the filtered error is judged";
+  EXPECT_EQ(json["slaves"].size(), cli_run({"record", "info", recording, "--json"}).json()["slaves"].size());
+}
+
+/// The table of a run makes the recording of which it is the table; of the log, its figures are those of the run.
+TEST_F(CliRecord, ImportsWhatIsNoRecording) {
+  const auto csv = folder.file("run.csv"), log = folder.file("run.dcm.csv");
+  ASSERT_EQ(run({"--csv", csv, "--dcm-log", log}).code, cli::kDone);
+  const auto table = folder.file("table.slrec"), again = folder.file("again.csv");
+  const auto imported = cli_run({"record", "import", csv, table});
+  ASSERT_EQ(imported.code, cli::kDone) << imported.err;
+  EXPECT_THAT(imported.out, HasSubstr("cycles of 1000 us"));
+  ASSERT_EQ(cli_run({"record", "export", table, again}).code, cli::kDone);
+  EXPECT_TRUE(read_text(csv) == read_text(again)) << "byte for byte";
+  EXPECT_EQ(cli_run({"record", "verify", table}).code, cli::kDone);
+  const auto of_log = folder.file("log.slrec");
+  ASSERT_EQ(cli_run({"record", "import", log, of_log, "--dcm-limit-ns", "4000"}).code, cli::kDone);
+  const auto figures = [](const std::string& file) {
+    return cli_run({"record", "figures", file, "--signal", "dcm_error_filtered_ns", "--json"}).json();
+  };
+  const auto is = figures(of_log), was = figures(recording);
+  EXPECT_EQ(is["sync"]["master"]["state"], "in_sync");
+  EXPECT_EQ(is["signals"][0]["limit"], 4000);
+  EXPECT_NEAR(is["signals"][0]["max"].get<double>(), was["signals"][0]["max"].get<double>(), 0.5);
+  EXPECT_TRUE(is["slaves"].empty());
+  EXPECT_TRUE(is["sm2_missed"].is_null()) << "nobody has told";
+  const auto all = cli_run({"record", "figures", of_log, "--signal", "round_trip_ns", "--json"}).json();
+  EXPECT_EQ(all["signals"][0]["count"], 0);
+  EXPECT_TRUE(all["signals"][0]["mean"].is_null());
+  const auto other = cli_run({"record", "import", project, folder.file("none.slrec")});
+  EXPECT_EQ(other.code, cli::kFailed);
+  EXPECT_THAT(other.err, HasSubstr("a log of the master synchronisation"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("none.slrec")));
+  EXPECT_EQ(cli_run({"record", "import", csv, table}).code, cli::kFailed) << "it replaces nothing";
+}
+
+/// What the capture of a run tells is what the run's own table says.
+TEST_F(CliRecord, ImportsACapture) {
+  const auto csv = folder.file("run.csv"), capture = folder.file("run.pcapng"), imported = folder.file("capture.slrec"),
+             again = folder.file("capture.csv");
+  ASSERT_EQ(run({"--csv", csv, "--capture", capture}).code, cli::kDone);
+  const auto import = cli_run({"record", "import", capture, imported, "--deviation-limit-ns", "127"});
+  ASSERT_EQ(import.code, cli::kDone) << import.err;
+  EXPECT_THAT(import.out, HasSubstr("cycles of 1000 us"));
+  ASSERT_EQ(cli_run({"record", "export", imported, again}).code, cli::kDone);
+  const auto rows = [](const std::string& path) {
+    std::map<std::string, std::vector<std::string>> by_time;  // of the send time
+    std::istringstream lines(read_text(path));
+    for (std::string line; std::getline(lines, line);) {
+      std::vector<std::string> cells;
+      std::istringstream text(line + ',');
+      for (std::string cell; std::getline(text, cell, ',');) cells.push_back(cell);
+      by_time[cells.at(1)] = cells;
+    }
+    return by_time;
+  };
+  const auto was = rows(csv), is = rows(again);
+  enum : std::size_t {
+    kLateness = 2,
+    kRoundTrip = 3,
+    kReference = 4,
+    kError = 5,
+    kOred = 9,
+    kExpected = 14,
+    kWkc = 15
+  };
+  std::size_t same = 0;
+  for (const auto& [time, cells] : is) {
+    const auto own = was.find(time);
+    if (own == was.end() || time == "send_time_ns") continue;
+    ++same;
+    for (const auto column : {kRoundTrip, kReference, kOred}) EXPECT_EQ(cells[column], own->second[column]) << time;
+    for (const auto column : {kLateness, kError, kExpected}) EXPECT_EQ(cells[column], "") << "no capture tells";
+    // The mailboxes' states are read by a logical command, too, which is no process data.
+    EXPECT_EQ(std::stoi(cells[kWkc]), std::stoi(own->second[kWkc]) + 3) << time;
+    if (HasFailure()) break;
+  }
+  EXPECT_GT(same, 4'000U);
+  EXPECT_GE(is.size(), was.size()) << "frames go on until the bus is left";
+  const auto figures = cli_run({"record", "figures", imported, "--json"}).json();
+  EXPECT_TRUE(figures["wkc_errors"].is_null());
+  EXPECT_EQ(figures["lost_frames"], 0);
+  EXPECT_EQ(figures["sync"]["slaves"]["state"], "unknown");
+}
+
+TEST_F(CliRecord, FiguresWithoutARangeAreSinceItWasArmed) {
+  ASSERT_EQ(run().code, cli::kDone);
+  const auto json = cli_run({"record", "figures", recording, "--json"}).json();
+  ASSERT_FALSE(json["armed_s"].is_null());
+  EXPECT_EQ(json["from_s"], json["armed_s"]);
+  EXPECT_EQ(json["sync"]["slaves"]["state"], "in_sync");
+  EXPECT_EQ(json["sync"]["master"]["state"], "in_sync");
+  EXPECT_TRUE(json["episodes"].empty());
+  for (const auto& signal : json["signals"]) EXPECT_GT(signal["count"], 0) << signal["key"];
+  const auto words = cli_run({"record", "figures", recording}).out;
+  EXPECT_THAT(words, HasSubstr("since it was armed"));
+  EXPECT_THAT(words, HasSubstr("slaves: in sync for"));
+  EXPECT_THAT(words, HasSubstr("DCM error, filtered"));
+  const auto none = cli_run({"record", "figures", recording, "--signal", "poem"});
+  EXPECT_EQ(none.code, cli::kUsage);
+  EXPECT_THAT(none.err, HasSubstr("dcm_error_ns"));
+  EXPECT_EQ(cli_run({"record", "figures", project}).code, cli::kFailed);
 }
 
 TEST_F(CliRecord, VerifiesAndExplains) {

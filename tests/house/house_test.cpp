@@ -60,8 +60,8 @@ std::vector<Room> rooms() {
       {"core/diagnosis", with(kValues, {"core/dc", "core/channels", "core/families", "core/findings", "core/trace"})},
       {"core/record",
        with(kValues, {"core/dc", "core/channels", "core/findings", "core/trace", "core/diagnosis", "core/sqlite"})},
-      {"core/engine",
-       with(kValues, {"core/channels", "core/compare", "core/sim", "core/link", "core/master", "core/trace"})},
+      {"core/engine", with(kValues, {"core/channels", "core/compare", "core/sim", "core/link", "core/master",
+                                     "core/trace", "core/record"})},
   };
 }
 

@@ -101,12 +101,15 @@ TEST(SeriesCsv, MergesByTimeAndLeavesMissingFieldsEmpty) {
   a.append(4000, -3);
   b.append(2000, 7);
   b.append(3000, 8);
-  EXPECT_EQ(series_csv({{"a_ns", &a}, {"b, \"x\"", &b}}, 1000, 0, 4001),
-            "time_ns,time_utc,a_ns,\"b, \"\"x\"\"\"\n"
-            "0,2000-01-01T00:00:00.000001000Z,1.5,\n"
-            "1000,2000-01-01T00:00:00.000002000Z,,7\n"
-            "2000,2000-01-01T00:00:00.000003000Z,,8\n"
-            "3000,2000-01-01T00:00:00.000004000Z,-3,\n");
+  const auto cycle = [](Nanoseconds time) {
+    return time < 2000 ? std::nullopt : std::optional(static_cast<std::uint64_t>(time / 1000 + 40));
+  };
+  EXPECT_EQ(series_csv({{"a_ns", &a}, {"b, \"x\"", &b}}, cycle, 1000, 0, 4001),
+            "time_ns,time_utc,cycle,a_ns,\"b, \"\"x\"\"\"\n"
+            "0,2000-01-01T00:00:00.000001000Z,,1.5,\n"
+            "1000,2000-01-01T00:00:00.000002000Z,42,,7\n"
+            "2000,2000-01-01T00:00:00.000003000Z,43,,8\n"
+            "3000,2000-01-01T00:00:00.000004000Z,44,-3,\n");
 }
 
 TEST(SeriesCsv, DoesNotDependOnTheLocale) {
@@ -115,7 +118,7 @@ TEST(SeriesCsv, DoesNotDependOnTheLocale) {
   const auto before = QLocale();
   QLocale::setDefault(QLocale(QLocale::German));
   const char* set = std::setlocale(LC_ALL, "de_DE.UTF-8");
-  const auto table = series_csv({{"a", &a}}, 0, 0, 1);
+  const auto table = series_csv({{"a", &a}}, {}, 0, 0, 1);
   if (set != nullptr) std::setlocale(LC_ALL, "C.UTF-8");
   QLocale::setDefault(before);
   EXPECT_THAT(table, testing::HasSubstr(",1234.5\n"));

@@ -157,6 +157,25 @@ void expectAlike(const SyncOverview& is, const SyncOverview& was) {
   EXPECT_EQ(is.faults.count(), was.faults.count());
 }
 
+/// A log of another master is shown like a recording; what it does not hold is no zero.
+TEST_F(RecordingWindow, ALogOfTheMasterSynchronisationIsShownLikeARecording) {
+  QByteArray log("Time[ms];CtlErr [ns];CtlErrFilt;DCMInSync;DCInSync\n");
+  for (int i = 0; i < 500; ++i) log += QByteArray::number(i) + ";-25;-20;1;1\n";
+  QFile file(path("other.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(log);
+  file.close();
+  open("other.csv");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  EXPECT_TRUE(window_.findChild<OverviewPanel*>()->isVisible());
+  EXPECT_THAT(text("recordingBarText").toStdString(), testing::HasSubstr("an imported run on other.csv"));
+  const auto* error = window_.findChild<FigureCard*>(QStringLiteral("overviewDcm"));
+  EXPECT_EQ(error->figureText(0), signedTimeText(25));
+  const auto* deviation = window_.findChild<FigureCard*>(QStringLiteral("overviewDeviation"));
+  EXPECT_EQ(deviation->figureText(0), noText());
+  EXPECT_EQ(window_.findChild<Pill*>(QStringLiteral("overviewMaster"))->text().toStdString(), "At the end: In sync");
+}
+
 /// Its recording holds what the machine was held against last, since when, and what ran.
 TEST_F(RecordingWindow, WhatWasAppliedToTheRunIsInItsRecording) {
   goOnline();

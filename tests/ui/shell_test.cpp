@@ -58,6 +58,9 @@ TEST(FileKinds, AreToldByContent) {
   EXPECT_EQ(kind("g.toml", "[bus]"), FileKind::kScenario);
   EXPECT_EQ(kind("h.syncline", "rubbish"), FileKind::kProject) << "it is said what is wrong with it";
   EXPECT_EQ(kind("i", ""), FileKind::kOther);
+  EXPECT_EQ(kind("j.csv", "Time[ms];SyncSetVal [ns];CtlErr [ns]\n0;1;2\n"), FileKind::kRunTable);
+  EXPECT_EQ(kind("k.csv", "cycle,send_time_ns,lateness_ns\n"), FileKind::kRunTable);
+  EXPECT_EQ(kind("l.csv", "time,value\n"), FileKind::kOther);
   EXPECT_EQ(fileKind(folder.filePath(QStringLiteral("none"))), FileKind::kUnreadable);
   const auto ascii = QByteArray("<EtherCATInfo>");
   QByteArray wide("\xff\xfe");

@@ -7953,6 +7953,46 @@
         <translation>es ist leer</translation>
     </message>
     <message>
+        <source>it has no rows</source>
+        <translation>es hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>it holds no cyclic frame that came back</source>
+        <translation>er enthält keinen zyklischen Frame, der zurückkam</translation>
+    </message>
+    <message>
+        <source>its times do not tell the cycles apart</source>
+        <translation>seine Zeiten unterscheiden die Zyklen nicht</translation>
+    </message>
+    <message>
+        <source>a log of the master synchronisation, or the table that "synclinectl run --csv" writes</source>
+        <translation>ein Log der Master-Synchronisation oder die Tabelle, die „synclinectl run --csv“ schreibt</translation>
+    </message>
+    <message>
+        <source>its name must end in .png, .svg or .pdf</source>
+        <translation>der Name muss auf .png, .svg oder .pdf enden</translation>
+    </message>
+    <message>
+        <source>the view needs more room; leave the size out to have what suits it</source>
+        <translation>die Ansicht braucht mehr Platz; ohne Größenangabe bekommt sie, was zu ihr passt</translation>
+    </message>
+    <message>
+        <source>it is no signal that can be shown here, such as dcm_error_ns or deviation_ns@1</source>
+        <translation>es ist kein Signal, das hier gezeigt werden kann, wie dcm_error_ns oder deviation_ns@1</translation>
+    </message>
+    <message>
+        <source>no slave with SYNC0 whose arrivals are known</source>
+        <translation>kein Slave mit SYNC0, dessen Ankünfte bekannt sind</translation>
+    </message>
+    <message>
+        <source>slaves in the recording: {count}, counted from 0</source>
+        <translation>Slaves in der Aufzeichnung: {count}, gezählt ab 0</translation>
+    </message>
+    <message>
+        <source>it holds nothing of the recording, which is {time} s long</source>
+        <translation>darin liegt nichts von der Aufzeichnung, die {time} s lang ist</translation>
+    </message>
+    <message>
         <source>{file} has it no longer</source>
         <translation>{file} enthält es nicht mehr</translation>
     </message>

@@ -7953,6 +7953,46 @@
         <translation>为空</translation>
     </message>
     <message>
+        <source>it has no rows</source>
+        <translation>其中没有数据行</translation>
+    </message>
+    <message>
+        <source>it holds no cyclic frame that came back</source>
+        <translation>其中没有返回的周期帧</translation>
+    </message>
+    <message>
+        <source>its times do not tell the cycles apart</source>
+        <translation>其时间无法区分各个周期</translation>
+    </message>
+    <message>
+        <source>a log of the master synchronisation, or the table that "synclinectl run --csv" writes</source>
+        <translation>主站同步日志，或“synclinectl run --csv”写出的表格</translation>
+    </message>
+    <message>
+        <source>its name must end in .png, .svg or .pdf</source>
+        <translation>名称必须以 .png、.svg 或 .pdf 结尾</translation>
+    </message>
+    <message>
+        <source>the view needs more room; leave the size out to have what suits it</source>
+        <translation>该视图需要更大的空间；不指定尺寸则使用适合它的尺寸</translation>
+    </message>
+    <message>
+        <source>it is no signal that can be shown here, such as dcm_error_ns or deviation_ns@1</source>
+        <translation>这不是此处可以显示的信号，例如 dcm_error_ns 或 deviation_ns@1</translation>
+    </message>
+    <message>
+        <source>no slave with SYNC0 whose arrivals are known</source>
+        <translation>没有到达时刻已知的 SYNC0 从站</translation>
+    </message>
+    <message>
+        <source>slaves in the recording: {count}, counted from 0</source>
+        <translation>记录中的从站：{count} 个，从 0 开始计数</translation>
+    </message>
+    <message>
+        <source>it holds nothing of the recording, which is {time} s long</source>
+        <translation>其中不含记录的任何内容，记录长 {time} s</translation>
+    </message>
+    <message>
         <source>{file} has it no longer</source>
         <translation>{file} 中已没有它</translation>
     </message>

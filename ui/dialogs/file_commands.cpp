@@ -39,8 +39,8 @@ bool FileCommands::takeNew(Machine machine) {
 void FileCommands::open() {
   const auto path = QFileDialog::getOpenFileName(
       &window_, tr("Open"), {},
-      tr("All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.pcap *.pcapng *.toml);;Syncline projects "
-         "(*.syncline);;Recordings (*.slrec);;All files (*)"));
+      tr("All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline "
+         "projects (*.syncline);;Recordings (*.slrec);;All files (*)"));
   if (!path.isEmpty()) openAny(path);
 }
 
@@ -60,13 +60,12 @@ void FileCommands::openAny(const QString& path) {
     case FileKind::kEsi:
       return imports_->addEsiFolder(path);
     case FileKind::kRecording:
+    case FileKind::kRunTable:
       return Q_EMIT recordingWanted(path);
     case FileKind::kCapture:
       return Q_EMIT linkWanted(QStringLiteral("replay:") + path);
     case FileKind::kScenario:
       return Q_EMIT linkWanted(QStringLiteral("sim:") + path);
-    case FileKind::kController:
-      return refuse(tr("It is a log of the master synchronisation: a spreadsheet shows it."));
     case FileKind::kOther:
       return refuse(tr("It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario."));
   }

@@ -13,7 +13,7 @@ namespace syncline::ui {
 namespace {
 
 void setColor(QLabel& label, const QColor& color) {
-  auto palette = label.palette();
+  QPalette palette;  // of nothing else: the rest follows the theme, or a picture
   palette.setColor(QPalette::WindowText, color);
   label.setPalette(palette);
 }
@@ -91,6 +91,13 @@ void FigureCard::setFigure(std::size_t number, const QString& text) { setTextOf(
 QString FigureCard::mainText() const { return main_->text(); }
 QString FigureCard::noteText() const { return note_->text(); }
 QString FigureCard::figureText(std::size_t number) const { return figures_.at(number)->text(); }
+
+QStringList FigureCard::lines() const {
+  QStringList all{QStringList{title_->text(), main_->text(), note_->text()}.join(u'\t')};
+  for (std::size_t i = 0; i < figures_.size(); ++i)
+    all << QStringList{joinedParts({title_->text(), labels_[i]->text()}), figures_[i]->text()}.join(u'\t');
+  return all;
+}
 
 void FigureCard::colorText() {
   for (auto* label : labels_) setColor(*label, theme::mutedText(palette()));

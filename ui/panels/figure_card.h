@@ -3,6 +3,7 @@
 
 #include <QFrame>
 #include <QString>
+#include <QStringList>
 #include <vector>
 
 #include "ui/theme/theme.h"
@@ -26,6 +27,8 @@ class FigureCard final : public QFrame {
   [[nodiscard]] QString mainText() const;
   [[nodiscard]] QString noteText() const;
   [[nodiscard]] QString figureText(std::size_t number) const;
+  /// Name, big figure and note, then each small figure with its name: parted by tabulators.
+  [[nodiscard]] QStringList lines() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QDateTime>
 #include <QFileDialog>
-#include <QImage>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPainter>
@@ -23,14 +19,6 @@
 namespace syncline::ui {
 namespace {
 
-QPalette printPalette() {
-  QPalette palette;
-  const QColor ink(0x1B, 0x24, 0x30);
-  for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Button}) palette.setColor(role, Qt::white);
-  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) palette.setColor(role, ink);
-  return palette;
-}
-
 void tellUnwritten(QWidget* parent, const Status& status) {
   if (!status) QMessageBox::warning(parent, LiveStrip::tr("Export"), errorText(status.error()));
 }
@@ -47,7 +35,7 @@ std::string LiveStrip::csv() const {
 
 std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
   std::vector<CsvColumn> columns;
-  if (record_ == nullptr) return series_csv(columns, 0, 0, 0);
+  if (record_ == nullptr) return series_csv(columns, {}, 0, 0, 0);
   const auto& samples = record_->samples();
   using Scope = SignalInfo::Scope;
   for (const auto& signal : signals()) {
@@ -65,33 +53,27 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
       columns.push_back({std::move(name), &series});
     }
   }
-  return series_csv(columns, view_.origin(), from, to + 1);
+  const auto cycle = [&samples](Nanoseconds time) { return samples.cycle_at(time); };
+  return series_csv(columns, cycle, view_.origin(), from, to + 1);
 }
 
 Picture LiveStrip::picture() {
-  constexpr int kCaption = 22;
-  constexpr int kMargin = 10;
-  const auto size = body()->size();
   const auto title = tr("Syncline, %1, cycle %2")
-                         .arg(QDateTime::currentDateTimeUtc().toString(Qt::ISODate),
+                         .arg(utcRangeText(view_.begin(), view_.end()),
                               cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time));
-  const auto paint = [this, size, title](QPainter& painter) {
+  return captioned(*body(), title, [this](QPainter& painter, const QPoint& place) {
     auto* shown = body();
     const auto colours = shown->palette();
-    shown->setPalette(printPalette());
+    shown->setPalette(picturePalette());
     for (auto* panel : all_panels_) panel->applyTheme();
     if (body_ == Body::kDistribution) distribution_->refresh();
     if (body_ == Body::kStability) stability_->refresh();
     if (body_ == Body::kSlaves) slaves_->refresh();
     if (body_ == Body::kCycle) cycle_->refresh();
-    shown->render(&painter, QPoint(kMargin, kMargin), {}, QWidget::DrawChildren);
-    painter.setPen(printPalette().color(QPalette::Text));
-    painter.setFont(font());
-    painter.drawText(QRect(kMargin, kMargin + size.height(), size.width(), kCaption), Qt::AlignVCenter, title);
+    shown->render(&painter, place, {}, QWidget::DrawChildren);
     shown->setPalette(colours);
     for (auto* panel : all_panels_) panel->applyTheme();
-  };
-  return {size + QSize(2 * kMargin, 2 * kMargin + kCaption), logicalDpiX(), title, paint};
+  });
 }
 
 void LiveStrip::exportCsv() {
@@ -109,21 +91,10 @@ void LiveStrip::exportRange(Nanoseconds from, Nanoseconds to) {
 }
 
 void LiveStrip::exportPicture() {
-  const auto path = askForPictureName(this, tr("Export the plots"), QStringLiteral("syncline.png"));
-  if (path.isEmpty()) return;
-  const auto form = pictureFormOf(path);
-  if (!form) {
-    QMessageBox::warning(this, tr("Export"), tr("%1: its name must end in .png, .svg or .pdf.").arg(path));
-    return;
-  }
-  const auto bytes = pictureFile(picture(), *form);
-  tellUnwritten(this, write_whole_file(path.toStdString(),
-                                       std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size()))));
+  ui::exportPicture(this, tr("Export the plots"), QStringLiteral("syncline.png"), [this] { return picture(); });
 }
 
-void LiveStrip::copyPicture() {
-  QApplication::clipboard()->setImage(QImage::fromData(pictureFile(picture(), PictureForm::kPng)));
-}
+void LiveStrip::copyPicture() { ui::copyPicture(picture()); }
 
 void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
   auto* menu = new QMenu(this);

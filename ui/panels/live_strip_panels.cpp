@@ -213,7 +213,9 @@ std::vector<LegendBar::Entry> DcmPanel::entries(Nanoseconds time) const {
 }
 
 QString DcmPanel::summary(Nanoseconds time) const {
-  if (source().limits().dcm_error_ns == 0) return tr("DCM is off");
+  // An imported run has errors without a limit that is known.
+  if (source().limits().dcm_error_ns == 0 && !raw_->series()->extent(store().first_time(), store().last_time() + 1))
+    return source().overview().master.state == SyncState::kUnknown ? noText() : tr("DCM is off");
   const auto drift = store().value(Signal::kDrift, time);
   return tr("drift %1").arg(drift ? ppmText(static_cast<double>(drift->value)) : QStringLiteral("\u2013"));
 }

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/overview_panel.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
+#include <QPointer>
 #include <QPushButton>
+#include <QStringList>
+#include <QTextDocumentFragment>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -32,8 +40,8 @@ enum : std::size_t { kWorst, kLast, kSince };
 class Banner final : public QFrame {
  public:
   void setTone(theme::Tone tone) {
-    auto colors = palette();
-    colors.setColor(QPalette::Window, theme::toneFill(colors, tone));
+    QPalette colors;  // of nothing else: the rest follows the theme, or a picture
+    colors.setColor(QPalette::Window, theme::toneFill(palette(), tone));
     setPalette(colors);
     setAutoFillBackground(true);
   }
@@ -65,7 +73,8 @@ OverviewPanel::OverviewPanel(QWidget* parent)
                              tr("Object 0x1C32:0B or 0x1C32:0C of the slaves that have one, since it was armed"))),
       dcm_(new FigureCard("overviewDcm", tr("DCM error"),
                           tr("Time of the frame at the reference clock minus its wanted time in the cycle"))),
-      arm_(named(new QPushButton(tr("Re-arm")), "overviewArm", tr("Begin figures and faults anew"))) {
+      arm_(named(new QPushButton(tr("Re-arm")), "overviewArm", tr("Begin figures and faults anew"))),
+      menu_(named(new QToolButton, "overviewMenuButton", tr("Export and copy"))) {
   setObjectName(QStringLiteral("overviewPanel"));
   setAccessibleName(tr("Overview"));
   addFigures(*deviation_);
@@ -88,6 +97,11 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   row->setContentsMargins(10, 5, 8, 5);
   row->addWidget(fault_, 1);
   row->addWidget(arm_);
+  menu_->setText(QStringLiteral("\u22EF"));
+  menu_->setToolTip(tr("Export and copy"));
+  menu_->setAutoRaise(true);
+  connect(menu_, &QToolButton::clicked, this, [this] { openMenu(menu_->mapToGlobal(menu_->rect().bottomLeft())); });
+  row->addWidget(menu_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 4);
   layout->setSpacing(6);
@@ -238,6 +252,62 @@ void OverviewPanel::refresh() {
   static_cast<Banner*>(banner_)->setTone(theme::Tone::kNeutral);
   fault_->setText(tr("Nothing has run yet: go online."));
 }
+
+Picture OverviewPanel::picture() {
+  const bool any = record_ != nullptr && !record_->samples().empty();
+  const auto begin = any ? record_->overview().armed.value_or(record_->overview().begin) : 0;
+  const auto title =
+      any ? tr("Syncline, %1, cycle %2")
+                .arg(utcRangeText(begin, record_->overview().end), cycleText(record_->limits().cycle_time))
+          : QStringLiteral("Syncline");
+  return captioned(
+      *this, title,
+      [this](QPainter& painter, const QPoint& place) {
+        const auto colours = palette();
+        const bool explicitly = testAttribute(Qt::WA_SetPalette);
+        const QPointer<QWidget> focus = QApplication::focusWidget();
+        // What can be pressed is no part of it; its room stays, so that nothing moves.
+        for (QWidget* button : {static_cast<QWidget*>(arm_), static_cast<QWidget*>(menu_)}) {
+          auto keep = button->sizePolicy();
+          keep.setRetainSizeWhenHidden(true);
+          button->setSizePolicy(keep);
+          button->hide();
+        }
+        setPalette(picturePalette());
+        refresh();
+        render(&painter, place, {}, QWidget::DrawChildren);
+        setPalette(explicitly ? colours : QPalette());
+        refresh();
+        for (QWidget* button : {static_cast<QWidget*>(arm_), static_cast<QWidget*>(menu_)}) button->show();
+        if (focus) focus->setFocus();
+      },
+      layout()->contentsMargins().left());
+}
+
+QString OverviewPanel::text() const {
+  const auto plain = [](const QString& html) { return QTextDocumentFragment::fromHtml(html).toPlainText(); };
+  QStringList lines{plain(fault_->text())};
+  lines << QStringList{tr("Slaves"), slaves_->text(), slaves_text_->text()}.join(u'\t');
+  lines << QStringList{tr("Master"), master_->text(), master_text_->text()}.join(u'\t');
+  for (const auto* card : {deviation_, missed_, dcm_}) lines << card->lines();
+  return lines.join(u'\n') + u'\n';
+}
+
+void OverviewPanel::openMenu(const QPoint& global) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("overviewMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  auto* whole = menu->addAction(tr("Export picture…"), this, [this] {
+    exportPicture(this, tr("Export the overview"), QStringLiteral("overview.png"), [this] { return picture(); });
+  });
+  whole->setObjectName(QStringLiteral("actionExportOverview"));
+  menu->addAction(tr("Copy picture"), this, [this] { copyPicture(picture()); });
+  auto* figures = menu->addAction(tr("Copy figures"), this, [this] { QApplication::clipboard()->setText(text()); });
+  figures->setObjectName(QStringLiteral("actionCopyFigures"));
+  menu->popup(global);
+}
+
+void OverviewPanel::contextMenuEvent(QContextMenuEvent* event) { openMenu(event->globalPos()); }
 
 /// Lines that wrap in a narrow window need their height, which a splitter does not ask for.
 bool OverviewPanel::event(QEvent* event) {

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "record/run_record.h"
+#include "ui/panels/picture_file.h"
 #include "ui/theme/theme.h"
 
 class QFrame;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace syncline::ui {
 
@@ -32,6 +34,10 @@ class OverviewPanel final : public QWidget {
   void setLive(bool live);
   /// At once, as the tick does a few times a second.
   void refresh();
+  /// What is shown, with a caption, in light colours whatever the theme is. To be drawn at once.
+  [[nodiscard]] Picture picture();
+  /// The same as text, for a table: a line a figure, its name and its parts separated by tabulators.
+  [[nodiscard]] QString text() const;
 
  Q_SIGNALS:
   /// A moment of the run (host clock, ns) was clicked.
@@ -42,8 +48,10 @@ class OverviewPanel final : public QWidget {
   bool event(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
+  void openMenu(const QPoint& global);
   void buildVerdict(QWidget& card);
   void showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp);
   void showFigure(FigureCard& card, const OverviewFigure& figure, const OverviewFigure& judged, std::int64_t limit,
@@ -59,6 +67,7 @@ class OverviewPanel final : public QWidget {
   QFrame* banner_;
   FigureCard *deviation_, *missed_, *dcm_;
   QPushButton* arm_;
+  QToolButton* menu_;
   QTimer tick_;
 };
 

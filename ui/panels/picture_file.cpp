@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/picture_file.h"
 
+#include <QApplication>
 #include <QBuffer>
+#include <QClipboard>
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
+#include <QMessageBox>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QStringList>
 #include <QSvgGenerator>
 #include <QSvgRenderer>
+#include <QWidget>
 #include <array>
+
+#include "support/whole_file.h"
+#include "ui/text/error_text.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {
@@ -70,6 +79,27 @@ void writePdf(QBuffer& file, const Picture& picture) {
   drawing.render(&painter, QRectF({}, QSizeF(picture.size)));
 }
 
+/// Empty: the user does not want to.
+QString askForPictureName(QWidget* parent, const QString& title, const QString& proposed) {
+  QStringList filters;
+  for (const auto& form : kForms) filters << filterOf(form);
+  QFileDialog dialog(parent, title);
+  dialog.setObjectName(QStringLiteral("pictureFileDialog"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setNameFilters(filters);
+  dialog.setDefaultSuffix(QLatin1String(kForms.front().ending));
+  dialog.selectFile(proposed);
+  // For a name without an ending; the dialog changes that of one that has it, and asks before a file is replaced.
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
+    for (const auto& form : kForms) {
+      if (filter == filterOf(form)) dialog.setDefaultSuffix(QLatin1String(form.ending));
+    }
+  });
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+constexpr int kCaptionHeight = 22, kPaperMargin = 10;
+
 }  // namespace
 
 std::optional<PictureForm> pictureFormOf(const QString& path) {
@@ -98,22 +128,53 @@ QByteArray pictureFile(const Picture& picture, PictureForm form) {
   return bytes;
 }
 
-QString askForPictureName(QWidget* parent, const QString& title, const QString& proposed) {
-  QStringList filters;
-  for (const auto& form : kForms) filters << filterOf(form);
-  QFileDialog dialog(parent, title);
-  dialog.setObjectName(QStringLiteral("pictureFileDialog"));
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setNameFilters(filters);
-  dialog.setDefaultSuffix(QLatin1String(kForms.front().ending));
-  dialog.selectFile(proposed);
-  // For a name without an ending; the dialog changes that of one that has it, and asks before a file is replaced.
-  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-    for (const auto& form : kForms) {
-      if (filter == filterOf(form)) dialog.setDefaultSuffix(QLatin1String(form.ending));
-    }
-  });
-  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+QPalette picturePalette() {
+  auto palette = theme::lightPalette();
+  for (const auto role : {QPalette::Window, QPalette::Base, QPalette::Button}) palette.setColor(role, Qt::white);
+  return palette;
+}
+
+Picture captioned(const QWidget& widget, const QString& caption,
+                  const std::function<void(QPainter&, const QPoint&)>& paint, int inset) {
+  const auto size = widget.size();
+  const auto whole = [paint, size, caption, inset, font = widget.font()](QPainter& painter) {
+    paint(painter, QPoint(kPaperMargin, kPaperMargin));
+    painter.setPen(picturePalette().color(QPalette::Text));
+    painter.setFont(font);
+    painter.drawText(QRect(kPaperMargin + inset, kPaperMargin + size.height(), size.width(), kCaptionHeight),
+                     Qt::AlignVCenter, caption);
+  };
+  return {size + QSize(2 * kPaperMargin, 2 * kPaperMargin + kCaptionHeight), widget.logicalDpiX(), caption, whole};
+}
+
+QString utcRangeText(Nanoseconds begin, Nanoseconds end) {
+  const auto at = [](Nanoseconds time) {
+    return QDateTime::fromMSecsSinceEpoch(time / kMillisecond + kDcEpochUnixSeconds * 1000, Qt::UTC);
+  };
+  const auto clock = QStringLiteral("HH:mm:ss.zzz");
+  const auto whole = QStringLiteral("yyyy-MM-dd ") + clock;
+  const bool same_day = at(begin).date() == at(end).date();
+  return QStringLiteral("%1 \u2013 %2 UTC").arg(at(begin).toString(whole), at(end).toString(same_day ? clock : whole));
+}
+
+Status writePicture(const Picture& picture, const QString& path) {
+  const auto form = pictureFormOf(path);
+  if (!form) return fail(ErrorCode::kBadValue, path.toStdString(), "its name must end in .png, .svg or .pdf");
+  const auto bytes = pictureFile(picture, *form);
+  return write_whole_file(path.toStdString(),
+                          std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+void exportPicture(QWidget* parent, const QString& title, const QString& proposed,
+                   const std::function<Picture()>& picture) {
+  const auto path = askForPictureName(parent, title, proposed);
+  if (path.isEmpty()) return;
+  if (const auto status = writePicture(picture(), path); !status)
+    QMessageBox::warning(parent, title, errorText(status.error()));
+}
+
+void copyPicture(const Picture& picture) {
+  QApplication::clipboard()->setImage(QImage::fromData(pictureFile(picture, PictureForm::kPng)));
 }
 
 }  // namespace syncline::ui

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <QByteArray>
+#include <QPalette>
 #include <QSize>
 #include <QString>
 #include <cstdint>
 #include <functional>
 #include <optional>
+
+#include "support/result.h"
+#include "support/types.h"
 
 class QPainter;
 class QWidget;
@@ -29,7 +33,20 @@ struct Picture {
 /// The bytes of a file. PNG has two pixels for each in both directions.
 [[nodiscard]] QByteArray pictureFile(const Picture& picture, PictureForm form);
 
-/// Asks for a name of one of the forms; empty: the user does not want to.
-[[nodiscard]] QString askForPictureName(QWidget* parent, const QString& title, const QString& proposed);
+/// On white, whatever the theme is.
+[[nodiscard]] QPalette picturePalette();
+/// A widget's children in a picture with what it is of below them. `paint` draws them, in picturePalette(), at the
+/// place that it is given; `inset`: what the widget leaves free at its left, in pixels.
+[[nodiscard]] Picture captioned(const QWidget& widget, const QString& caption,
+                                const std::function<void(QPainter&, const QPoint&)>& paint, int inset = 0);
+/// "2026-03-01 12:00:00.000 \u2013 12:00:10.250 UTC", of host clock times.
+[[nodiscard]] QString utcRangeText(Nanoseconds begin, Nanoseconds end);
+
+/// Whole or not at all. kBadValue where the name ends in none of the forms, kFileNotWritable.
+[[nodiscard]] Status writePicture(const Picture& picture, const QString& path);
+/// Asks for a name of one of the forms and writes; what goes wrong is shown.
+void exportPicture(QWidget* parent, const QString& title, const QString& proposed,
+                   const std::function<Picture()>& picture);
+void copyPicture(const Picture& picture);
 
 }  // namespace syncline::ui

@@ -38,8 +38,9 @@ std::string iso_utc(Nanoseconds time) {
                      clock.minutes().count(), clock.seconds().count(), rest);
 }
 
-std::string series_csv(const std::vector<CsvColumn>& columns, Nanoseconds origin, Nanoseconds begin, Nanoseconds end) {
-  std::string out = "time_ns,time_utc";
+std::string series_csv(const std::vector<CsvColumn>& columns, const CycleAt& cycle_at, Nanoseconds origin,
+                       Nanoseconds begin, Nanoseconds end) {
+  std::string out = "time_ns,time_utc,cycle";
   std::vector<std::vector<Sample>> samples(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     out += ',' + csv_field(columns[i].name);
@@ -56,7 +57,9 @@ std::string series_csv(const std::vector<CsvColumn>& columns, Nanoseconds origin
       if (next[i] < samples[i].size() && (!time || samples[i][next[i]].time < *time)) time = samples[i][next[i]].time;
     }
     if (!time) return out;
-    fmt::format_to(std::back_inserter(out), "{},{}", *time - origin, iso_utc(*time));
+    fmt::format_to(std::back_inserter(out), "{},{},", *time - origin, iso_utc(*time));
+    if (const auto cycle = cycle_at ? cycle_at(*time) : std::nullopt)
+      fmt::format_to(std::back_inserter(out), "{}", *cycle);
     for (std::size_t i = 0; i < columns.size(); ++i) {
       out += ',';
       if (next[i] >= samples[i].size() || samples[i][next[i]].time != *time) continue;

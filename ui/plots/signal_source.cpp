@@ -39,21 +39,7 @@ std::string keyOf(const RunRecord& record, const SignalSource& source) {
   return isOfSlave(source.signal) ? fmt::format("{} #{}", key, source.slave) : std::string(key);
 }
 
-double limitOf(const RunLimits& limits, Signal signal) {
-  switch (signal) {
-    case Signal::kDeviation:
-    case Signal::kDeviationOred:
-    case Signal::kNetworkToSlave:
-    case Signal::kSlaveDeviation:
-      return limits.deviation_ns;
-    case Signal::kDcmError:
-    case Signal::kDcmErrorFiltered:
-    case Signal::kMasterToNetwork:
-      return static_cast<double>(limits.dcm_error_ns);
-    default:
-      return 0;
-  }
-}
+double limitOf(const RunLimits& limits, Signal signal) { return limit_of(limits, signal); }
 
 bool isMagnitude(Signal signal) {
   return signal == Signal::kDeviation || signal == Signal::kDeviationOred || signal == Signal::kNetworkToSlave;

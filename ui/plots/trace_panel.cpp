@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "trace/statistics.h"
+#include "trace/untold.h"
 #include "ui/plots/signal_source.h"
 #include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
@@ -58,7 +59,7 @@ void TracePanel::setTitle(const QString& title) {
 void TracePanel::setSource(const RunRecord* source) {
   source_ = source;
   const auto* samples = source == nullptr ? nullptr : &source->samples();
-  plot_->gaps().setSeries(samples == nullptr ? nullptr : &samples->series(Signal::kRoundTrip),
+  plot_->gaps().setSeries(samples == nullptr ? nullptr : &samples->series(answered_signal(*samples)),
                           samples == nullptr ? 0 : samples->longest_gap(Signal::kRoundTrip));
   attach();
   colorItems();

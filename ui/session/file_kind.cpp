@@ -4,6 +4,9 @@
 #include <QByteArray>
 #include <QFile>
 #include <QRegularExpression>
+#include <string_view>
+
+#include "record/import_run.h"
 
 namespace syncline::ui {
 namespace {
@@ -43,7 +46,8 @@ FileKind fileKind(const QString& path) {
     return FileKind::kEsi;
   if (path.endsWith(QStringLiteral(".toml"), Qt::CaseInsensitive)) return FileKind::kScenario;
   if (path.endsWith(QStringLiteral(".syncline"), Qt::CaseInsensitive)) return FileKind::kProject;  // a damaged one
-  if (begin.startsWith("Time") && begin.contains("CtlErr")) return FileKind::kController;
+  if (table_kind(std::string_view(begin.constData(), static_cast<std::size_t>(begin.size()))))
+    return FileKind::kRunTable;
   return FileKind::kOther;
 }
 

@@ -10,11 +10,11 @@ enum class FileKind : unsigned char {
   kProject,
   kEni,
   kEsi,
-  kCapture,     // pcap, pcapng
-  kRecording,   // of a run, or a database of another program: it is said which
-  kScenario,    // of the simulated bus
-  kController,  // log of the master synchronisation
-  kOther,       // XML of another kind, or anything
+  kCapture,    // pcap, pcapng
+  kRecording,  // of a run, or a database of another program: it is said which
+  kScenario,   // of the simulated bus
+  kRunTable,   // log of the master synchronisation, or the table of a run: shown like a recording
+  kOther,      // XML of another kind, or anything
   kUnreadable,
 };
 

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/opened_recording.h"
 
+#include <QFileInfo>
 #include <QMetaObject>
 #include <algorithm>
 #include <utility>
 
 #include "eni/format/eni_file.h"
 #include "reasons/because.h"
+#include "record/import_run.h"
 #include "record/recording_notes.h"
+#include "support/whole_file.h"
 #include "ui/models/message_model.h"
+#include "ui/session/file_kind.h"
 #include "ui/text/recorded_text.h"
 
 namespace syncline::ui {
 namespace {
+
+constexpr std::size_t kLargestTable = 1U << 30;  // bytes: two hours at 1 kHz
 
 /// What was run; where the recording has no configuration that can be read, at least its slaves with their names.
 NetworkConfig configurationOf(const RecordingAbout& about) {
@@ -28,6 +34,15 @@ NetworkConfig configurationOf(const RecordingAbout& about) {
     configured.identity = {slave.vendor_id, slave.product_code, slave.revision_no, 0};
   }
   return config;
+}
+
+/// A table or log that is shown like a recording.
+Result<ReplayedRun> imported(const QString& path) {
+  const auto text = read_whole_file(path.toStdString(), kLargestTable);
+  if (!text) return tl::unexpected(text.error());
+  const auto run = import_table(*text, QFileInfo(path).fileName().toStdString());
+  if (!run) return tl::unexpected(run.error());
+  return replayed(*run);
 }
 
 }  // namespace
@@ -56,6 +71,11 @@ void OpenedRecording::cancel() { cancelled_ = true; }
 
 /// In the reader's thread.
 OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
+  if (fileKind(path) == FileKind::kRunTable) {
+    auto run = imported(path);
+    if (!run) return tl::unexpected(run.error());
+    return Whole{std::move(*run), {}};
+  }
   auto reader = RecordingReader::open(path.toStdString());
   if (!reader) return tl::unexpected(reader.error());
   auto info = reader->info();

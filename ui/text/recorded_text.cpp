@@ -54,6 +54,7 @@ std::vector<const RecordedEvent*> latestFirst(const std::vector<RecordedEvent>& 
 QString endText(const RecordingInfo& info) {
   if (!info.ended) return QCoreApplication::translate("Recorded", "cut short; whole up to its last second");
   if (*info.ended == "end of the run") return QCoreApplication::translate("Recorded", "up to the end of the run");
+  if (*info.ended == "end of the file") return QCoreApplication::translate("Recorded", "up to the end of the file");
   if (*info.ended == "stopped by the user") return QCoreApplication::translate("Recorded", "stopped by the user");
   if (*info.ended == "the last stretch out of memory")
     return QCoreApplication::translate("Recorded", "the last stretch out of memory");
@@ -93,8 +94,10 @@ QString spanText(Nanoseconds span) {
 QString recordingText(const ReplayedRun& run) {
   const auto& info = run.info;
   const auto project = std::ranges::find(info.about.documents, std::string("project"), &RecordedDocument::kind);
-  const auto name = project == info.about.documents.end() ? QCoreApplication::translate("Recorded", "a machine")
-                                                          : QString::fromStdString(project->name);
+  const auto other = info.about.program.starts_with("import of")
+                         ? QCoreApplication::translate("Recorded", "an imported run")
+                         : QCoreApplication::translate("Recorded", "a machine");
+  const auto name = project == info.about.documents.end() ? other : QString::fromStdString(project->name);
   auto text =
       QCoreApplication::translate("Recorded", "%1 on %2, %3, %4 in %5 cycles of %6, %7")
           .arg(name, QString::fromStdString(info.about.link),

@@ -123,6 +123,8 @@ void apply(Mode mode) {
 
 Mode current() { return g_mode; }
 
+QPalette lightPalette() { return paletteOf(kLight); }
+
 bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
 }

@@ -19,6 +19,8 @@ enum class Mode : unsigned char { kSystem, kLight, kDark };
 /// Fusion with our palette. kSystem takes dark or light from the desktop's own palette.
 void apply(Mode mode);
 [[nodiscard]] Mode current();
+/// Ours for a light desktop, whatever is applied.
+[[nodiscard]] QPalette lightPalette();
 [[nodiscard]] bool isDark(const QPalette& palette);
 
 enum class Tone : unsigned char { kNeutral, kGood, kBusy, kWarning, kBad, kAccent };

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "reasons/because.h"
+#include "support/byte_order.h"
 
 namespace syncline {
 namespace {
@@ -69,6 +70,34 @@ Result<PcapReader> PcapReader::from_memory(std::span<const std::uint8_t> bytes, 
   return from_stream(file, name);
 }
 
+namespace {
+
+/// What an EtherCAT Switch Link probe puts in front of a frame or behind it: a mark, flags (little endian, bit 13: its
+/// time stamp is valid) and its time in ns.
+constexpr std::size_t kProbeSize = 16;
+constexpr std::uint16_t kProbeHasStamp = 0x2000;
+
+bool is_probe_mark(std::span<const std::uint8_t> bytes) {
+  return bytes[0] == 0x01 && bytes[1] == 0x01 && bytes[2] == 0x05 && (bytes[3] == 0x10 || bytes[3] == 0x11) &&
+         bytes[4] == 0 && bytes[5] == 0;
+}
+
+void take_probe(CapturedFrame& frame) {
+  if (frame.bytes.size() < kProbeSize || frame.truncated) return;
+  const auto size = static_cast<std::ptrdiff_t>(kProbeSize);
+  auto probe = frame.bytes.begin();
+  if (!is_probe_mark({probe, probe + size})) probe = frame.bytes.end() - size;
+  const std::span<const std::uint8_t> part(probe, probe + size);
+  if (!is_probe_mark(part)) return;
+  if ((load_le<std::uint16_t>(part.subspan(6, 2)) & kProbeHasStamp) != 0) {
+    const auto stamp = load_le<std::uint64_t>(part.subspan(8, 8));
+    if (stamp <= static_cast<std::uint64_t>(INT64_MAX)) frame.stamp = static_cast<Nanoseconds>(stamp);
+  }
+  frame.bytes.erase(probe, probe + size);
+}
+
+}  // namespace
+
 Result<std::optional<CapturedFrame>> PcapReader::next() {
   pcap_pkthdr* header = nullptr;
   const u_char* bytes = nullptr;
@@ -93,6 +122,7 @@ Result<std::optional<CapturedFrame>> PcapReader::next() {
   }
   frame.bytes.assign(bytes, bytes + header->caplen);
   frame.truncated = header->caplen < header->len;
+  take_probe(frame);
   return frame;
 }
 

@@ -17,6 +17,9 @@ struct CapturedFrame {
   Nanoseconds time = 0;             // since the DC epoch
   std::vector<std::uint8_t> bytes;  // Ethernet frame without FCS, as far as it was captured
   bool truncated = false;           // the capture holds less than there was on the wire
+  /// Of a probe that stamps frames itself (EtherCAT Switch Link, ET2000), ns by its own clock; its header or trailer is
+  /// no part of `bytes`.
+  std::optional<Nanoseconds> stamp;
 };
 
 /// Reads pcap and pcapng captures of Ethernet frames, one after the other.

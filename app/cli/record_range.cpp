@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/record_range.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/cli/duration.h"
+#include "app/cli/options.h"
+
+namespace syncline::cli {
+namespace {
+
+/// A duration, or the beginning.
+Result<Nanoseconds> parse_moment(const std::string& text) {
+  if (text == "0" || text == "0s") return Nanoseconds{0};
+  return parse_duration(text);
+}
+
+}  // namespace
+
+void add_range_options(CLI::App& command, RecordRange& range) {
+  command.add_option("--from", range.from, "Begin of the range since the recording's, e.g. 1.5s or 2min");
+  command.add_option("--to", range.to, "End of the range, likewise; it is no part of it");
+}
+
+Result<RecordStretch> stretch_of(const RecordRange& range, const RecordingInfo& info) {
+  RecordStretch stretch{info.begin, info.end + 1};
+  if (!range.from.empty()) {
+    const auto from = parse_moment(range.from);
+    if (!from) return tl::unexpected(from.error());
+    stretch.begin = info.begin + *from;
+  }
+  if (!range.to.empty()) {
+    const auto to = parse_moment(range.to);
+    if (!to) return tl::unexpected(to.error());
+    stretch.end = std::min(info.begin + *to, stretch.end);
+  }
+  if (info.cycles == 0 || stretch.begin >= stretch.end) {
+    return fail(ErrorCode::kBadValue, "the range",
+                fmt::format("it holds nothing of the recording, which is {:.3f} s long",
+                            static_cast<double>(info.end - info.begin) / 1e9));
+  }
+  return stretch;
+}
+
+}  // namespace syncline::cli

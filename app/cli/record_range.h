@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "record/recording_reader.h"
+
+namespace CLI {
+class App;
+}
+
+namespace syncline::cli {
+
+/// A stretch of a recording as it is typed: durations since its beginning.
+struct RecordRange {
+  std::string from, to;
+  [[nodiscard]] bool any() const { return !from.empty() || !to.empty(); }
+};
+/// [begin, end), host clock.
+struct RecordStretch {
+  Nanoseconds begin = 0, end = 0;
+};
+
+/// --from and --to.
+void add_range_options(CLI::App& command, RecordRange& range);
+/// What is not typed is the recording's own. kBadValue where it is no duration, or nothing of the recording lies in it.
+[[nodiscard]] Result<RecordStretch> stretch_of(const RecordRange& range, const RecordingInfo& info);
+
+}  // namespace syncline::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/gui/recording_picture.h"
+
+#include <fmt/format.h>
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QRegularExpression>
+#include <QSize>
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "app/cli/cli.h"
+#include "app/cli/record_range.h"
+#include "ui/panels/picture_file.h"
+#include "ui/panels/recording_picture.h"
+#include "ui/session/opened_recording.h"
+#include "ui/text/error_text.h"
+
+namespace syncline {
+namespace {
+
+constexpr int kLeastSide = 100, kMostSide = 8192;
+
+int told(const QString& words, int code) {
+  std::fprintf(stderr, "syncline: %s\n", qUtf8Printable(words));
+  return code;
+}
+
+int told(const Error& error) {
+  return told(ui::errorText(error), error.code == ErrorCode::kBadValue ? cli::kUsage : cli::kFailed);
+}
+
+std::optional<QSize> sizeOf(const QString& text) {
+  static const QRegularExpression form(QStringLiteral("^(\\d{1,5})x(\\d{1,5})$"));
+  const auto match = form.match(text);
+  const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+  const bool fits =
+      std::min(size.width(), size.height()) >= kLeastSide && std::max(size.width(), size.height()) <= kMostSide;
+  return match.hasMatch() && fits ? std::optional(size) : std::nullopt;
+}
+
+/// What can be said before the recording is read; the words of what is wrong, or none.
+QString understand(const PictureOptions& options, ui::RecordingPicture& wanted) {
+  if (options.file.isEmpty()) return QStringLiteral("--picture: name a recording, too");
+  if (!ui::pictureFormOf(options.out))
+    return QStringLiteral("--picture %1: its name must end in .png, .svg or .pdf").arg(options.out);
+  const auto view = ui::pictureViewOf(options.view.isEmpty() ? QStringLiteral("plots") : options.view);
+  if (!view)
+    return QStringLiteral("--view %1: take one of %2")
+        .arg(options.view, ui::pictureViewNames().join(QStringLiteral(", ")));
+  wanted.view = *view;
+  const bool of_signals = *view == ui::PictureView::kDistribution || *view == ui::PictureView::kStability;
+  if (!options.signal_keys.isEmpty() && !of_signals)
+    return QStringLiteral("--signal: the views distribution and stability are of signals");
+  if (options.signal_keys.size() > static_cast<qsizetype>(ui::SignalChooser::kMost))
+    return QStringLiteral("--signal: four at most");
+  if (!options.figure.isEmpty()) {
+    wanted.figure = ui::stabilityFigureOf(options.figure);
+    if (!wanted.figure || *view != ui::PictureView::kStability)
+      return QStringLiteral("--figure %1: the view stability has adev, tdev, mtie and spectrum").arg(options.figure);
+  }
+  if ((!options.from.isEmpty() || !options.to.isEmpty()) && *view == ui::PictureView::kOverview)
+    return QStringLiteral("--from, --to: the overview is since the run was armed; see \"synclinectl record figures\"");
+  if (!options.slave.isEmpty()) {
+    bool number = false;
+    wanted.slave = options.slave.toInt(&number);
+    if (!number || wanted.slave < 0) return QStringLiteral("--slave %1: a position from 0").arg(options.slave);
+  }
+  if (!options.size.isEmpty()) {
+    const auto size = sizeOf(options.size);
+    if (!size)
+      return QStringLiteral("--size %1: width and height from %2 to %3, such as 1280x460")
+          .arg(options.size)
+          .arg(kLeastSide)
+          .arg(kMostSide);
+    wanted.size = *size;
+  }
+  return {};
+}
+
+Status complete(const PictureOptions& options, const ReplayedRun& run, ui::RecordingPicture& wanted) {
+  const auto slaves = run.info.about.slaves.size();
+  if (wanted.slave >= 0 && static_cast<std::size_t>(wanted.slave) >= slaves) {
+    return fail(ErrorCode::kBadValue, "--slave " + std::to_string(wanted.slave),
+                fmt::format("slaves in the recording: {}, counted from 0", slaves));
+  }
+  for (const auto& text : options.signal_keys) {
+    const auto source = ui::signalSourceOf(text, *run.record);
+    if (!source) return tl::unexpected(source.error());
+    wanted.sources.push_back(*source);
+  }
+  const cli::RecordRange range{options.from.toStdString(), options.to.toStdString()};
+  if (!range.any()) return {};
+  const auto stretch = cli::stretch_of(range, run.info);
+  if (!stretch) return tl::unexpected(stretch.error());
+  wanted.range = {stretch->begin, stretch->end - 1};
+  return {};
+}
+
+}  // namespace
+
+int writePictureOf(const PictureOptions& options) {
+  ui::RecordingPicture wanted;
+  if (const auto wrong = understand(options, wanted); !wrong.isEmpty()) return told(wrong, cli::kUsage);
+  ui::OpenedRecording recording;
+  std::optional<Error> error;
+  QEventLoop reading;
+  QObject::connect(&recording, &ui::OpenedRecording::finished, &reading, &QEventLoop::quit);
+  QObject::connect(&recording, &ui::OpenedRecording::failed, &reading, [&](const QString&, const Error& why) {
+    error = why;
+    reading.quit();
+  });
+  recording.read(options.file);
+  reading.exec();
+  if (error) return told(*error);
+  recording.show();
+  if (auto status = complete(options, recording.run(), wanted); !status) return told(status.error());
+  if (auto status = ui::writeRecordingPicture(recording.run(), wanted, options.out); !status)
+    return told(status.error());
+  return cli::kDone;
+}
+
+}  // namespace syncline

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "record/import_run.h"
+#include "support/result.h"
+
+namespace syncline {
+
+/// The run that a capture (pcap, pcapng) of any master shows: a cycle begins with each frame of the process-data
+/// command that came most often (without any, of the reading of the reference clock). Told are the times of the frames,
+/// by a probe's own stamps (ET2000) where it has them, else by the host's; whether they came back, and their working
+/// counters; the system time of the reference clock (0x0910); deviations (0x092C), or-ed and of single slaves, which
+/// have the order of their station addresses. Which working counter is right, verdicts, states and errors of a
+/// controller no capture tells.
+///
+/// As PcapReader; kBadValue where no cyclic frame came back.
+[[nodiscard]] Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits = {});
+
+}  // namespace syncline

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/recording.h"
+#include "record/replay_run.h"
+#include "support/result.h"
+
+/// Runs out of files that are no recordings. What such a file does not hold has no value (core/trace/untold.h): nothing
+/// is zero because nobody knows it.
+namespace syncline {
+
+/// What the run is to be held against, which no such file tells.
+struct ImportLimits {
+  std::uint32_t deviation_ns = 0;  // of the slaves; 0: not known
+  Nanoseconds dcm_error_ns = 0;    // of the master; 0: not known
+};
+
+struct ImportedRun {
+  RecordingAbout about;
+  std::vector<CycleSample> samples;
+};
+
+enum class TableKind : std::uint8_t {
+  kDcmLog,    // of the master synchronisation, ours and EC-Master's
+  kRunTable,  // "run --csv", "record export"
+};
+/// By its first line.
+[[nodiscard]] std::optional<TableKind> table_kind(std::string_view text);
+
+/// `name`: of the file. kMalformedData with the line; kNotThatKindOfFile where it is none of the tables, kBadValue
+/// where it has no rows, or their times do not tell the cycles apart.
+[[nodiscard]] Result<ImportedRun> import_table(std::string_view text, const std::string& name,
+                                               const ImportLimits& limits = {});
+
+/// The distance of most neighbours, by their times and numbers, rounded to what cycle times are; 0: there are none.
+[[nodiscard]] Nanoseconds cycle_time_of(const std::vector<CycleSample>& samples);
+/// Numbers cycles that have none by their times: where some are missing, so many numbers are left out.
+void count_cycles(std::vector<CycleSample>& samples);
+
+/// As if it had been recorded and opened: with slaves by their numbers, no events and no findings.
+[[nodiscard]] ReplayedRun replayed(const ImportedRun& run);
+/// To a new recording. As RecordingWriter::create().
+[[nodiscard]] Status write_recording(const ImportedRun& run, const std::string& path);
+
+}  // namespace syncline

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/import_capture.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "link/link.h"
+#include "protocol/dc_registers.h"
+#include "protocol/frame.h"
+#include "protocol/registers.h"
+#include "support/whole_file.h"
+#include "tests/support/temporary_folder.h"
+#include "trace/untold.h"
+
+namespace syncline {
+namespace {
+
+constexpr Nanoseconds kCaptureBegin = 830'000'000 * kSecond;
+
+/// A capture as it is written: pcap with times in ns.
+class CaptureFile {
+ public:
+  CaptureFile() {
+    for (const std::uint32_t word : {0xA1B23C4DU, 0x00040002U, 0U, 0U, 0x40000U, 1U}) put(word);
+  }
+  void add(Nanoseconds time, std::vector<std::uint8_t> frame) {
+    const auto unix_time = time + kDcEpochUnixSeconds * kSecond;
+    put(static_cast<std::uint32_t>(unix_time / kSecond));
+    put(static_cast<std::uint32_t>(unix_time % kSecond));
+    for (int i = 0; i < 2; ++i) put(static_cast<std::uint32_t>(frame.size()));
+    bytes_.insert(bytes_.end(), frame.begin(), frame.end());
+  }
+  [[nodiscard]] std::string write(const test::TemporaryFolder& folder) const {
+    const auto path = folder.file("capture.pcap");
+    EXPECT_TRUE(write_whole_file(path, std::span<const std::uint8_t>(bytes_)).has_value());
+    return path;
+  }
+
+ private:
+  void put(std::uint32_t word) {
+    for (int i = 0; i < 4; ++i) bytes_.push_back(static_cast<std::uint8_t>(word >> (8 * i)));
+  }
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// A cycle's frame: process data, the reference clock at station 1001, the deviation of one station.
+std::vector<std::uint8_t> cyclic_frame(std::uint8_t index, std::uint16_t station) {
+  FrameBuilder builder;
+  const std::array<std::uint8_t, 6> to{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, from{0x00, 1, 2, 3, 4, 5};
+  builder.set_addresses(to, from);
+  EXPECT_TRUE(builder.add_zeros(Command::kLrw, index, 0x1000, 8));
+  EXPECT_TRUE(builder.add_zeros(Command::kFrmw, index, device_address(1001, reg::kSystemTime), 8));
+  EXPECT_TRUE(builder.add_zeros(Command::kFprd, index, device_address(station, reg::kSystemTimeDifference), 4));
+  const auto bytes = builder.finish();
+  return {bytes.begin(), bytes.end()};
+}
+
+std::vector<std::uint8_t> answered(std::vector<std::uint8_t> frame, std::uint64_t system_time, std::int64_t deviation) {
+  frame[6] |= kLocallyAdministered;
+  FrameReader reader(frame);
+  auto data = reader.next();
+  data->set_wkc(6);
+  data = reader.next();
+  store_le(data->data, system_time);
+  data->set_wkc(1);
+  data = reader.next();
+  store_le(data->data, SystemTimeDifference::from_signed(deviation).raw);
+  data->set_wkc(1);
+  return frame;
+}
+
+std::vector<std::uint8_t> stamped(std::vector<std::uint8_t> frame, std::uint64_t stamp) {
+  const std::array<std::uint8_t, 8> head{0x01, 0x01, 0x05, 0x10, 0x00, 0x00, 0x80, 0x20};
+  frame.insert(frame.end(), head.begin(), head.end());
+  for (int i = 0; i < 8; ++i) frame.push_back(static_cast<std::uint8_t>(stamp >> (8 * i)));
+  return frame;
+}
+
+TEST(ImportCapture, TellsWhatItsFramesHold) {
+  const test::TemporaryFolder folder;
+  CaptureFile file;
+  for (int i = 0; i < 100; ++i) {
+    const auto sent = kCaptureBegin + i * 500 * kMicrosecond;
+    const std::uint16_t station = i % 2 == 0 ? 1002 : 1003;
+    // Once in a while the reference clock itself is read.
+    const auto frame = cyclic_frame(static_cast<std::uint8_t>(i), i % 10 == 5 ? 1001 : station);
+    file.add(sent, frame);
+    if (i == 40) continue;  // it is lost
+    file.add(sent + 28'000, answered(frame, static_cast<std::uint64_t>(sent + 77), i % 2 == 0 ? -12 : 300));
+  }
+  const auto run = import_capture(file.write(folder));
+  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  EXPECT_EQ(run->about.limits.cycle_time, 500 * kMicrosecond);
+  ASSERT_EQ(run->samples.size(), 100U);
+  ASSERT_EQ(run->about.slaves.size(), 2U);
+  EXPECT_EQ(run->about.slaves[1].name, "Station 1003");
+  const auto& one = run->samples[10];
+  EXPECT_EQ(one.cycle, 10U);
+  EXPECT_EQ(one.send_time, kCaptureBegin + 5 * kMillisecond);
+  EXPECT_EQ(one.round_trip_ns, 28'000);
+  EXPECT_EQ(one.reference_time, one.send_time + 77);
+  EXPECT_EQ(one.wkc_received, 6);
+  EXPECT_EQ(one.slave_position, 0);
+  EXPECT_EQ(one.slave_deviation_ns, -12);
+  EXPECT_EQ(one.deviation_ns, 300U) << "the largest of the latest readings";
+  EXPECT_NE(run->samples[40].flags & CycleSample::kFrameLost, 0);
+  EXPECT_EQ(run->samples[40].frames_lost, 1);
+  const auto replay = replayed(*run);
+  for (const auto signal : {Signal::kLateness, Signal::kDcmError, Signal::kDrift, Signal::kDeviationOred})
+    EXPECT_FALSE(replay.record->samples().series(signal).extent(0, INT64_MAX)) << info(signal).key;
+  EXPECT_FALSE(replay.record->samples().value(Signal::kWkcExpected, one.send_time));
+  EXPECT_EQ(replay.record->samples().value(Signal::kWkcReceived, one.send_time)->value, 6);
+  EXPECT_EQ(replay.record->overview().deviation.statistics.count(), 99U) << "one is lost";
+}
+
+/// The host's times of the file are worth nothing beside those of the probe.
+TEST(ImportCapture, TakesTheStampsOfAProbe) {
+  const test::TemporaryFolder folder;
+  CaptureFile file;
+  std::uint64_t probe = 5'000'000;
+  for (int i = 0; i < 50; ++i) {
+    const auto host = kCaptureBegin + i * kMillisecond + (i % 7) * 100'000;
+    const auto frame = cyclic_frame(static_cast<std::uint8_t>(i), 1002);
+    file.add(host, stamped(frame, probe));
+    file.add(host + 900'000, stamped(answered(frame, 1'000'000 + probe, 5), probe + 12'345));
+    probe += 1'000'000;
+  }
+  const auto run = import_capture(file.write(folder));
+  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  ASSERT_EQ(run->samples.size(), 50U);
+  for (std::size_t i = 0; i < run->samples.size(); ++i) {
+    EXPECT_EQ(run->samples[i].send_time, kCaptureBegin + static_cast<Nanoseconds>(i) * kMillisecond);
+    EXPECT_EQ(run->samples[i].round_trip_ns, 12'345);
+  }
+}
+
+/// A probe on the way back alone: what came is known, not for how long it was under way, nor what is lost.
+TEST(ImportCapture, OneWayIsNoRoundTrip) {
+  const test::TemporaryFolder folder;
+  CaptureFile file;
+  for (int i = 0; i < 20; ++i) {
+    const auto time = kCaptureBegin + i * kMillisecond;
+    file.add(time, answered(cyclic_frame(static_cast<std::uint8_t>(i), 1002), static_cast<std::uint64_t>(time), 5));
+  }
+  const auto run = import_capture(file.write(folder));
+  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  ASSERT_EQ(run->samples.size(), 20U);
+  EXPECT_EQ(run->samples[3].reference_time, run->samples[3].send_time);
+  EXPECT_FALSE(info(Signal::kRoundTrip).of_cycle(run->samples[3]));
+  EXPECT_FALSE(info(Signal::kFramesLost).of_cycle(run->samples[3]));
+}
+
+TEST(ImportCapture, SaysWhatIsMissing) {
+  const test::TemporaryFolder folder;
+  CaptureFile file;
+  for (int i = 0; i < 20; ++i)
+    file.add(kCaptureBegin + i * kMillisecond, cyclic_frame(static_cast<std::uint8_t>(i), 1002));
+  const auto sent_only = import_capture(file.write(folder));
+  ASSERT_FALSE(sent_only.has_value());
+  EXPECT_EQ(sent_only.error().code, ErrorCode::kBadValue);
+  EXPECT_TRUE(write_whole_file(folder.file("text"), std::string_view("no capture")).has_value());
+  const auto text = import_capture(folder.file("text"));
+  ASSERT_FALSE(text.has_value());
+  EXPECT_EQ(text.error().code, ErrorCode::kNotThatKindOfFile);
+  EXPECT_EQ(import_capture(folder.file("none")).error().code, ErrorCode::kFileNotFound);
+}
+
+}  // namespace
+}  // namespace syncline

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/import_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "record/recording_reader.h"
+#include "tests/core/record/made_samples.h"
+#include "tests/support/temporary_folder.h"
+#include "trace/csv.h"
+#include "trace/dcm_log.h"
+#include "trace/outages.h"
+#include "trace/range_figures.h"
+
+namespace syncline {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr Nanoseconds kLogBegin = 830'000'000 * kSecond;
+
+/// Of a machine that comes in sync after 100 of 1000 cycles.
+std::vector<CycleSample> logged_cycles() {
+  std::vector<CycleSample> samples(1000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    auto& s = samples[i];
+    s.cycle = i + 5;
+    s.send_time = kLogBegin + static_cast<Nanoseconds>(i) * kMillisecond + static_cast<Nanoseconds>(i % 3) * 1000;
+    s.reference_time = s.send_time + 333;
+    s.flags = CycleSample::kReferenceValid | CycleSample::kDcmActive | CycleSample::kDeviationValid |
+              CycleSample::kFollowersRead;
+    s.dcm_error_ns = static_cast<std::int32_t>(i % 50) - 20;
+    s.dcm_error_filtered_ns = s.dcm_error_ns / 2;
+    s.drift_ppm = 12.5F;
+    s.dcm_adjust_ns = -3;
+    s.deviation_ored_ns = s.deviation_ns = 15 + static_cast<std::uint32_t>(i % 9);
+    s.wkc_expected = s.wkc_received = 9;
+    s.round_trip_ns = 30'000;
+    s.master_state = 8;
+    s.slaves_sync = s.master_sync = i < 100 ? SyncState::kBusy : SyncState::kInSync;
+  }
+  return samples;
+}
+
+std::string dcm_log_of(const std::vector<CycleSample>& samples) {
+  DcmLog log(500'000, kMillisecond);
+  auto text = dcm_log_header();
+  for (const auto& sample : samples) {
+    if (const auto row = log.row(sample)) append_dcm_log(text, *row);
+  }
+  return text;
+}
+
+TEST(ImportRun, ALogOfTheMasterSynchronisationIsWhatItHolds) {
+  const auto samples = logged_cycles();
+  const auto run = import_table(dcm_log_of(samples), "run.dcm.csv");
+  ASSERT_TRUE(run.has_value());
+  ASSERT_EQ(run->samples.size(), samples.size());
+  EXPECT_EQ(run->about.limits.cycle_time, kMillisecond);
+  EXPECT_EQ(run->samples[7].dcm_error_ns, samples[7].dcm_error_ns) << "with our sign";
+  EXPECT_EQ(run->samples[7].drift_ppm, 12.5F);
+  EXPECT_EQ(run->samples[7].reference_time, samples[7].reference_time);
+  const auto replay = replayed(*run);
+  const auto& record = *replay.record;
+  EXPECT_EQ(record.samples().series(Signal::kDcmError).count(0, INT64_MAX), 1000U);
+  EXPECT_EQ(record.samples().value(Signal::kDeviation, record.samples().last_time())->value, 15.0F + 999 % 9);
+  // Armed when both came in sync, as the run itself was.
+  ASSERT_TRUE(record.overview().armed);
+  EXPECT_EQ(*record.overview().armed - record.overview().begin, 100 * kMillisecond + 1000);
+  EXPECT_EQ(record.overview().dcm_error.statistics.count(), 900U);
+  EXPECT_EQ(record.overview().slaves.state, SyncState::kInSync);
+  EXPECT_TRUE(record.findings().empty());
+}
+
+/// What nobody knows has no value, and is not zero.
+TEST(ImportRun, WhatALogDoesNotHoldIsUnknown) {
+  const auto run = import_table(dcm_log_of(logged_cycles()), "run.dcm.csv");
+  ASSERT_TRUE(run.has_value());
+  RangeFigures figures(0, 0, INT64_MAX, false);
+  figures.add(run->samples);
+  for (const auto& [signal, figure] : figures.signals()) {
+    const bool held = signal == Signal::kDcmError || signal == Signal::kDcmErrorFiltered || signal == Signal::kDrift ||
+                      signal == Signal::kDcmAdjust || signal == Signal::kDeviation ||
+                      signal == Signal::kDeviationOred || signal == Signal::kNetworkToSlave ||
+                      signal == Signal::kMasterToNetwork;
+    EXPECT_EQ(figure.statistics.count(), held ? 1000U : 0U) << info(signal).key;
+  }
+  const auto replay = replayed(*run);
+  const auto& store = replay.record->samples();
+  EXPECT_TRUE(outages(store, store.first_time(), store.last_time(), kMillisecond).empty()) << "nor is it an outage";
+  for (const auto signal : {Signal::kWkcExpected, Signal::kWkcReceived, Signal::kFramesLost, Signal::kSkippedCycles,
+                            Signal::kMasterState}) {
+    EXPECT_FALSE(replay.record->samples().value(signal, run->samples.back().send_time)) << info(signal).key;
+  }
+}
+
+TEST(ImportRun, OtherTabulatorsOrdersAndFewerColumnsDo) {
+  const auto run = import_table("CtlErr [ns]\tTime[ms]\n-5\t0\n7\t0.25\n9\t0.5\n11\t1.25\n", "log.csv");
+  ASSERT_TRUE(run.has_value());
+  ASSERT_EQ(run->samples.size(), 4U);
+  EXPECT_EQ(run->about.limits.cycle_time, 250'000);
+  EXPECT_EQ(run->samples[0].dcm_error_ns, 5);
+  EXPECT_EQ(run->samples[2].cycle, 2U);
+  EXPECT_EQ(run->samples[3].cycle, 5U) << "two are missing";
+  EXPECT_EQ(run->samples[3].slaves_sync, SyncState::kUnknown);
+  EXPECT_FALSE(info(Signal::kReferenceTime).of_cycle(run->samples[0]));
+  const auto replay = replayed(*run);
+  EXPECT_EQ(replay.info.missing_cycles, 2U);
+  EXPECT_EQ(replay.record->overview().dcm_error.statistics.count(), 4U) << "without a verdict all counts";
+  EXPECT_EQ(replay.record->overview().slaves.state, SyncState::kUnknown);
+}
+
+TEST(ImportRun, WhatWasInSyncAndIsNoMoreIsOutOfSync) {
+  const auto run = import_table("Time[ms];CtlErr [ns];DCMInSync;DCInSync\n0;1;0;0\n1;1;1;1\n2;1;0;1\n", "log.csv");
+  ASSERT_TRUE(run.has_value());
+  EXPECT_EQ(run->samples[0].master_sync, SyncState::kBusy);
+  EXPECT_EQ(run->samples[1].master_sync, SyncState::kInSync);
+  EXPECT_EQ(run->samples[2].master_sync, SyncState::kOutOfSync);
+  EXPECT_EQ(run->samples[2].slaves_sync, SyncState::kInSync);
+  EXPECT_EQ(replayed(*run).record->overview().master.times_lost, 1U);
+}
+
+/// Cycles of less than the host's column shows are told apart by the bus's time.
+TEST(ImportRun, TheBusTellsCyclesApartWhereTheHostDoesNot) {
+  const std::string rows =
+      "Time[ms];BusTime [ns];CtlErr [ns]\n0;830000000000000000;1\n0;830000000000250000;2\n"
+      "0;830000000000500000;3\n1;830000000000750000;4\n";
+  const auto run = import_table(rows, "log.csv");
+  ASSERT_TRUE(run.has_value());
+  EXPECT_EQ(run->about.limits.cycle_time, 250'000);
+  EXPECT_EQ(run->samples.back().send_time, 830000000000750000);
+  const auto none = import_table("Time[ms];CtlErr [ns]\n0;1\n0;1\n", "log.csv");
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().code, ErrorCode::kBadValue);
+}
+
+std::string table_of(const std::vector<CycleSample>& samples) {
+  auto text = sample_csv_header();
+  append_sample_csv(text, samples);
+  return text;
+}
+
+/// Every column of the table, whatever happened: the table of the import is the table.
+TEST(ImportRun, ATableOfARunIsReadWhole) {
+  auto samples = test::MadeSamples(7).next(5000);
+  for (auto& sample : samples) {
+    if (sample.slaves_sync != SyncState::kInSync) sample.slaves_sync = SyncState::kOutOfSync;
+  }
+  const auto table = table_of(samples);
+  const auto run = import_table(table, "run.csv");
+  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  auto again = table_of(run->samples);
+  // Without a clock nobody can say that a table's own zeros are known ones.
+  const auto without_derived = [](const std::string& text) {
+    std::string out;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream cells(line);
+      std::string cell;
+      for (int column = 0; std::getline(cells, cell, ','); ++column) {
+        if (column != 19 && column != 20) out += cell + ',';
+      }
+      out += '\n';
+    }
+    return out;
+  };
+  EXPECT_TRUE(without_derived(again) == without_derived(table));
+  EXPECT_TRUE(table.substr(0, table.find('\n')).find("NetworkToSubDeviceClkDiff_ns") != std::string::npos);
+  const auto replay = replayed(*run);
+  EXPECT_EQ(replay.info.missing_cycles, samples.back().cycle - samples.front().cycle + 1 - samples.size());
+  EXPECT_GT(run->about.slaves.size(), 0U);
+}
+
+TEST(ImportRun, AnImportIsARecordingLikeAnother) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("import.slrec");
+  const auto run = import_table(dcm_log_of(logged_cycles()), "run.dcm.csv", {127, 4000});
+  ASSERT_TRUE(run.has_value());
+  ASSERT_TRUE(write_recording(*run, path).has_value());
+  auto reader = RecordingReader::open(path);
+  ASSERT_TRUE(reader.has_value());
+  EXPECT_TRUE(reader->verify().has_value());
+  const auto info = reader->info();
+  ASSERT_TRUE(info.has_value());
+  EXPECT_EQ(info->cycles, 1000U);
+  EXPECT_EQ(info->about.link, "run.dcm.csv");
+  EXPECT_EQ(info->about.limits, (RunLimits{kMillisecond, 127, 4000}));
+  const auto opened = replay_run(*reader, NetworkConfig{});
+  ASSERT_TRUE(opened.has_value());
+  const auto direct = replayed(*run);
+  const auto& is = opened->record->overview();
+  const auto& was = direct.record->overview();
+  EXPECT_EQ(is.armed, was.armed);
+  EXPECT_EQ(is.dcm_error.statistics.rms(), was.dcm_error.statistics.rms());
+  EXPECT_EQ(is.dcm_error.statistics.count(), was.dcm_error.statistics.count());
+  EXPECT_EQ(is.deviation.margin(127), was.deviation.margin(127));
+  EXPECT_TRUE(opened->record->samples().series(Signal::kRoundTrip).extent(0, INT64_MAX) == std::nullopt);
+  EXPECT_FALSE(write_recording(*run, path).has_value()) << "it replaces nothing";
+}
+
+TEST(ImportRun, SaysWhatIsWrong) {
+  const auto code = [](const std::string& text) {
+    const auto run = import_table(text, "x.csv");
+    EXPECT_FALSE(run.has_value());
+    return run ? ErrorCode::kCancelled : run.error().code;
+  };
+  EXPECT_EQ(code(""), ErrorCode::kNotThatKindOfFile);
+  EXPECT_EQ(code("a,b,c\n1,2,3\n"), ErrorCode::kNotThatKindOfFile);
+  EXPECT_EQ(code("cycle,send_time_ns,lateness_ns\n"), ErrorCode::kBadValue);
+  EXPECT_EQ(code("Time[ms];CtlErr [ns]\n"), ErrorCode::kBadValue);
+  EXPECT_EQ(code("Time[ms];CtlErr [ns]\n0;soon\n"), ErrorCode::kMalformedData);
+  const auto bad = import_table("cycle,send_time_ns,lateness_ns\n0,1000,2\n1,2000,late\n", "x.csv");
+  ASSERT_FALSE(bad.has_value());
+  EXPECT_EQ(bad.error().line, 3);
+  EXPECT_THAT(bad.error().detail, HasSubstr("late"));
+  EXPECT_FALSE(table_kind(std::string("\0\1\2", 3)));
+}
+
+}  // namespace
+}  // namespace syncline

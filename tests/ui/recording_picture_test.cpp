@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of recordings without a window: what is drawn, and the program that writes them where there is no display.
+#include "ui/panels/recording_picture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QMenu>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/cli.h"
+#include "support/ui_test_support.h"
+#include "tests/app/cli_runner.h"
+#include "ui/panels/overview_panel.h"
+#include "ui/theme/theme.h"
+
+namespace syncline::ui {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr Nanoseconds kPictureEpoch = 830'000'000 * kSecond;
+
+class RecordingPictureTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    NetworkConfig config;
+    config.cyclic.resize(1);
+    config.cyclic[0].cycle_time = kMillisecond;
+    for (const char* name : {"Coupler", "Servo"}) config.slaves.emplace_back().name = name;
+    config.dc.enabled = true;
+    run.record = std::make_unique<RunRecord>(std::move(config), 20'000, RunLimits{kMillisecond, 127, 4000}, 0x1000);
+    run.info.about.slaves = {{"Coupler", 2, 3, 4}, {"Servo", 2, 5, 6}};
+    std::vector<CycleSample> samples(10'000);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      auto& sample = samples[i];
+      const auto part = static_cast<std::int32_t>(i % 37) - 18;
+      sample.cycle = i;
+      sample.send_time = kPictureEpoch + static_cast<Nanoseconds>(i) * kMillisecond;
+      sample.flags = CycleSample::kFollowersRead | CycleSample::kDcmActive | CycleSample::kReferenceValid |
+                     CycleSample::kSlaveFollows;
+      sample.deviation_ns = i == 7000 ? 100U : 30U;
+      sample.slave_position = 1;
+      sample.slave_deviation_ns = part;
+      sample.dcm_error_ns = 40 * part;
+      sample.dcm_error_filtered_ns = 10 * part;
+      sample.master_state = static_cast<std::uint8_t>(AlState::kOp);
+      sample.slaves_sync = sample.master_sync = SyncState::kInSync;
+    }
+    run.record->add(samples);
+  }
+  QString path(const char* name) { return folder.filePath(QLatin1String(name)); }
+  QByteArray written(const RecordingPicture& wanted, const char* name) {
+    const auto status = writeRecordingPicture(run, wanted, path(name));
+    EXPECT_TRUE(status.has_value()) << name << ": " << status.error().subject << " " << status.error().detail;
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+
+  QTemporaryDir folder;
+  ReplayedRun run;
+};
+
+/// The words of an SVG, a line each.
+std::string wordsOf(const QByteArray& svg) {
+  static const QRegularExpression words(QStringLiteral(">([^<>]+)</text>"));
+  QStringList all;
+  for (auto matches = words.globalMatch(QString::fromUtf8(svg)); matches.hasNext();) all << matches.next().captured(1);
+  return all.join(u'\n').replace(u'\u00A0', u' ').toStdString();
+}
+
+TEST_F(RecordingPictureTest, PlotsHaveLimitsDateAndCycle) {
+  const auto svg = written({}, "plots.svg");
+  EXPECT_EQ(QSvgRenderer(svg).viewBox().size(), QSize(1280, 460));
+  const auto words = wordsOf(svg);
+  EXPECT_THAT(words, HasSubstr("DC deviation"));
+  EXPECT_THAT(words, HasSubstr("limit \u00B1127 ns"));
+  EXPECT_THAT(words, HasSubstr("Syncline, 2026-04-20 11:33:20.000 \u2013 11:33:29.999 UTC, cycle 1 ms"));
+  EXPECT_THAT(words, HasSubstr("Servo"));
+}
+
+TEST_F(RecordingPictureTest, ARangeIsAllThatIsShown) {
+  RecordingPicture wanted;
+  wanted.range = {kPictureEpoch + 2 * kSecond, kPictureEpoch + 3 * kSecond};
+  const auto words = wordsOf(written(wanted, "range.svg"));
+  EXPECT_THAT(words, HasSubstr("11:33:22.000 \u2013 11:33:23.000 UTC"));
+  EXPECT_THAT(words, HasSubstr("peak 30 ns")) << "what lies outside does not count";
+  EXPECT_THAT(wordsOf(written({}, "all.svg")), HasSubstr("peak 100 ns"));
+}
+
+TEST_F(RecordingPictureTest, EveryViewIsWrittenInEveryForm) {
+  for (const auto& name : pictureViewNames()) {
+    if (name == QStringLiteral("cycle")) continue;  // nobody has SYNC0
+    RecordingPicture wanted;
+    wanted.view = *pictureViewOf(name);
+    const auto png = QImage::fromData(written(wanted, "view.png"));
+    ASSERT_FALSE(png.isNull()) << name.toStdString();
+    EXPECT_EQ(png.width(), 2 * (wanted.view == PictureView::kSlaves ? 1760 : 1280)) << name.toStdString();
+    EXPECT_EQ(png.pixel(1, 1), qRgb(255, 255, 255));
+    int inked = 0;
+    for (int y = 0; y < png.height(); y += 2) {
+      for (int x = 0; x < png.width(); x += 2) inked += qGray(png.pixel(x, y)) < 128 ? 1 : 0;
+    }
+    EXPECT_GT(inked, 500) << name.toStdString();
+    EXPECT_THAT(wordsOf(written(wanted, "view.svg")), HasSubstr("cycle 1 ms")) << name.toStdString();
+    EXPECT_TRUE(written(wanted, "view.pdf").startsWith("%PDF-")) << name.toStdString();
+  }
+}
+
+/// Points are 1/72 of an inch, pixels of the screen 1/96.
+TEST_F(RecordingPictureTest, ThePageIsAsLargeAsItWasAskedFor) {
+  RecordingPicture wanted;
+  wanted.size = {1600, 800};
+  EXPECT_EQ(QImage::fromData(written(wanted, "large.png")).size(), QSize(3200, 1600));
+  const auto pdf = written(wanted, "large.pdf");
+  static const QRegularExpression box(QStringLiteral("/MediaBox \\[0 0 ([\\d.]+) ([\\d.]+)\\]"));
+  const auto match = box.match(QString::fromLatin1(pdf));
+  ASSERT_TRUE(match.hasMatch());
+  const double dpi = QWidget().logicalDpiX();
+  EXPECT_NEAR(match.captured(1).toDouble(), 1600 * 72 / dpi, 1);
+  EXPECT_NEAR(match.captured(2).toDouble(), 800 * 72 / dpi, 1);
+  wanted.size = {900, 400};
+  EXPECT_EQ(QImage::fromData(written(wanted, "narrow.png")).size(), QSize(1800, 800));
+  wanted.size = {120, 120};
+  const auto small = writeRecordingPicture(run, wanted, path("small.png"));
+  ASSERT_FALSE(small.has_value());
+  EXPECT_EQ(small.error().code, ErrorCode::kBadValue);
+  EXPECT_FALSE(QFile::exists(path("small.png")));
+}
+
+TEST_F(RecordingPictureTest, SignalsAreChosenByTheirKeys) {
+  const auto error = signalSourceOf(QStringLiteral("dcm_error_ns"), *run.record);
+  ASSERT_TRUE(error.has_value());
+  EXPECT_EQ(*error, (SignalSource{Signal::kDcmError, 0}));
+  const auto servo = signalSourceOf(QStringLiteral("deviation_ns@1"), *run.record);
+  ASSERT_TRUE(servo.has_value());
+  EXPECT_EQ(*servo, (SignalSource{Signal::kSlaveDeviation, 1}));
+  for (const char* none : {"poem", "deviation_ns@0", "deviation_ns@2", "deviation_ns@", "deviation_ns@1@1",
+                           "arrival_phase_ns@1", "cycle", "wkc_expected"})
+    EXPECT_FALSE(signalSourceOf(QLatin1String(none), *run.record).has_value()) << none;
+  RecordingPicture wanted;
+  wanted.view = PictureView::kDistribution;
+  wanted.sources = {*error, *servo};
+  const auto words = wordsOf(written(wanted, "distribution.svg"));
+  EXPECT_THAT(words, HasSubstr("DCM error"));
+  EXPECT_THAT(words, HasSubstr("#1 Servo"));
+  wanted.view = PictureView::kStability;
+  wanted.figure = StabilityView::Figure::kMtie;
+  EXPECT_THAT(wordsOf(written(wanted, "mtie.svg")), HasSubstr("MTIE over the observation time"));
+}
+
+TEST_F(RecordingPictureTest, SaysWhatIsMissing) {
+  RecordingPicture wanted;
+  const auto name = writeRecordingPicture(run, wanted, path("plots.bmp"));
+  ASSERT_FALSE(name.has_value());
+  EXPECT_EQ(name.error().code, ErrorCode::kBadValue);
+  const auto place = writeRecordingPicture(run, wanted, path("none/plots.png"));
+  ASSERT_FALSE(place.has_value());
+  EXPECT_EQ(place.error().code, ErrorCode::kFileNotWritable);
+  wanted.view = PictureView::kCycle;
+  const auto view = writeRecordingPicture(run, wanted, path("cycle.png"));
+  ASSERT_FALSE(view.has_value());
+  EXPECT_EQ(view.error().code, ErrorCode::kBadValue);
+}
+
+/// The same in the dark theme, whose widgets are as they were afterwards.
+TEST_F(RecordingPictureTest, TheOverviewIsLightAndHasNoButtons) {
+  OverviewPanel panel;
+  panel.setRecord(run.record.get(), true);
+  panel.resize(1200, 240);
+  panel.show();
+  const auto light = pictureFile(panel.picture(), PictureForm::kPng);
+  EXPECT_THAT(wordsOf(pictureFile(panel.picture(), PictureForm::kSvg)), testing::Not(HasSubstr("Re-arm")));
+  theme::apply(theme::Mode::kDark);
+  QApplication::processEvents();
+  panel.refresh();
+  ASSERT_LT(qGray(panel.grab().toImage().pixel(2, 2)), 100);
+  const auto dark = panel.grab().toImage();
+  EXPECT_TRUE(QImage::fromData(pictureFile(panel.picture(), PictureForm::kPng)) == QImage::fromData(light));
+  EXPECT_TRUE(panel.grab().toImage() == dark);
+  theme::apply(theme::Mode::kLight);
+}
+
+TEST_F(RecordingPictureTest, FiguresAreCopiedAsText) {
+  OverviewPanel panel;
+  panel.setRecord(run.record.get(), true);
+  panel.resize(1200, 240);
+  panel.show();
+  test::find<QToolButton>(panel, "overviewMenuButton")->click();
+  auto* menu = panel.findChild<QMenu*>(QStringLiteral("overviewMenu"));
+  ASSERT_NE(menu, nullptr);
+  menu->findChild<QAction*>(QStringLiteral("actionCopyFigures"))->trigger();
+  const auto text = QApplication::clipboard()->text().replace(u'\u00A0', u' ').toStdString();
+  EXPECT_THAT(text, HasSubstr("DC deviation, max\t100 ns at 7.000 s\n"));
+  EXPECT_THAT(text, HasSubstr("\nSlaves\tAt the end: In sync\t"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("<"))) << "no markup";
+}
+
+/// The program as it is installed, where there is no display.
+class PictureProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto run = test::cli_run(
+        {"project", "create", path("m.syncline"), "--scan", test::demo(), "--cycle", "1000", "--sync-window", "on"});
+    ASSERT_EQ(run.code, cli::kDone) << run.err;
+    const auto recorded = test::cli_run({"run", path("m.syncline"), "--link", test::demo("?virtual&seed=5"), "--for",
+                                         "4s", "--record", path("run.slrec")});
+    ASSERT_EQ(recorded.code, cli::kDone) << recorded.err;
+  }
+  std::string path(const char* name) { return folder.filePath(QLatin1String(name)).toStdString(); }
+  int start(const std::vector<std::string>& arguments) {
+    QStringList words;
+    for (const auto& argument : arguments) words << QString::fromStdString(argument);
+    QProcess process;
+    auto environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR"})
+      environment.remove(QLatin1String(name));
+    environment.insert(QStringLiteral("HOME"), folder.path());
+    process.setProcessEnvironment(environment);
+    process.start(QCoreApplication::applicationDirPath() + QStringLiteral("/syncline"), words);
+    EXPECT_TRUE(process.waitForFinished(60'000));
+    err = process.readAllStandardError().toStdString();
+    return process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
+  }
+
+  QTemporaryDir folder;
+  std::string err;
+};
+
+TEST_F(PictureProgram, WritesAPictureWithoutADisplay) {
+  EXPECT_EQ(start({path("run.slrec"), "--picture", path("a.svg"), "--from", "500ms", "--to", "2s"}), 0) << err;
+  EXPECT_EQ(err, "");
+  EXPECT_GT(QFileInfo(QString::fromStdString(path("a.svg"))).size(), 10'000);
+  EXPECT_EQ(start({path("run.slrec"), "--picture", path("b.pdf"), "--view", "cycle", "--slave", "3"}), 0) << err;
+  EXPECT_EQ(start({path("run.slrec"), "--picture", path("c.png"), "--view", "overview", "--language", "de"}), 0) << err;
+  EXPECT_FALSE(QImage(QString::fromStdString(path("c.png"))).isNull());
+}
+
+TEST_F(PictureProgram, SaysWhatItCannotDo) {
+  const auto refused = [this](const std::vector<std::string>& arguments, int code, const char* words) {
+    EXPECT_EQ(start(arguments), code) << words;
+    EXPECT_THAT(err, HasSubstr(words));
+  };
+  const auto file = path("run.slrec"), out = path("out.png");
+  refused({file, "--picture", out, "--view", "poem"}, 2, "take one of overview, plots");
+  refused({file, "--picture", path("out.bmp")}, 2, ".png, .svg or .pdf");
+  refused({file, "--picture", out, "--from", "1h"}, 2, "it holds nothing of the recording");
+  refused({file, "--picture", out, "--from", "soon"}, 2, "use a duration");
+  refused({file, "--picture", out, "--signal", "dcm_error_ns"}, 2, "distribution and stability");
+  refused({file, "--picture", out, "--view", "distribution", "--signal", "poem"}, 2, "dcm_error_ns");
+  refused({file, "--picture", out, "--size", "9x9"}, 2, "--size 9x9");
+  refused({file, "--picture", out, "--slave", "99"}, 2, "counted from 0");
+  refused({"--picture", out}, 2, "name a recording");
+  refused({file, "--picture", out, "--poem"}, 2, "poem");
+  refused({path("none.slrec"), "--picture", out}, 3, "none.slrec");
+  refused({path("m.syncline"), "--picture", out}, 3, "another kind of file");
+  refused({file, "--picture", path("none/out.png")}, 3, "none");
+  const auto cut = path("damaged.slrec");
+  std::filesystem::copy_file(file, cut);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) / 2);
+  refused({cut, "--picture", out}, 3, "damaged");
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+}  // namespace
+}  // namespace syncline::ui

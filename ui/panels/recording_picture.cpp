@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/recording_picture.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QLayout>
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <utility>
+
+#include "ui/panels/cycle_view.h"
+#include "ui/panels/distribution_view.h"
+#include "ui/panels/live_strip.h"
+#include "ui/panels/live_strip_toolbar.h"
+#include "ui/panels/overview_panel.h"
+#include "ui/panels/picture_file.h"
+#include "ui/panels/slaves_view.h"
+#include "ui/text/signal_text.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr qint64 kTimeoutMs = 60'000;
+constexpr QSize kUsual(1280, 460), kUsualOfSlaves(1760, 460);  // all columns of the table
+constexpr QSize kLeastRoom(600, 160);                          // the window lets no view have less
+
+struct ViewName {
+  PictureView view;
+  const char* name;
+};
+constexpr std::array kViews{ViewName{PictureView::kOverview, "overview"},
+                            ViewName{PictureView::kPlots, "plots"},
+                            ViewName{PictureView::kDistribution, "distribution"},
+                            ViewName{PictureView::kStability, "stability"},
+                            ViewName{PictureView::kCycle, "cycle"},
+                            ViewName{PictureView::kSlaves, "slaves"}};
+
+LiveStrip::Body bodyOf(PictureView view) {
+  switch (view) {
+    case PictureView::kDistribution:
+      return LiveStrip::Body::kDistribution;
+    case PictureView::kStability:
+      return LiveStrip::Body::kStability;
+    case PictureView::kCycle:
+      return LiveStrip::Body::kCycle;
+    case PictureView::kSlaves:
+      return LiveStrip::Body::kSlaves;
+    default:
+      return LiveStrip::Body::kPlots;
+  }
+}
+
+/// As if it were seen, on no screen.
+void showUnseen(QWidget& widget) {
+  widget.setAttribute(Qt::WA_DontShowOnScreen);
+  widget.show();
+  for (int round = 0; round < 3; ++round) QCoreApplication::processEvents();  // layouts ask for another one
+}
+
+/// Gives the widget the size with which its picture has the wanted one.
+template <class Widget>
+void fit(Widget& widget, const QSize& wanted) {
+  for (int round = 0; round < 3 && widget.picture().size != wanted; ++round) {
+    widget.resize(widget.size() + wanted - widget.picture().size);
+    QCoreApplication::processEvents();
+  }
+}
+
+bool waitUntil(const std::function<bool()>& done) {
+  QElapsedTimer waiting;
+  waiting.start();
+  while (!done()) {
+    if (waiting.elapsed() > kTimeoutMs) return false;
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  }
+  return true;
+}
+
+/// What the picture is of.
+const QWidget& bodyOf(const LiveStrip& strip, PictureView view) {
+  switch (view) {
+    case PictureView::kDistribution:
+      return *strip.distribution();
+    case PictureView::kStability:
+      return *strip.stability();
+    case PictureView::kCycle:
+      return *strip.cycle();
+    case PictureView::kSlaves:
+      return *strip.slaves();
+    default:
+      return *strip.panels().front()->parentWidget();
+  }
+}
+
+bool isComplete(const LiveStrip& strip, PictureView view) {
+  switch (view) {
+    case PictureView::kDistribution:
+      return strip.distribution()->complete();
+    case PictureView::kStability:
+      return strip.stability()->complete();
+    case PictureView::kSlaves:
+      return strip.slaves()->complete();
+    default:
+      return true;
+  }
+}
+
+Status writeOverview(const ReplayedRun& run, const RecordingPicture& wanted, const QString& path) {
+  OverviewPanel panel;
+  panel.setRecord(run.record.get(), true);
+  panel.setFindings(run.record->findings());
+  showUnseen(panel);
+  const int width = wanted.size.isEmpty() ? kUsual.width() : wanted.size.width();
+  panel.resize(width, panel.layout()->totalHeightForWidth(width));
+  fit(panel, wanted.size.isEmpty() ? QSize(width, panel.picture().size.height()) : wanted.size);
+  if (!wanted.size.isEmpty() && panel.picture().size != wanted.size) {
+    return fail(ErrorCode::kBadValue, "--size", "the view needs more room; leave the size out to have what suits it");
+  }
+  return writePicture(panel.picture(), path);
+}
+
+Status prepare(LiveStrip& strip, const RunRecord& record, const RecordingPicture& wanted) {
+  strip.setRecord(&record, true);
+  if (wanted.slave >= 0) strip.setPickedSlave(wanted.slave);
+  if (!wanted.sources.empty()) {
+    strip.distribution()->setSources(wanted.sources);
+    strip.stability()->setSources(wanted.sources);
+  }
+  if (wanted.figure) strip.stability()->setFigure(*wanted.figure);
+  if (wanted.view == PictureView::kCycle &&
+      (strip.cycle()->slave() < 0 || (wanted.slave >= 0 && strip.cycle()->slave() != wanted.slave)))
+    return fail(ErrorCode::kBadValue, "cycle", "no slave with SYNC0 whose arrivals are known");
+  strip.showBody(bodyOf(wanted.view));
+  if (!wanted.range) return {};
+  strip.refresh();  // knows its bounds then
+  strip.timeView()->setSpan(std::max(wanted.range->end - wanted.range->begin, TimeView::kMinSpan));
+  strip.timeView()->goTo(wanted.range->begin + strip.timeView()->span() / 2);
+  return {};
+}
+
+}  // namespace
+
+std::optional<PictureView> pictureViewOf(const QString& name) {
+  const auto* found =
+      std::ranges::find_if(kViews, [&name](const ViewName& of) { return name == QLatin1String(of.name); });
+  return found == kViews.end() ? std::nullopt : std::optional(found->view);
+}
+
+QStringList pictureViewNames() {
+  QStringList names;
+  for (const auto& of : kViews) names << QLatin1String(of.name);
+  return names;
+}
+
+std::optional<StabilityView::Figure> stabilityFigureOf(const QString& name) {
+  using Figure = StabilityView::Figure;
+  constexpr std::array kFigures{std::pair{"adev", Figure::kAdev}, std::pair{"tdev", Figure::kTdev},
+                                std::pair{"mtie", Figure::kMtie}, std::pair{"spectrum", Figure::kSpectrum}};
+  for (const auto& [key, figure] : kFigures) {
+    if (name == QLatin1String(key)) return figure;
+  }
+  return std::nullopt;
+}
+
+Result<SignalSource> signalSourceOf(const QString& text, const RunRecord& record) {
+  const auto none = [&text] {
+    return fail(ErrorCode::kBadValue, text.toStdString(),
+                "it is no signal that can be shown here, such as dcm_error_ns or deviation_ns@1");
+  };
+  const auto parts = text.split(u'@');
+  const auto scope = parts.size() == 1 ? SignalInfo::Scope::kBus : SignalInfo::Scope::kSlave;
+  const auto* row = find_signal(parts.first().toStdString(), scope);
+  if (parts.size() > 2 || row == nullptr) return none();
+  if (scope == SignalInfo::Scope::kBus) {
+    if (signalText(row->id).isEmpty()) return none();
+    return SignalSource{row->id, 0};
+  }
+  bool number = false;
+  const auto slave = parts.last().toUInt(&number);
+  if (!number || slave >= record.samples().slave_count()) return none();
+  const SignalSource source{row->id, slave};
+  const bool there = row->id == Signal::kArrivalPhase
+                         ? record.samples().sync0(slave).period > 0
+                         : row->id == Signal::kSlaveDeviation && !seriesOf(record, source).empty();
+  if (!there) return none();
+  return source;
+}
+
+Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wanted, const QString& path) {
+  if (!pictureFormOf(path)) return writePicture({}, path);
+  if (wanted.view == PictureView::kOverview) return writeOverview(run, wanted, path);
+  LiveStrip strip;
+  strip.findChild<LiveStripToolbar*>()->hide();  // no part of the picture, and wider than many are to be
+  if (auto status = prepare(strip, *run.record, wanted); !status) return status;
+  const auto usual = wanted.view == PictureView::kSlaves ? kUsualOfSlaves : kUsual;
+  const auto size = wanted.size.isEmpty() ? usual : wanted.size;
+  strip.setMinimumSize(1, 1);  // that of the view alone counts
+  strip.resize(size);
+  showUnseen(strip);
+  fit(strip, size);
+  const auto& body = bodyOf(strip, wanted.view);
+  const auto least = body.minimumSizeHint().boundedTo(kLeastRoom);
+  if (strip.picture().size != size || body.size() != body.size().expandedTo(least)) {
+    return fail(ErrorCode::kBadValue, "--size", "the view needs more room; leave the size out to have what suits it");
+  }
+  const bool complete = waitUntil([&] {
+    strip.refresh();
+    return isComplete(strip, wanted.view);
+  });
+  if (!complete) return fail(ErrorCode::kTimeout, "picture");
+  for (auto* panel : strip.panels()) panel->refreshText(true);
+  strip.refresh();
+  return writePicture(strip.picture(), path);
+}
+
+}  // namespace syncline::ui
