@@ -10,6 +10,7 @@
 
 #include "app/cli/event_text.h"
 #include "app/cli/milliseconds.h"
+#include "app/cli/terminal_reason.h"
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
 #include "trace/range_figures.h"
@@ -45,7 +46,7 @@ Status check_signals(const std::vector<std::string>& keys, const RangeFigures& f
     if (known) continue;
     std::string all;
     for (const auto& of : figures.signals()) all += (all.empty() ? "" : ", ") + std::string(info(of.signal).key);
-    return fail(ErrorCode::kBadValue, "--signal " + key, "the signals are " + all);
+    return fail(ErrorCode::kBadValue, "--signal " + key, in_terminal("the signals are " + all));
   }
   return {};
 }

@@ -7,6 +7,7 @@
 
 #include "app/cli/duration.h"
 #include "app/cli/options.h"
+#include "reasons/because.h"
 
 namespace syncline::cli {
 namespace {
@@ -38,8 +39,8 @@ Result<RecordStretch> stretch_of(const RecordRange& range, const RecordingInfo& 
   }
   if (info.cycles == 0 || stretch.begin >= stretch.end) {
     return fail(ErrorCode::kBadValue, "the range",
-                fmt::format("it holds nothing of the recording, which is {:.3f} s long",
-                            static_cast<double>(info.end - info.begin) / 1e9));
+                because("it holds nothing of the recording, which is {time} s long",
+                        fmt::format("{:.3f}", static_cast<double>(info.end - info.begin) / 1e9)));
   }
   return stretch;
 }

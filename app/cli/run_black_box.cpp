@@ -9,6 +9,7 @@
 #include "app/cli/counted.h"
 #include "app/cli/event_text.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal_reason.h"
 #include "findings/error_text.h"
 
 namespace syncline::cli {
@@ -33,7 +34,7 @@ void add_black_box_options(CLI::App& command, BlackBoxOptions& options) {
 Status RunBlackBox::start(MasterChannels& channels, const std::string& file, const std::string& link,
                           bool virtual_time) {
   if (options_.name.empty()) return {};
-  if (options_.mib == 0) return fail(ErrorCode::kBadValue, "--black-box-mib", "use 1 or more");
+  if (options_.mib == 0) return fail(ErrorCode::kBadValue, "--black-box-mib", in_terminal("use 1 or more"));
   auto box = BlackBox::start(channels.frames,
                              {.name = options_.name,
                               .most_bytes = options_.mib * kMiB,

@@ -126,8 +126,9 @@ Result<WatchLists> watched_of(const RunOptions& options, const NetworkConfig& co
     if (std::ranges::find(variables, *variable) == variables.end()) variables.push_back(std::move(*variable));
   }
   if (!watched.add(variables)) {
-    return fail(ErrorCode::kBadValue, "--watch",
-                fmt::format("{} variables are named, at most {} can be watched", variables.size(), kMostWatched));
+    return fail(
+        ErrorCode::kBadValue, "--watch",
+        in_terminal(fmt::format("{} variables are named, at most {} can be watched", variables.size(), kMostWatched)));
   }
   return watched;
 }

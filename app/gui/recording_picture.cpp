@@ -14,6 +14,7 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/record_range.h"
+#include "reasons/because.h"
 #include "ui/panels/picture_file.h"
 #include "ui/panels/recording_picture.h"
 #include "ui/session/opened_recording.h"
@@ -85,7 +86,7 @@ Status complete(const PictureOptions& options, const ReplayedRun& run, ui::Recor
   const auto slaves = run.info.about.slaves.size();
   if (wanted.slave >= 0 && static_cast<std::size_t>(wanted.slave) >= slaves) {
     return fail(ErrorCode::kBadValue, "--slave " + std::to_string(wanted.slave),
-                fmt::format("slaves in the recording: {}, counted from 0", slaves));
+                because("slaves in the recording: {count}, counted from 0", slaves));
   }
   for (const auto& text : options.signal_keys) {
     const auto source = ui::signalSourceOf(text, *run.record);

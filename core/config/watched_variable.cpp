@@ -10,6 +10,7 @@
 
 #include "config/image_owners.h"
 #include "protocol/coe_data_type.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -77,14 +78,14 @@ Result<WatchedVariable> find_watchable(const NetworkConfig& config, std::string_
   if (meant.size() == 1) return *meant.front();
   if (meant.empty()) {
     return fail(ErrorCode::kBadValue, std::string(text),
-                "the process image has no such variable of 1 to 64 bits: use its name, or SLAVE.ENTRY with the slave's "
-                "position or name, e.g. \"3.Position actual value\"");
+                because("the process image has no such variable of 1 to 64 bits: use its name, or SLAVE.ENTRY with the "
+                        "slave's position or name, e.g. \"3.Position actual value\""));
   }
   std::string names;
   for (std::size_t i = 0; i < std::min(meant.size(), kMostNamed); ++i)
     names += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", meant[i]->name);
   if (meant.size() > kMostNamed) names += fmt::format(" and {} more", meant.size() - kMostNamed);
-  return fail(ErrorCode::kBadValue, std::string(text), fmt::format("it could be any of {}", names));
+  return fail(ErrorCode::kBadValue, std::string(text), because("it could be any of {names}", names));
 }
 
 WatchedNumber watched_number(const WatchedVariable& variable, std::uint64_t bits) {

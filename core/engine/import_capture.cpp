@@ -18,6 +18,7 @@
 #include "protocol/dc_registers.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
+#include "reasons/because.h"
 #include "trace/untold.h"
 
 namespace syncline {
@@ -355,7 +356,7 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
     for (const auto& exchange : captured.exchanges) maker.add(exchange);
     run.samples = maker.take();
   }
-  if (run.samples.empty()) return fail(ErrorCode::kBadValue, name, "it holds no cyclic frame that came back");
+  if (run.samples.empty()) return fail(ErrorCode::kBadValue, name, because("it holds no cyclic frame that came back"));
   count_cycles(run.samples);
   run.about.program = "import of a capture";
   run.about.link = name;

@@ -17,6 +17,7 @@ inline constexpr std::string_view kFileReasons[] = {
     "it is damaged or cut off ({words})",
     "its slaves are not numbered in a row",
     "it has no cycle time",
+    "its lists of watched variables are none",
     "block {number} is none",
     "{signal} of block {number} cannot be read",
     "block {number} holds other cycles than it says",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/frame_segments.h"
+#include "reasons/because.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -23,7 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kBytesPerMiB = 1024.0 * 1024.0;
 constexpr std::string_view kExtension = ".pcapng";
 /// Behind the program's name in each section header: without it a file is none of ours, and never deleted.
 constexpr std::string_view kMark = " (Syncline black box)";
@@ -33,7 +33,7 @@ constexpr std::uint64_t kLastBlock = 1U << 12;  // room for the statistics at a 
 constexpr std::size_t kLongestName =
     200;  // of program, interface and description: the mark is found, blocks stay small
 
-Error not_writable(const std::string& file, std::string why) {
+Error not_writable(const std::string& file, Reason why) {
   return Error{.code = ErrorCode::kFileNotWritable, .detail = std::move(why), .file = file};
 }
 
@@ -122,9 +122,9 @@ FrameSegments::~FrameSegments() {
 Status FrameSegments::begin() {
   const auto folder = folder_of(options_.name);
   struct stat found {};
-  if (::stat(folder.c_str(), &found) != 0) return fail(not_writable(options_.name, std::strerror(errno)));
-  if (!S_ISDIR(found.st_mode)) return fail(not_writable(options_.name, std::strerror(ENOTDIR)));
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) return fail(not_writable(options_.name, std::strerror(errno)));
+  if (::stat(folder.c_str(), &found) != 0) return fail(not_writable(options_.name, Reason::of_system(errno)));
+  if (!S_ISDIR(found.st_mode)) return fail(not_writable(options_.name, Reason::of_system(ENOTDIR)));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return fail(not_writable(options_.name, Reason::of_system(errno)));
   const auto base = fs::path(options_.name).filename().string();
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -135,18 +135,17 @@ Status FrameSegments::begin() {
     const auto path = it->path().string();
     const auto of = whose(path);
     if (of == Whose::kInWork)
-      return fail(not_writable(path, "another program writes to a black box of this name: use another one"));
+      return fail(not_writable(path, because("another program writes to a black box of this name: use another one")));
     if (of == Whose::kOurs) segments_.push_back({.path = path, .number = *number, .bytes = it->file_size(none)});
   }
-  if (error) return fail(not_writable(options_.name, error.message()));
+  if (error) return fail(not_writable(options_.name, Reason::of_system(error.value())));
   std::ranges::sort(segments_, {}, &Segment::number);
   const auto space = fs::space(folder, error);
   const auto needed = options_.most_bytes + options_.keep_free_bytes;
   if (!error && space.available + bytes() < needed) {
     return fail(not_writable(
-        options_.name,
-        fmt::format("the disk has {:.0f} MiB left, a black box needs {:.0f} MiB with what is kept free",
-                    static_cast<double>(space.available) / kBytesPerMiB, static_cast<double>(needed) / kBytesPerMiB)));
+        options_.name, because("the disk has {left} MiB left, a black box needs {needed} MiB with what is kept free",
+                               space.available >> 20, needed >> 20)));
   }
   return {};
 }
@@ -159,7 +158,7 @@ std::uint64_t FrameSegments::bytes() const {
 
 Status FrameSegments::remove_oldest() {
   const auto& path = segments_.front().path;
-  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return fail(not_writable(path, std::strerror(errno)));
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return fail(not_writable(path, Reason::of_system(errno)));
   segments_.pop_front();
   return {};
 }
@@ -170,7 +169,7 @@ Status FrameSegments::open(Nanoseconds time) {
   }
   const auto path = fmt::format("{}_{:05}_{}{}", options_.name, next_number_, utc_digits(time), kExtension);
   descriptor_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) return fail(not_writable(path, std::strerror(errno)));
+  if (descriptor_ < 0) return fail(not_writable(path, Reason::of_system(errno)));
   (void)::flock(descriptor_, LOCK_EX | LOCK_NB);
   segments_.push_back({.path = path, .number = next_number_++, .begin = time});
   given_ = 0;
@@ -212,11 +211,11 @@ Status FrameSegments::write() {
   if (number != 0) {
     (void)!::ftruncate(descriptor_, static_cast<off_t>(given_));  // what came of a block
     segment.bytes = given_;
-    return fail(not_writable(segment.path, std::strerror(number)));
+    return fail(not_writable(segment.path, Reason::of_system(number)));
   }
   if (!options_.sync || std::chrono::steady_clock::now() - synced_ < std::chrono::seconds(1)) return {};
   synced_ = std::chrono::steady_clock::now();
-  return ::fdatasync(descriptor_) == 0 ? Status{} : fail(not_writable(segment.path, std::strerror(errno)));
+  return ::fdatasync(descriptor_) == 0 ? Status{} : fail(not_writable(segment.path, Reason::of_system(errno)));
 }
 
 Status FrameSegments::check_disk() const {
@@ -225,13 +224,14 @@ Status FrameSegments::check_disk() const {
   }, ours{};
   if (::stat(path.c_str(), &named) != 0 || ::fstat(descriptor_, &ours) != 0 || named.st_ino != ours.st_ino ||
       named.st_dev != ours.st_dev) {
-    return fail(not_writable(path, "the file is gone: it, or its folder, was deleted or moved while it was written"));
+    return fail(
+        not_writable(path, because("the file is gone: it, or its folder, was deleted or moved while it was written")));
   }
   std::error_code error;
   const auto space = fs::space(folder_of(path), error);
   if (error || space.available >= options_.keep_free_bytes) return {};
-  return fail(not_writable(path, fmt::format("only {:.0f} MiB are left on the disk; the black box is whole up to here",
-                                             static_cast<double>(space.available) / kBytesPerMiB)));
+  return fail(not_writable(
+      path, because("only {left} MiB are left on the disk; the black box is whole up to here", space.available >> 20)));
 }
 
 Status FrameSegments::close(std::span<const std::string> notes, std::uint64_t lost) {

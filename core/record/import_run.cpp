@@ -11,6 +11,7 @@
 #include <limits>
 #include <utility>
 
+#include "reasons/because.h"
 #include "record/recording_writer.h"
 #include "trace/dcm_log.h"
 #include "trace/untold.h"
@@ -80,8 +81,8 @@ T fitting(std::int64_t value) {
   return static_cast<T>(std::clamp<std::int64_t>(value, kLeast, kMost));
 }
 
-tl::unexpected<Error> no_cycles(const std::string& name, const char* why) {
-  return fail(ErrorCode::kBadValue, name, why);
+tl::unexpected<Error> no_cycles(const std::string& name, Reason why) {
+  return fail(ErrorCode::kBadValue, name, std::move(why));
 }
 
 // ---- log of the master synchronisation -----------------------------------------------------------------------------
@@ -92,7 +93,8 @@ Status put_times(const DcmLogTable& log, std::vector<CycleSample>& samples, cons
   const bool has_bus_time = log.has("BusTime [ns]") && rows.front().bus_time_ns > 0;
   const auto same_time = [](const DcmLogRow& a, const DcmLogRow& b) { return a.time_ms == b.time_ms; };
   const bool by_host = log.has("Time[ms]") && std::ranges::adjacent_find(rows, same_time) == rows.end();
-  if (!by_host && !has_bus_time && rows.size() > 1) return no_cycles(name, "its times do not tell the cycles apart");
+  if (!by_host && !has_bus_time && rows.size() > 1)
+    return no_cycles(name, because("its times do not tell the cycles apart"));
   const auto begin = has_bus_time && rows.front().bus_time_ns > kFirstDate ? rows.front().bus_time_ns : kNoDate;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto since = by_host ? std::llround(std::clamp((rows[i].time_ms - rows.front().time_ms) * 1e6, 0.0, 9e17))
@@ -129,7 +131,7 @@ CycleSample sample_of(const DcmLogRow& row, const DcmLogTable& log) {
 Result<ImportedRun> import_dcm_log(std::string_view text, const std::string& name) {
   const auto log = read_dcm_table(text);
   if (!log) return tl::unexpected(log.error());
-  if (log->rows.empty()) return no_cycles(name, "it has no rows");
+  if (log->rows.empty()) return no_cycles(name, because("it has no rows"));
   ImportedRun run;
   Verdict slaves(log->has("DCInSync")), master(log->has("DCMInSync"));
   run.samples.reserve(log->rows.size());
@@ -294,14 +296,14 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
     if (!table.read(line, sample, bad)) {
       return fail(Error{.code = ErrorCode::kMalformedData,
                         .subject = fmt::format("line {} of the table", number),
-                        .detail = fmt::format("\"{}\" is no number", bad.substr(0, 40)),
+                        .detail = because("\"{text}\" is no number", bad.substr(0, 40)),
                         .file = name,
                         .line = number});
     }
     slaves = std::max({slaves, sample.slave_position + 1, sample.sm2_position + 1});
     run.samples.push_back(sample);
   }
-  if (run.samples.empty()) return no_cycles(name, "it has no rows");
+  if (run.samples.empty()) return no_cycles(name, because("it has no rows"));
   run.about.program = "import of the table of a run";
   for (int slave = 0; slave < slaves; ++slave) run.about.slaves.push_back({fmt::format("Slave {}", slave), 0, 0, 0});
   if (!table.has(Signal::kDcInSync) || !table.has(Signal::kDcmInSync)) run.about.armed = run.samples.front().send_time;
@@ -320,10 +322,10 @@ std::optional<TableKind> table_kind(std::string_view text) {
 Result<ImportedRun> import_table(std::string_view text, const std::string& name, const ImportLimits& limits) {
   const auto kind = table_kind(text);
   if (!kind) {
-    return fail(
-        Error{.code = ErrorCode::kNotThatKindOfFile,
-              .detail = "a log of the master synchronisation, or the table that \"synclinectl run --csv\" writes",
-              .file = name});
+    return fail(Error{
+        .code = ErrorCode::kNotThatKindOfFile,
+        .detail = because("a log of the master synchronisation, or the table that \"synclinectl run --csv\" writes"),
+        .file = name});
   }
   auto run = *kind == TableKind::kDcmLog ? import_dcm_log(text, name) : import_run_table(text, name);
   if (!run) return run;

@@ -97,7 +97,9 @@ Status RecordingReader::read_watched(WatchLists& watched) {
   const auto version = recording_version(database_);
   if (!version) return read_error(database_, version.error());
   if (*version < kFirstWithVariables) return {};
-  const auto no_lists = [this] { return damaged_recording(database_, "its lists of watched variables are none"); };
+  const auto no_lists = [this] {
+    return damaged_recording(database_, because("its lists of watched variables are none"));
+  };
   std::vector<WatchedVariable> variables;
   auto status =
       each("SELECT id, name, slave, direction, data_type, bit_offset, bit_size FROM variable ORDER BY id",
@@ -376,8 +378,8 @@ Status RecordingReader::check_sum(const Block& block, std::int64_t series, std::
                                  static_cast<float>(row->real(2)) == high
                            : count == 0;
   if (same) return {};
-  return damaged_recording(database_,
-                           fmt::format("the sums of {} in block {} are not those of its values", key, block.number));
+  return damaged_recording(
+      database_, because("the sums of {signal} in block {number} are not those of its values", key, block.number));
 }
 
 Result<std::uint64_t> RecordingReader::verify() {

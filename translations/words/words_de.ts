@@ -8185,6 +8185,10 @@
         <translation>Block {number} enthält andere Zyklen, als er angibt</translation>
     </message>
     <message>
+        <source>its lists of watched variables are none</source>
+        <translation>ihre Listen beobachteter Variablen sind keine</translation>
+    </message>
+    <message>
         <source>block {number} is none</source>
         <translation>Block {number} ist keiner</translation>
     </message>

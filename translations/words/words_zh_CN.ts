@@ -8185,6 +8185,10 @@
         <translation>块 {number} 所含的周期与其声明不符</translation>
     </message>
     <message>
+        <source>its lists of watched variables are none</source>
+        <translation>其监视变量列表无效</translation>
+    </message>
+    <message>
         <source>block {number} is none</source>
         <translation>块 {number} 无效</translation>
     </message>

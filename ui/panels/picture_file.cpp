@@ -19,6 +19,7 @@
 #include <QWidget>
 #include <array>
 
+#include "reasons/because.h"
 #include "support/whole_file.h"
 #include "ui/text/error_text.h"
 #include "ui/theme/theme.h"
@@ -159,7 +160,7 @@ QString utcRangeText(Nanoseconds begin, Nanoseconds end) {
 
 Status writePicture(const Picture& picture, const QString& path) {
   const auto form = pictureFormOf(path);
-  if (!form) return fail(ErrorCode::kBadValue, path.toStdString(), "its name must end in .png, .svg or .pdf");
+  if (!form) return fail(ErrorCode::kBadValue, path.toStdString(), because("its name must end in .png, .svg or .pdf"));
   const auto bytes = pictureFile(picture, *form);
   return write_whole_file(path.toStdString(),
                           std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));

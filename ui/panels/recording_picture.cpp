@@ -10,6 +10,7 @@
 #include <functional>
 #include <utility>
 
+#include "reasons/because.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
@@ -116,7 +117,8 @@ Status writeOverview(const ReplayedRun& run, const RecordingPicture& wanted, con
   panel.resize(width, panel.layout()->totalHeightForWidth(width));
   fit(panel, wanted.size.isEmpty() ? QSize(width, panel.picture().size.height()) : wanted.size);
   if (!wanted.size.isEmpty() && panel.picture().size != wanted.size) {
-    return fail(ErrorCode::kBadValue, "--size", "the view needs more room; leave the size out to have what suits it");
+    return fail(ErrorCode::kBadValue, "--size",
+                because("the view needs more room; leave the size out to have what suits it"));
   }
   return writePicture(panel.picture(), path);
 }
@@ -131,7 +133,7 @@ Status prepare(LiveStrip& strip, const RunRecord& record, const RecordingPicture
   if (wanted.figure) strip.stability()->setFigure(*wanted.figure);
   if (wanted.view == PictureView::kCycle &&
       (strip.cycle()->slave() < 0 || (wanted.slave >= 0 && strip.cycle()->slave() != wanted.slave)))
-    return fail(ErrorCode::kBadValue, "cycle", "no slave with SYNC0 whose arrivals are known");
+    return fail(ErrorCode::kBadValue, "cycle", because("no slave with SYNC0 whose arrivals are known"));
   strip.showBody(bodyOf(wanted.view));
   if (!wanted.range) return {};
   strip.refresh();  // knows its bounds then
@@ -167,7 +169,7 @@ std::optional<StabilityView::Figure> stabilityFigureOf(const QString& name) {
 Result<SignalSource> signalSourceOf(const QString& text, const RunRecord& record) {
   const auto none = [&text] {
     return fail(ErrorCode::kBadValue, text.toStdString(),
-                "it is no signal that can be shown here, such as dcm_error_ns or deviation_ns@1");
+                because("it is no signal that can be shown here, such as dcm_error_ns or deviation_ns@1"));
   };
   const auto parts = text.split(u'@');
   const auto scope = parts.size() == 1 ? SignalInfo::Scope::kBus : SignalInfo::Scope::kSlave;
@@ -203,7 +205,8 @@ Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wan
   const auto& body = bodyOf(strip, wanted.view);
   const auto least = body.minimumSizeHint().boundedTo(kLeastRoom);
   if (strip.picture().size != size || body.size() != body.size().expandedTo(least)) {
-    return fail(ErrorCode::kBadValue, "--size", "the view needs more room; leave the size out to have what suits it");
+    return fail(ErrorCode::kBadValue, "--size",
+                because("the view needs more room; leave the size out to have what suits it"));
   }
   const bool complete = waitUntil([&] {
     strip.refresh();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/network_run.h"
+#include "reasons/because.h"
 
 #include <fmt/format.h>
 
@@ -122,8 +123,8 @@ Status NetworkRun::watch(std::vector<VariableName> names) {
   if (variables == record_->watched().latest()) return {};
   if (!record_->watch(variables)) {
     return fail(ErrorCode::kNotSupported, "variables",
-                fmt::format("a run holds {} different ones: go offline and online again to watch others",
-                            WatchLists::kMostVariables));
+                because("a run holds {count} different ones: go offline and online again to watch others",
+                        WatchLists::kMostVariables));
   }
   send(record_->watched().command());
   Q_EMIT watchChanged(variables);
