@@ -206,10 +206,6 @@ inline constexpr std::string_view kCommonReasons[] = {
     "the device has no CoE mailbox through which objects could be written",
     "it names none of the log's columns",
     "the file holds {count} networks; choose one by number or name: {names}",
-    "\"{text}\" is no rule",
-    "\"{text}\" is no mode",
-    "\"{text}\" is no synchronisation type",
-    "\"{text}\" is no Ethernet address",
     "it holds neither what was there nor what was to be written: another slave, or written since; write the image that "
     "it is to have with \"sii write\"",
     "the other revision does not take it",

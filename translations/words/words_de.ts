@@ -7313,22 +7313,6 @@
         <translation>die Datei enthält {count} Netze; eines nach Nummer oder Name wählen: {names}</translation>
     </message>
     <message>
-        <source>"{text}" is no rule</source>
-        <translation>"{text}" ist keine Regel</translation>
-    </message>
-    <message>
-        <source>"{text}" is no mode</source>
-        <translation>"{text}" ist keine Betriebsart</translation>
-    </message>
-    <message>
-        <source>"{text}" is no synchronisation type</source>
-        <translation>"{text}" ist keine Synchronisationsart</translation>
-    </message>
-    <message>
-        <source>"{text}" is no Ethernet address</source>
-        <translation>"{text}" ist keine Ethernet-Adresse</translation>
-    </message>
-    <message>
         <source>it holds neither what was there nor what was to be written: another slave, or written since; write the image that it is to have with "sii write"</source>
         <translation>es enthält weder, was da war, noch, was geschrieben werden sollte: ein anderer Slave, oder seither beschrieben; das gewünschte Abbild mit "sii write" schreiben</translation>
     </message>

@@ -7313,22 +7313,6 @@
         <translation>文件包含 {count} 个网络；请按编号或名称选择：{names}</translation>
     </message>
     <message>
-        <source>"{text}" is no rule</source>
-        <translation>“{text}”不是规则</translation>
-    </message>
-    <message>
-        <source>"{text}" is no mode</source>
-        <translation>“{text}”不是模式</translation>
-    </message>
-    <message>
-        <source>"{text}" is no synchronisation type</source>
-        <translation>“{text}”不是同步类型</translation>
-    </message>
-    <message>
-        <source>"{text}" is no Ethernet address</source>
-        <translation>“{text}”不是以太网地址</translation>
-    </message>
-    <message>
         <source>it holds neither what was there nor what was to be written: another slave, or written since; write the image that it is to have with "sii write"</source>
         <translation>其内容既不是原有的，也不是要写入的：可能是另一个从站，或之后又被写入；请用“sii write”写入所需映像</translation>
     </message>

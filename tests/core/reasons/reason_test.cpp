@@ -3,14 +3,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "reasons/because.h"
 #include "reasons/brief_reason.h"
+#include "reasons/reason_words.h"
+#include "support/whole_file.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
@@ -65,6 +71,49 @@ TEST(Reasons, OneIsFoundAgainByItsWords) {
   EXPECT_EQ(reason_of_words("{value} is outside {range}", {Reason::phrase("one alone")}), std::nullopt);
   EXPECT_EQ(reason_of_words("no row of {today}", {Reason::phrase("one")}), std::nullopt);
   EXPECT_EQ(reason_of_words("no row of today", {}), Reason::phrase("no row of today"));
+}
+
+/// The literals of a source, those behind each other joined.
+void collect_literals(std::string_view source, std::set<std::string>& all) {
+  std::string literal;
+  bool inside = false, joined = false;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const char c = source[i];
+    if (inside && c == '\\') {
+      literal += source[++i];
+    } else if (c == '"' && (inside || i == 0 || source[i - 1] != '\'')) {
+      inside = !inside;
+      joined = !inside;
+    } else if (inside) {
+      literal += c;
+    } else if (joined && std::strchr(" \n", c) == nullptr) {
+      all.insert(literal);
+      literal.clear();
+      joined = false;
+    }
+    if (!inside && c == '/' && source.substr(i, 2) == "//") i = std::min(source.find('\n', i), source.size());
+  }
+}
+
+/// The compiler sees sentences without a row; rows without a sentence it does not.
+TEST(Reasons, EachRowIsSaidSomewhere) {
+  std::set<std::string> all;
+  for (const auto* folder : {"core", "eni", "app", "ui"}) {
+    const auto root = std::filesystem::path(test::source_dir()) / folder;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+      const auto path = entry.path();
+      if (path.extension() != ".cpp" && path.extension() != ".h") continue;
+      if (path.filename().string().ends_with("reason_words.h")) continue;
+      collect_literals(read_whole_file(path.string(), std::size_t{1} << 24).value(), all);
+    }
+  }
+  ASSERT_GT(all.size(), 1'000U);
+  for (int number = 1; number < 134; ++number) all.insert(std::strerror(number));
+  for (const auto words : words::kReasons) {
+    EXPECT_TRUE(all.contains(std::string(words))) << "no source says: " << words;
+    EXPECT_EQ(std::ranges::count(words, '{'), std::ranges::count(words, '}')) << words;
+    EXPECT_EQ(std::ranges::count(words::kReasons, words), 1) << words;
+  }
 }
 
 }  // namespace
