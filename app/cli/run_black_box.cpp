@@ -15,7 +15,7 @@
 namespace syncline::cli {
 namespace {
 
-constexpr std::uint64_t kMiB = 1ULL << 20;
+constexpr std::uint64_t kBytesPerMiB = 1ULL << 20;
 
 }  // namespace
 
@@ -37,8 +37,8 @@ Status RunBlackBox::start(MasterChannels& channels, const std::string& file, con
   if (options_.mib == 0) return fail(ErrorCode::kBadValue, "--black-box-mib", in_terminal("use 1 or more"));
   auto box = BlackBox::start(channels.frames,
                              {.name = options_.name,
-                              .most_bytes = options_.mib * kMiB,
-                              .keep_free_bytes = options_.keep_free_mib * kMiB,
+                              .most_bytes = options_.mib * kBytesPerMiB,
+                              .keep_free_bytes = options_.keep_free_mib * kBytesPerMiB,
                               .virtual_time = virtual_time,
                               .program = std::string("synclinectl ") + SYNCLINE_VERSION,
                               .link = link,
@@ -86,7 +86,7 @@ Json RunBlackBox::json() const {
 std::string RunBlackBox::text() const {
   const auto report = box_->report();
   auto text = fmt::format("black box {}_*.pcapng: {}, {:.1f} MiB; ", report.name, counted(report.files, "file"),
-                          static_cast<double>(report.bytes) / static_cast<double>(kMiB));
+                          static_cast<double>(report.bytes) / static_cast<double>(kBytesPerMiB));
   if (report.frames == 0) {
     text += "no frame of this run";
   } else {

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <cerrno>
 #include <memory>
 
 #include "support/running_window.h"
@@ -193,7 +194,7 @@ TEST(BlackBoxText, SaysWhatIsThereAndWhatIsMissing) {
   report.bytes = 3U << 20U;
   report.end = 10 * kSecond;
   report.lost = 7;
-  report.error = Error{.code = ErrorCode::kFileNotWritable, .detail = "No space left on device", .file = "f"};
+  report.error = Error{.code = ErrorCode::kFileNotWritable, .detail = Reason::of_system(ENOSPC), .file = "f"};
   const auto lines = blackBoxText(report).split(u'\n');
   ASSERT_EQ(lines.size(), 4);
   EXPECT_TRUE(lines[0].startsWith(QStringLiteral("The last 10 s of the run, ")));

@@ -65,7 +65,7 @@ class RecordingPictureTest : public testing::Test {
   QString path(const char* name) { return folder.filePath(QLatin1String(name)); }
   QByteArray written(const RecordingPicture& wanted, const char* name) {
     const auto status = writeRecordingPicture(run, wanted, path(name));
-    EXPECT_TRUE(status.has_value()) << name << ": " << status.error().subject << " " << status.error().detail;
+    EXPECT_TRUE(status.has_value()) << name << ": " << status.error().subject << " " << status.error().detail.text();
     QFile file(path(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
   }

@@ -228,9 +228,9 @@ TEST_F(WatchedVariables, StandInRecordingsUnderTheirNames) {
   run(300 * kMillisecond);
   workspace_.disk().finish();
   auto reader = RecordingReader::open(path.toStdString());
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   const auto info = reader->info();
-  ASSERT_TRUE(info) << info.error().detail;
+  ASSERT_TRUE(info) << info.error().detail.text();
   const auto& watched = info->about.watched;
   ASSERT_EQ(watched.variables().size(), 2U);
   EXPECT_EQ(watched.variables()[0].name, status.toStdString());

@@ -179,8 +179,12 @@ Status Workspace::putNote(const RunNote& note) {
 void Workspace::appendNote(int network, const RunNote& note) {
   if (network < 0) return;
   const auto& session = runs_.of(network);
-  Message message{session.run.isVirtual() ? QDateTime::currentDateTime() : dateTimeOf(note.time), Severity::kNote,
-                  tr("Note"), QString::fromStdString(note.text)};
+  Message message{session.run.isVirtual() ? QDateTime::currentDateTime() : dateTimeOf(note.time),
+                  Severity::kNote,
+                  tr("Note"),
+                  QString::fromStdString(note.text),
+                  -1,
+                  {}};
   message.moment = note.time;
   message.run = session.number;
   messages_.append(std::move(message));

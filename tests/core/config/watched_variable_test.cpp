@@ -69,7 +69,7 @@ TEST(WatchableVariables, AreFoundByNameOrBySlaveAndEntry) {
   const auto config = machine();
   const auto name = [&](std::string_view text) {
     const auto found = find_watchable(config, text);
-    return found ? found->name : "error: " + found.error().detail;
+    return found ? found->name : "error: " + found.error().detail.text();
   };
   EXPECT_EQ(name("Servo.Inputs.Velocity"), "Servo.Inputs.Velocity");
   EXPECT_EQ(name("1.Position actual value"), "Servo.Inputs.Position actual value");
@@ -89,7 +89,7 @@ TEST(WatchableVariables, SeveralAreNamedWhereATextCouldMeanThem) {
   const auto found = find_watchable(config, "1.Velocity");
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::kBadValue);
-  EXPECT_THAT(found.error().detail, HasSubstr("\"Servo.Inputs.Velocity\", \"Servo.More.Velocity\""));
+  EXPECT_THAT(found.error().detail.text(), HasSubstr("\"Servo.Inputs.Velocity\", \"Servo.More.Velocity\""));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(ImportCapture, TellsWhatItsFramesHold) {
     file.add(sent + 28'000, answered(frame, static_cast<std::uint64_t>(sent + 77), i % 2 == 0 ? -12 : 300));
   }
   const auto run = import_capture(file.write(folder));
-  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  ASSERT_TRUE(run.has_value()) << run.error().detail.text();
   EXPECT_EQ(run->about.limits.cycle_time, 500 * kMicrosecond);
   ASSERT_EQ(run->samples.size(), 100U);
   ASSERT_EQ(run->about.slaves.size(), 2U);
@@ -130,7 +130,7 @@ TEST(ImportCapture, TakesTheStampsOfAProbe) {
     probe += 1'000'000;
   }
   const auto run = import_capture(file.write(folder));
-  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  ASSERT_TRUE(run.has_value()) << run.error().detail.text();
   ASSERT_EQ(run->samples.size(), 50U);
   for (std::size_t i = 0; i < run->samples.size(); ++i) {
     EXPECT_EQ(run->samples[i].send_time, kCaptureBegin + static_cast<Nanoseconds>(i) * kMillisecond);
@@ -147,7 +147,7 @@ TEST(ImportCapture, OneWayIsNoRoundTrip) {
     file.add(time, answered(cyclic_frame(static_cast<std::uint8_t>(i), 1002), static_cast<std::uint64_t>(time), 5));
   }
   const auto run = import_capture(file.write(folder));
-  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  ASSERT_TRUE(run.has_value()) << run.error().detail.text();
   ASSERT_EQ(run->samples.size(), 20U);
   EXPECT_EQ(run->samples[3].reference_time, run->samples[3].send_time);
   EXPECT_FALSE(info(Signal::kRoundTrip).of_cycle(run->samples[3]));

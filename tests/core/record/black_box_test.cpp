@@ -41,7 +41,7 @@ class BlackBoxFile : public testing::Test {
   }
   std::unique_ptr<BlackBox> start(const BlackBox::Options& wanted) {
     auto box = BlackBox::start(ring_, wanted, [this](const Error& error) { stopped_.push_back(error); });
-    EXPECT_TRUE(box) << box.error().detail;
+    EXPECT_TRUE(box) << box.error().detail.text();
     return box ? std::move(*box) : nullptr;
   }
   /// A millisecond after the one before; its first bytes are its number.
@@ -278,12 +278,12 @@ TEST_F(BlackBoxFile, WhatCannotWorkIsSaidBeforeItBegins) {
   auto box = BlackBox::start(ring_, wanted);
   ASSERT_FALSE(box);
   EXPECT_EQ(box.error().code, ErrorCode::kFileNotWritable);
-  EXPECT_EQ(box.error().detail, "No such file or directory");
+  EXPECT_EQ(box.error().detail.text(), "No such file or directory");
   wanted = options();
   wanted.keep_free_bytes = UINT64_MAX / 2;
   box = BlackBox::start(ring_, wanted);
   ASSERT_FALSE(box);
-  EXPECT_THAT(box.error().detail, HasSubstr("left, a black box needs"));
+  EXPECT_THAT(box.error().detail.text(), HasSubstr("left, a black box needs"));
   EXPECT_FALSE(ring_->is_open());
 }
 
@@ -296,7 +296,7 @@ TEST_F(BlackBoxFile, TwoProgramsDoNotShareOne) {
   while (box->report().frames == 0) std::this_thread::yield();
   const auto other = BlackBox::start(std::make_shared<FrameRing>(), options());
   ASSERT_FALSE(other);
-  EXPECT_THAT(other.error().detail, HasSubstr("another program"));
+  EXPECT_THAT(other.error().detail.text(), HasSubstr("another program"));
   EXPECT_TRUE(box->finish());
   EXPECT_TRUE(BlackBox::start(std::make_shared<FrameRing>(), options()));
 }
@@ -353,7 +353,7 @@ TEST_F(BlackBoxFile, StopsBeforeTheDiskIsFull) {
   while (ring_->is_open()) push();
   const auto status = box->finish();
   ASSERT_FALSE(status);
-  EXPECT_THAT(status.error().detail, HasSubstr("are left on the disk; the black box is whole up to here"));
+  EXPECT_THAT(status.error().detail.text(), HasSubstr("are left on the disk; the black box is whole up to here"));
   EXPECT_EQ(stopped_.size(), 1U);
   EXPECT_GT(test::packets_in({box->report().file}).size(), 0U);
   box.reset();

@@ -152,7 +152,7 @@ TEST(ImportRun, ATableOfARunIsReadWhole) {
   }
   const auto table = table_of(samples);
   const auto run = import_table(table, "run.csv");
-  ASSERT_TRUE(run.has_value()) << run.error().detail;
+  ASSERT_TRUE(run.has_value()) << run.error().detail.text();
   auto again = table_of(run->samples);
   // Without a clock nobody can say that a table's own zeros are known ones.
   const auto without_derived = [](const std::string& text) {
@@ -216,7 +216,7 @@ TEST(ImportRun, SaysWhatIsWrong) {
   const auto bad = import_table("cycle,send_time_ns,lateness_ns\n0,1000,2\n1,2000,late\n", "x.csv");
   ASSERT_FALSE(bad.has_value());
   EXPECT_EQ(bad.error().line, 3);
-  EXPECT_THAT(bad.error().detail, HasSubstr("late"));
+  EXPECT_THAT(bad.error().detail.text(), HasSubstr("late"));
   EXPECT_FALSE(table_kind(std::string("\0\1\2", 3)));
 }
 

@@ -71,7 +71,7 @@ class WatchedRecording : public testing::Test {
       all.insert(all.end(), samples.begin(), samples.end());
       return true;
     });
-    EXPECT_TRUE(status) << status.error().detail;
+    EXPECT_TRUE(status) << status.error().detail.text();
     return all;
   }
 
@@ -87,7 +87,7 @@ TEST_F(WatchedRecording, HoldsEveryBitOfEveryList) {
   ASSERT_TRUE(live.watch(variables()));
   about_.watched = live.watched();
   auto recorder = Recorder::start(path(), about_, {.by_clock = false}, {});
-  ASSERT_TRUE(recorder) << recorder.error().detail;
+  ASSERT_TRUE(recorder) << recorder.error().detail.text();
   test::MadeSamples made(3);
   std::vector<CycleSample> all;
   const auto add = [&](std::size_t count) {
@@ -115,15 +115,15 @@ TEST_F(WatchedRecording, HoldsEveryBitOfEveryList) {
   ASSERT_TRUE((*recorder)->finish());
 
   auto reader = RecordingReader::open(path());
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   const auto info = reader->info();
-  ASSERT_TRUE(info) << info.error().detail;
+  ASSERT_TRUE(info) << info.error().detail.text();
   EXPECT_EQ(info->about.watched, live.watched());
   expect_same(all, read(*reader));
   const auto blocks = reader->verify();
-  EXPECT_TRUE(blocks) << blocks.error().detail;
+  EXPECT_TRUE(blocks) << blocks.error().detail.text();
   const auto replayed = replay_run(*reader, config_);
-  ASSERT_TRUE(replayed) << replayed.error().detail;
+  ASSERT_TRUE(replayed) << replayed.error().detail.text();
   const auto& store = replayed->record->samples();
   ASSERT_EQ(store.watched(), live.watched());
   std::size_t values = 0;
@@ -172,7 +172,7 @@ TEST_F(WatchedRecording, OfAnOlderVersionHasNone) {
   ASSERT_TRUE(
       SqlDatabase::open(path())->execute("DROP TABLE variable; DROP TABLE watch_list; PRAGMA user_version = 3"));
   auto reader = RecordingReader::open(path());
-  ASSERT_TRUE(reader) << reader.error().detail;
+  ASSERT_TRUE(reader) << reader.error().detail.text();
   ASSERT_TRUE(reader->info());
   EXPECT_TRUE(reader->info()->about.watched.variables().empty());
   EXPECT_EQ(read(*reader).size(), samples.size());
@@ -200,7 +200,7 @@ TEST_F(WatchedRecording, ListsThatContradictThemselvesAreFound) {
     ASSERT_TRUE(reader);
     const auto verified = reader->verify();
     ASSERT_FALSE(verified) << damage;
-    EXPECT_THAT(verified.error().detail, HasSubstr("damaged")) << damage;
+    EXPECT_THAT(verified.error().detail.text(), HasSubstr("damaged")) << damage;
     std::filesystem::remove(path());
   }
 }
