@@ -83,6 +83,14 @@ TEST_F(BlackBoxWindow, KeepsTheFramesOfARunFromItsFirstOne) {
   EXPECT_TRUE(message(QStringLiteral("Black box")).startsWith(QStringLiteral("The last ")));
 }
 
+TEST_F(BlackBoxWindow, LabelsOfTheDialogLeadToTheirFields) {
+  BlackBoxDialog dialog(workspace_, &window_);
+  for (const auto* label : dialog.findChildren<QLabel*>()) {
+    if (!label->text().contains(u'&')) continue;
+    EXPECT_NE(label->buddy(), nullptr) << label->text().toStdString() << " would show its key's mark";
+  }
+}
+
 TEST_F(BlackBoxWindow, BeginsAndEndsWhileTheMachineRuns) {
   goOnline();
   EXPECT_FALSE(frames().isKeeping());

@@ -69,7 +69,9 @@ void BlackBoxDialog::build() {
   browse_->setAutoDefault(false);
   place->addWidget(folder_, 1);
   place->addWidget(browse_);
-  form->addRow(tr("&Folder"), place);
+  auto* folder = new QLabel(tr("&Folder"));  // the form makes no buddy of a row that is a layout
+  folder->setBuddy(folder_);
+  form->addRow(folder, place);
   mib_ = named(new QSpinBox, "blackBoxMib", tr("Size of the files of a network together"));
   mib_->setRange(1, BlackBoxWish::kMostMib);
   mib_->setSuffix(QStringLiteral(" MiB"));
