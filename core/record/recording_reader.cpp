@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "reasons/because.h"
@@ -36,24 +34,6 @@ Result<RecordingReader> RecordingReader::open(const std::string& path) {
   auto database = open_recording(path);
   if (!database) return tl::unexpected(database.error());
   return RecordingReader(std::move(*database));
-}
-
-/// Calls `take(statement)` for each row; it may return a Status.
-template <class Take>
-Status RecordingReader::each(std::string_view sql, Take&& take) {
-  auto statement = database_.prepare(sql);
-  if (!statement) return read_error(database_, statement.error());
-  Status taken;
-  const auto status = statement->each([&] {
-    if constexpr (std::is_void_v<decltype(take(*statement))>) {
-      take(*statement);
-    } else {
-      taken = take(*statement);
-    }
-    return taken.has_value();
-  });
-  if (!status) return read_error(database_, status.error());
-  return taken;
 }
 
 Status RecordingReader::read_about(RecordingInfo& info) {
@@ -338,82 +318,6 @@ Result<RecordingReader::Points> RecordingReader::points(Signal signal, int slave
   });
   if (!status) return tl::unexpected(status.error());
   return result;
-}
-
-Status RecordingReader::check_sums(const Block& block, std::span<const CycleSample> samples) {
-  std::vector<float> values(samples.size());
-  for (const auto& signal : signals()) {
-    if (signal.form != SignalInfo::Form::kCycles) continue;
-    std::ranges::transform(samples, values.begin(), [&](const CycleSample& sample) {
-      const auto number = signal.of_cycle(sample);
-      return number ? static_cast<float>(as_double(*number)) : std::numeric_limits<float>::quiet_NaN();
-    });
-    if (auto status = check_sum(block, series_number(signal.id), signal.key, values); !status) return status;
-  }
-  for (std::size_t i = 0; i < watched_.variables().size(); ++i) {
-    std::ranges::transform(samples, values.begin(),
-                           [&](const CycleSample& sample) { return watched_.drawn(sample, i); });
-    const auto series = series_number(Signal::kVariable, static_cast<int>(i));
-    if (auto status = check_sum(block, series, watched_.variables()[i].name, values); !status) return status;
-  }
-  return {};
-}
-
-Status RecordingReader::check_sum(const Block& block, std::int64_t series, std::string_view key,
-                                  std::span<const float> values) {
-  auto row = database_.prepare("SELECT count, min, max FROM summary WHERE id = ?");
-  if (!row) return read_error(database_, row.error());
-  std::int64_t count = 0;
-  float low = 0, high = 0;
-  for (const auto value : values) {
-    if (std::isnan(value)) continue;
-    low = count == 0 ? value : std::min(low, value);
-    high = count == 0 ? value : std::max(high, value);
-    ++count;
-  }
-  row->bind(0, block.number * kSeriesPerBlock + series);
-  const auto there = row->step();
-  if (!there) return read_error(database_, there.error());
-  const bool same = *there ? row->integer(0) == count && static_cast<float>(row->real(1)) == low &&
-                                 static_cast<float>(row->real(2)) == high
-                           : count == 0;
-  if (same) return {};
-  return damaged_recording(
-      database_, because("the sums of {signal} in block {number} are not those of its values", key, block.number));
-}
-
-Result<std::uint64_t> RecordingReader::verify() {
-  std::string found;
-  auto status = each("PRAGMA integrity_check(1)", [&](const SqlStatement& row) { found = row.text(0); });
-  if (status && found != "ok") status = damaged_recording(database_, Reason::verbatim(found));
-  RecordingInfo about;
-  if (status) status = read_about(about);
-  if (status) status = read_told(about);
-  std::uint64_t count = 0;
-  std::vector<CycleSample> samples;
-  if (status) {
-    status = blocks([&](const Block& block) -> Status {
-      if (auto read = read_block(block, samples); !read) return read;
-      ++count;
-      return check_sums(block, samples);
-    });
-  }
-  if (status) {
-    status = each("SELECT max(id) FROM data", [&](const SqlStatement& row) -> Status {
-      if (row.is_null(0) || row.integer(0) / kSeriesPerBlock < static_cast<std::int64_t>(count)) return {};
-      return damaged_recording(database_, because("there are values of blocks that are not there"));
-    });
-  }
-  for (const auto& signal : signals()) {
-    const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
-    if (!status || (!of_slaves && signal.of_bus == nullptr)) continue;
-    const auto slaves = of_slaves ? static_cast<int>(about.about.slaves.size()) : 0;
-    for (int slave = of_slaves ? 0 : -1; status && slave < slaves; ++slave) {
-      if (const auto read = points(signal.id, slave); !read) status = tl::unexpected(read.error());
-    }
-  }
-  if (!status) return tl::unexpected(status.error());
-  return count;
 }
 
 }  // namespace syncline

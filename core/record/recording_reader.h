@@ -7,6 +7,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "channels/cycle_sample.h"
@@ -80,6 +83,7 @@ class RecordingReader {
   [[nodiscard]] std::optional<std::size_t> variable_of(std::int64_t series) const;
   Status read_about(RecordingInfo& info);
   Status read_told(RecordingInfo& info);
+  /// Calls `take(statement)` for each row; it may return a Status.
   template <class Take>
   Status each(std::string_view sql, Take&& take);
 
@@ -87,5 +91,22 @@ class RecordingReader {
   ColumnCells cells_;  // room for one column
   WatchLists watched_;
 };
+
+template <class Take>
+Status RecordingReader::each(std::string_view sql, Take&& take) {
+  auto statement = database_.prepare(sql);
+  if (!statement) return read_error(database_, statement.error());
+  Status taken;
+  const auto status = statement->each([&] {
+    if constexpr (std::is_void_v<decltype(take(*statement))>) {
+      take(*statement);
+    } else {
+      taken = take(*statement);
+    }
+    return taken.has_value();
+  });
+  if (!status) return read_error(database_, status.error());
+  return taken;
+}
 
 }  // namespace syncline

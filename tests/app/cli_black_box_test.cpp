@@ -14,6 +14,7 @@
 #include "support/whole_file.h"
 #include "tests/app/cli_process.h"
 #include "tests/app/cli_runner.h"
+#include "tests/app/light_machine.h"
 #include "tests/support/pcapng_file.h"
 
 namespace syncline::test {
@@ -24,12 +25,7 @@ using testing::HasSubstr;
 class CliBlackBox : public testing::Test {
  protected:
   CliBlackBox() {
-    const auto esi = source_dir() + "/resources/esi/";
-    const auto text =
-        "[[slave]]\nname = \"Coupler\"\ndc = \"none\"\nesi = \"" + esi +
-        "SL-1100.xml\"\n[[slave]]\nname = \"Outputs\"\ndc = \"none\"\nparent = 0\nport = \"B\"\nesi = \"" + esi +
-        "SL-2002.xml\"\n";
-    EXPECT_TRUE(write_whole_file(folder.file("machine.toml"), text));
+    EXPECT_TRUE(write_whole_file(folder.file("machine.toml"), light_machine()));
     EXPECT_EQ(cli_run({"project", "create", project, "--scan", machine + "?virtual", "--cycle", "1000"}).code,
               cli::kDone);
     std::filesystem::create_directory(boxes);

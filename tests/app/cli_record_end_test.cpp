@@ -17,22 +17,17 @@
 #include "support/whole_file.h"
 #include "tests/app/cli_process.h"
 #include "tests/app/cli_runner.h"
+#include "tests/app/light_machine.h"
 
 namespace syncline::test {
 namespace {
 
 using testing::HasSubstr;
 
-/// A machine that takes next to nothing of the processor, so that many may run at once.
 class CliRecordEnd : public testing::Test {
  protected:
   CliRecordEnd() {
-    const auto esi = source_dir() + "/resources/esi/";
-    const auto text =
-        "[[slave]]\nname = \"Coupler\"\ndc = \"none\"\nesi = \"" + esi +
-        "SL-1100.xml\"\n[[slave]]\nname = \"Outputs\"\ndc = \"none\"\nparent = 0\nport = \"B\"\nesi = \"" + esi +
-        "SL-2002.xml\"\n";
-    EXPECT_TRUE(write_whole_file(folder.file("machine.toml"), text));
+    EXPECT_TRUE(write_whole_file(folder.file("machine.toml"), light_machine()));
     EXPECT_EQ(cli_run({"project", "create", project, "--scan", machine + "?virtual", "--cycle", "4000"}).code,
               cli::kDone);
   }

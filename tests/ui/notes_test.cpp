@@ -10,8 +10,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
-#include "support/ui_test_support.h"
-#include "ui/dialogs/bus_commands.h"
+#include "support/running_window.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/models/message_model.h"
@@ -23,24 +22,10 @@ namespace {
 
 using test::waitFor;
 
-class Notes : public testing::Test {
+class Notes : public test::RunningWindow {
  protected:
-  Notes() : workspace_(test::virtualEnvironment()), window_(workspace_) {
-    workspace_.live().setAutoAdvance(false);
-    window_.show();
-  }
-  ~Notes() override {
-    workspace_.document().undoStack().setClean();
-    workspace_.live().shutDown();
-  }
-  void goOnline() {
-    window_.bus().startDemo();
-    ASSERT_TRUE(waitFor([&] { return workspace_.live().phase() != LiveSession::Phase::kOffline; }));
-    advance(8);
-    ASSERT_EQ(workspace_.live().phase(), LiveSession::Phase::kOnline);
-  }
   void advance(int seconds) {
-    for (int i = 0; i < seconds * 10; ++i) workspace_.live().advance(100 * kMillisecond);
+    run(seconds * kSecond);
     strip().refresh();
   }
   void goOffline() {
@@ -79,8 +64,6 @@ class Notes : public testing::Test {
   }
 
   QTemporaryDir folder_;
-  Workspace workspace_;
-  MainWindow window_;
 };
 
 TEST_F(Notes, OfARunStandInItsRecordingAndAreChangedThere) {
@@ -128,6 +111,7 @@ TEST_F(Notes, OfARunStandInItsRecordingAndAreChangedThere) {
 
 TEST_F(Notes, OfTheLastStretchGoWithIt) {
   goOnline();
+  advance(4);
   const auto last = workspace_.shownRecord()->samples().last_time();
   workspace_.live().run().addNote({last - 3 * kSecond, "before"});
   workspace_.live().run().addNote({last - kSecond / 2, "within"});
@@ -140,6 +124,21 @@ TEST_F(Notes, OfTheLastStretchGoWithIt) {
   window_.files().openAny(path);
   ASSERT_TRUE(waitFor([&] { return workspace_.recording().isOpen(); }));
   EXPECT_EQ(workspace_.shownRecord()->notes(), (std::vector<RunNote>{{last - kSecond / 2, "within"}}));
+}
+
+TEST_F(Notes, SayOfWhichOfSeveralNetworksTheyAre) {
+  goOnline();
+  advance(1);
+  workspace_.document().addNetwork(QStringLiteral("Press"));
+  workspace_.document().chooseNetwork(0);
+  workspace_.live().run().addNote({workspace_.shownRecord()->samples().last_time(), "here"});
+  ASSERT_EQ(messagesWith(QStringLiteral("here")), 1);
+  const auto& model = workspace_.messages();
+  QString source;
+  for (int row = 0; row < model.rowCount(); ++row) {
+    if (model.message(row).text == QStringLiteral("here")) source = model.message(row).source;
+  }
+  EXPECT_TRUE(source.startsWith(workspace_.document().networks().front() + u':')) << source.toStdString();
 }
 
 }  // namespace

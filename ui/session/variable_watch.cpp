@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/variable_watch.h"
 
-#include <QCryptographicHash>
 #include <QStringList>
 #include <algorithm>
 #include <utility>
 
 #include "channels/watch_command.h"
 #include "ui/session/project_document.h"
-#include "ui/session/window_memory.h"
 
 namespace syncline::ui {
 namespace {
@@ -18,34 +16,25 @@ const QString kOutput = QStringLiteral("out "), kInput = QStringLiteral("in ");
 }  // namespace
 
 VariableWatch::VariableWatch(ProjectDocument& document, WindowMemory& memory, QObject* parent)
-    : QObject(parent), document_(document), memory_(memory), path_(document.path()) {
+    : QObject(parent), document_(document), kept_(memory, QStringLiteral("watchedVariables"), document.path()) {
   load();
   connect(&document_, &ProjectDocument::machineReplaced, this, [this] { replaced_ = true; });
   connect(&document_, &ProjectDocument::taken, this, [this] {
     if (!std::exchange(replaced_, false)) return;  // another network of it
-    path_ = document_.path();
+    kept_.setPath(document_.path());
     load();
     Q_EMIT changed();
   });
   // Saved under another name it is the same machine, whatever that file held before.
   connect(&document_, &ProjectDocument::pathChanged, this, [this] {
-    if (path_ == document_.path()) return;
-    path_ = document_.path();
-    store();
+    if (kept_.setPath(document_.path())) store();
   });
-}
-
-/// A path is no name of a setting.
-QString VariableWatch::place() const {
-  const auto hash = QCryptographicHash::hash(path_.toUtf8(), QCryptographicHash::Sha1).toHex().left(16);
-  return QStringLiteral("watchedVariables/") + QString::fromLatin1(hash);
 }
 
 /// "in Servo.Inputs.Position actual value"
 void VariableWatch::load() {
   names_.clear();
-  if (path_.isEmpty()) return;
-  for (const auto& line : memory_.value(place()).toStringList()) {
+  for (const auto& line : kept_.read()) {
     const bool output = line.startsWith(kOutput);
     if ((!output && !line.startsWith(kInput)) || !hasRoom()) continue;
     names_.push_back({line.sliced((output ? kOutput : kInput).size()).toStdString(), output});
@@ -53,10 +42,9 @@ void VariableWatch::load() {
 }
 
 void VariableWatch::store() {
-  if (path_.isEmpty()) return;
   QStringList lines;
   for (const auto& [name, output] : names_) lines << (output ? kOutput : kInput) + QString::fromStdString(name);
-  memory_.setValue(place(), lines);
+  kept_.write(lines);
 }
 
 bool VariableWatch::has(const VariableName& name) const { return std::ranges::find(names_, name) != names_.end(); }

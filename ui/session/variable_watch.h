@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/watched_variable.h"
+#include "ui/session/remembered_lines.h"
 
 namespace syncline::ui {
 
@@ -41,14 +42,12 @@ class VariableWatch final : public QObject {
   void changed();
 
  private:
-  [[nodiscard]] QString place() const;
   void load();
   void store();
   void set(std::vector<VariableName> names);
 
   ProjectDocument& document_;
-  WindowMemory& memory_;
-  QString path_;
+  RememberedLines kept_;
   bool replaced_ = false;  // another machine comes
   std::vector<VariableName> names_;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "protocol/coe.h"
+#include "ui/session/remembered_lines.h"
 
 namespace syncline::ui {
 
@@ -27,13 +28,11 @@ class WatchList final : public QObject {
   void set(std::uint16_t station, std::vector<coe::ObjectAddress> objects);
 
  private:
-  [[nodiscard]] QString place() const;
   void load();
   void store();
 
   ProjectDocument& document_;
-  WindowMemory& memory_;
-  QString path_;
+  RememberedLines kept_;
   std::map<std::uint16_t, std::vector<coe::ObjectAddress>> watched_;
 };
 

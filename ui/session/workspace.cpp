@@ -94,19 +94,31 @@ Workspace::Workspace(Environment environment, QObject* parent)
   });
 }
 
-/// Of several networks each says which one it is of.
 void Workspace::appendEvent(int network, const Event& event) {
   if (network < 0) return;  // of a machine that was replaced
-  const auto& session = runs_.of(network);
-  auto message = messageOf(event, session.run.record()->config());
+  const auto& running = runs_.of(network).run.record()->config();
+  auto message = messageOf(event, running);
   if (!message) return;
-  message->slave = slaveOf(document_.project(network), session.run.record()->config(), event.slave);
-  message->run = session.number;
+  message->slave = slaveOf(document_.project(network), running, event.slave);
+  appendOfRun(network, std::move(*message));
+}
+
+void Workspace::appendNote(int network, const RunNote& note) {
+  if (network < 0) return;
+  Message message{dateTimeOf(note.time), Severity::kNote, tr("Note"), QString::fromStdString(note.text), -1, {}};
+  message.moment = note.time;
+  appendOfRun(network, std::move(message));
+}
+
+/// Of several networks each says which one it is of.
+void Workspace::appendOfRun(int network, Message message) {
+  const auto& session = runs_.of(network);
+  message.run = session.number;
   if (const auto names = document_.networks(); names.size() > 1)
-    message->source = tr("%1: %2").arg(names[network], message->source);
+    message.source = tr("%1: %2").arg(names[network], message.source);
   // A simulated machine's virtual clock is no time of day.
-  if (session.run.isVirtual()) message->time = QDateTime::currentDateTime();
-  messages_.append(std::move(*message));
+  if (session.run.isVirtual()) message.time = QDateTime::currentDateTime();
+  messages_.append(std::move(message));
 }
 
 void Workspace::setExpert(bool expert) {
@@ -174,20 +186,6 @@ Status Workspace::putNote(const RunNote& note) {
   std::erase_if(notes, [&note](const RunNote& old) { return old.time == note.time; });
   if (!note.text.empty()) notes.push_back(note);
   return recording_.setNotes(std::move(notes));
-}
-
-void Workspace::appendNote(int network, const RunNote& note) {
-  if (network < 0) return;
-  const auto& session = runs_.of(network);
-  Message message{session.run.isVirtual() ? QDateTime::currentDateTime() : dateTimeOf(note.time),
-                  Severity::kNote,
-                  tr("Note"),
-                  QString::fromStdString(note.text),
-                  -1,
-                  {}};
-  message.moment = note.time;
-  message.run = session.number;
-  messages_.append(std::move(message));
 }
 
 void Workspace::report(const Error& error, Severity severity, const QString& source) {

@@ -114,6 +114,7 @@ class Workspace final : public QObject {
  private:
   void appendEvent(int network, const Event& event);
   void appendNote(int network, const RunNote& note);
+  void appendOfRun(int network, Message message);
   void showFindings();
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
   void showRunFindings();

@@ -16,7 +16,7 @@ constexpr unsigned kWaitsPerAsking = 64;
 StandstillCause::StandstillCause(Clock& clock) : clock_(clock) {
   // A thread without priority waits for anybody: then nobody is looked for.
   const int priority = clock.is_virtual() ? 0 : real_time_priority();
-  if (priority > 0) search_.emplace(priority);
+  if (priority > 0) search_.emplace(StandstillSearch::Options{.priority = priority});
 }
 
 void StandstillCause::before_wait() {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "channels/latest_box.h"
 #include "support/hard_threads.h"
@@ -30,7 +30,7 @@ ProcessorHolder holder_of(const ThreadRun& run) {
 }  // namespace
 
 struct StandstillSearch::Impl {
-  explicit Impl(int of_cyclic_thread) : priority(of_cyclic_thread) {
+  explicit Impl(Options own_options) : options(std::move(own_options)) {
     const StopSignalsBlocked deaf;  // whoever started the run hears them
     thread = std::thread([this] { run(); });
   }
@@ -45,15 +45,16 @@ struct StandstillSearch::Impl {
 
   void run() {
     give_up_real_time();  // a thread has the priority of the one that starts it
-    const auto before = hard_threads(priority);
+    const auto before = hard_threads(options.priority, options.proc);
     std::unique_lock lock(mutex);
-    while (!wake.wait_for(lock, std::chrono::seconds(1), [this] { return stop; })) {
+    while (!wake.wait_for(lock, options.period, [this] { return stop; })) {
       if (!wanted.exchange(false, std::memory_order_relaxed)) continue;
-      if (const auto longest = longest_at_a_time(before, hard_threads(priority))) found.publish(holder_of(*longest));
+      const auto now = hard_threads(options.priority, options.proc);
+      if (const auto longest = longest_at_a_time(before, now)) found.publish(holder_of(*longest));
     }
   }
 
-  const int priority;
+  const Options options;
   LatestBox<ProcessorHolder> found;
   std::atomic<bool> wanted{false};
   std::mutex mutex;  // of stop alone: the cyclic thread never sees it
@@ -62,7 +63,7 @@ struct StandstillSearch::Impl {
   std::thread thread;
 };
 
-StandstillSearch::StandstillSearch(int priority) : impl_(std::make_unique<Impl>(priority)) {}
+StandstillSearch::StandstillSearch(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
 StandstillSearch::~StandstillSearch() = default;
 
 void StandstillSearch::note_standstill() { impl_->wanted.store(true, std::memory_order_relaxed); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
+#include <filesystem>
 #include <memory>
 
 #include "channels/processor_holder.h"
@@ -8,12 +10,16 @@
 namespace syncline {
 
 /// Looks for whom the cyclic thread had to wait although it has real-time priority. A thread of its own without
-/// priority counts when it begins and, at most once a second, after each standstill; a run without one costs nothing
+/// priority counts when it begins and, at most once a period, after each standstill; a run without one costs nothing
 /// more.
 class StandstillSearch {
  public:
-  /// `priority`: that of the cyclic thread.
-  explicit StandstillSearch(int priority);
+  struct Options {
+    int priority = 0;  // of the cyclic thread
+    std::chrono::milliseconds period{1000};
+    std::filesystem::path proc = "/proc";
+  };
+  explicit StandstillSearch(Options options);
   ~StandstillSearch();
   StandstillSearch(const StandstillSearch&) = delete;
   StandstillSearch& operator=(const StandstillSearch&) = delete;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/hard_threads.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,54 +10,34 @@
 #include <fstream>
 #include <string>
 
+#include "tests/support/proc_folder.h"
+
 namespace syncline {
 namespace {
 
+using test::ProcFolder;
 namespace fs = std::filesystem;
-
-/// A folder like /proc with as many threads as a test writes.
-class Proc {
- public:
-  Proc() { fs::create_directories(root); }
-  ~Proc() { fs::remove_all(root); }
-  Proc(const Proc&) = delete;
-  Proc& operator=(const Proc&) = delete;
-
-  void thread(int process, int id, const std::string& name, bool kernel, int policy, int priority,
-              const std::string& schedstat) const {
-    const auto folder = root / std::to_string(process) / "task" / std::to_string(id);
-    fs::create_directories(folder);
-    // Fields 10 to 39 are times, addresses and signals that nobody asks for here.
-    std::string rest;
-    for (int field = 10; field < 40; ++field) rest += " 0";
-    std::ofstream(folder / "stat") << fmt::format("{} ({}) S 2 0 0 0 -1 {}{} {} {} 0\n", id, name,
-                                                  kernel ? 0x00208040 : 0x00400000, rest, priority, policy);
-    std::ofstream(folder / "schedstat") << schedstat << '\n';
-  }
-
-  const fs::path root = fs::path(testing::TempDir()) / "proc-like";
-};
 
 constexpr int kOther = 0, kFifo = 1, kRoundRobin = 2, kDeadline = 6;
 
 TEST(HardThreads, AreTheKernelsAndThoseOfAtLeastThePriority) {
-  const Proc proc;
+  const ProcFolder proc;
   proc.thread(7, 7, "kworker/0:1", true, kOther, 0, "4000000 10 2");
   proc.thread(20, 20, "program", false, kOther, 0, "9000000 0 1");
   proc.thread(20, 21, "less", false, kFifo, 79, "9000000 0 1");
   proc.thread(20, 22, "equal", false, kFifo, 80, "6000000 0 3");
   proc.thread(30, 30, "more", false, kRoundRobin, 99, "1 0 1");
   proc.thread(31, 31, "deadline", false, kDeadline, 0, "1 0 1");
-  std::ofstream(proc.root / "uptime") << "1 2\n";
+  std::ofstream(proc.root() / "uptime") << "1 2\n";
   std::vector<std::string> names;
-  for (const auto& thread : hard_threads(80, proc.root)) names.push_back(thread.name + (thread.kernel ? " k" : ""));
+  for (const auto& thread : hard_threads(80, proc.root())) names.push_back(thread.name + (thread.kernel ? " k" : ""));
   EXPECT_THAT(names, testing::UnorderedElementsAre("kworker/0:1 k", "equal", "more", "deadline"));
 }
 
 TEST(HardThreads, ReadNamesWithParenthesesAndSpaces) {
-  const Proc proc;
+  const ProcFolder proc;
   proc.thread(7, 7, "a) (b 1 2", true, kOther, 0, "4000000 10 2");
-  const auto threads = hard_threads(80, proc.root);
+  const auto threads = hard_threads(80, proc.root());
   ASSERT_EQ(threads.size(), 1U);
   EXPECT_EQ(threads[0].name, "a) (b 1 2");
   EXPECT_EQ(threads[0].ran, 4 * kMillisecond);
@@ -66,13 +45,13 @@ TEST(HardThreads, ReadNamesWithParenthesesAndSpaces) {
 }
 
 TEST(HardThreads, PassOverWhatCannotBeRead) {
-  const Proc proc;
+  const ProcFolder proc;
   proc.thread(7, 7, "ended", true, kOther, 0, "");
   proc.thread(8, 8, "whole", true, kOther, 0, "1000 0 1");
-  fs::create_directories(proc.root / "9" / "task" / "9");
-  std::ofstream(proc.root / "9" / "task" / "9" / "stat") << "9 (cut";
-  ASSERT_EQ(hard_threads(80, proc.root).size(), 1U);
-  EXPECT_TRUE(hard_threads(80, proc.root / "nowhere").empty());
+  fs::create_directories(proc.root() / "9" / "task" / "9");
+  std::ofstream(proc.root() / "9" / "task" / "9" / "stat") << "9 (cut";
+  ASSERT_EQ(hard_threads(80, proc.root()).size(), 1U);
+  EXPECT_TRUE(hard_threads(80, proc.root() / "nowhere").empty());
 }
 
 TEST(LongestAtATime, IsOfWhatRanSinceThen) {

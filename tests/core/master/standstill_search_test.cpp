@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "master/cyclic/standstill_search.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <sched.h>
+#include <thread>
+
+#include "tests/support/proc_folder.h"
+
+namespace syncline {
+namespace {
+
+/// The search has a thread of its own, which counts when it pleases: every look finds the thread having run 3 ms more.
+class Standstill : public testing::Test {
+ protected:
+  Standstill() { run_once_more(); }
+  void run_once_more() {
+    ++slices_;
+    proc_.thread(7, 7, "a name of more than thirty-one letters", true, SCHED_OTHER, 0,
+                 fmt::format("{} 0 {}", slices_ * 3 * kMillisecond, slices_));
+  }
+  bool found(StandstillSearch& search, ProcessorHolder& holder, bool noted) {
+    for (int i = 0; i < 2000; ++i) {
+      run_once_more();
+      if (noted) search.note_standstill();
+      if (search.read(holder)) return true;
+      std::this_thread::yield();
+    }
+    return false;
+  }
+
+  test::ProcFolder proc_;
+  std::int64_t slices_ = 0;
+  StandstillSearch::Options options_{.priority = 80, .period = std::chrono::milliseconds(1), .proc = proc_.root()};
+};
+
+TEST_F(Standstill, FindsWhoKeepsAProcessorLongest) {
+  StandstillSearch search(options_);
+  ProcessorHolder holder;
+  ASSERT_TRUE(found(search, holder, true));
+  EXPECT_TRUE(holder.known());
+  EXPECT_EQ(holder.name_text(), "a name of more than thirty-one ");
+  EXPECT_TRUE(holder.kernel);
+  EXPECT_EQ(holder.at_a_time, 3 * kMillisecond);
+  EXPECT_GE(holder.times, 1U);
+}
+
+TEST_F(Standstill, LooksForNobodyBeforeThereWasOne) {
+  StandstillSearch search(options_);
+  ProcessorHolder holder;
+  EXPECT_FALSE(found(search, holder, false));
+  EXPECT_FALSE(holder.known());
+}
+
+TEST_F(Standstill, EndsAtOnceWhereItsPeriodIsLong) {
+  options_.period = std::chrono::hours(1);
+  StandstillSearch search(options_);
+  search.note_standstill();
+}
+
+}  // namespace
+}  // namespace syncline
