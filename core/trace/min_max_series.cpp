@@ -120,9 +120,7 @@ void MinMaxSeries::complete_buckets(std::size_t place) {
   }
 }
 
-std::uint64_t MinMaxSeries::lower_bound(Nanoseconds time) const {
-  std::uint64_t low = begin_;
-  std::uint64_t high = end_;
+std::uint64_t MinMaxSeries::bisect(std::uint64_t low, std::uint64_t high, Nanoseconds time) const {
   while (low < high) {
     const auto middle = low + (high - low) / 2;
     if (time_of(middle) < time) {
@@ -133,6 +131,8 @@ std::uint64_t MinMaxSeries::lower_bound(Nanoseconds time) const {
   }
   return low;
 }
+
+std::uint64_t MinMaxSeries::lower_bound(Nanoseconds time) const { return bisect(begin_, end_, time); }
 
 MinMaxSeries::Range MinMaxSeries::range(std::uint64_t begin, std::uint64_t end) const {
   Range result{kHuge, -kHuge};
@@ -160,21 +160,25 @@ MinMaxSeries::Range MinMaxSeries::range(std::uint64_t begin, std::uint64_t end) 
   return result;
 }
 
-std::uint64_t MinMaxSeries::gallop(std::uint64_t from, Nanoseconds time) const {
-  // Neighbouring columns hold few samples or many: galloping beats a binary search over everything.
+std::uint64_t MinMaxSeries::gallop(std::uint64_t from, std::uint64_t guess, Nanoseconds time) const {
+  // Columns hold about as many samples as their neighbour: away from where that ends, in steps that grow, a search
+  // stays in memory that is near, where one over everything does not.
+  guess = std::clamp(guess, from, end_);
   std::uint64_t step = 1;
-  while (from + step < end_ && time_of(from + step) < time) step *= 2;
-  auto low = from;
-  auto high = std::min(from + step, end_);
-  while (low < high) {
-    const auto middle = low + (high - low) / 2;
-    if (time_of(middle) < time) {
-      low = middle + 1;
-    } else {
-      high = middle;
+  if (guess < end_ && time_of(guess) < time) {
+    auto low = guess + 1;
+    while (low + step < end_ && time_of(low + step) < time) {
+      low += step + 1;
+      step *= 2;
     }
+    return bisect(low, std::min(low + step, end_), time);
   }
-  return low;
+  auto high = guess;
+  while (high - from > step && time_of(high - step) >= time) {
+    high -= step;
+    step *= 2;
+  }
+  return bisect(high - std::min(step, high - from), high, time);
 }
 
 SeriesColumn MinMaxSeries::column(Nanoseconds start, std::uint64_t first, std::uint64_t last) const {
@@ -196,8 +200,10 @@ void MinMaxSeries::columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width
   if (width <= 0 || end <= begin) return;
   auto start = floor_to(begin, width);
   auto first = lower_bound(start);
+  std::uint64_t count = 1;
   for (; start < end; start += width) {
-    const auto last = gallop(first, start + width);
+    const auto last = gallop(first, first + count, start + width);
+    count = last - first;
     out.push_back(column(start, first, last));
     first = last;
   }
@@ -209,8 +215,10 @@ void MinMaxSeries::step_columns(Nanoseconds begin, Nanoseconds end, Nanoseconds 
   if (width <= 0 || end <= begin) return;
   auto start = floor_to(begin, width);
   auto first = lower_bound(start);
+  std::uint64_t count = 1;
   for (; start < end; start += width) {
-    const auto last = gallop(first, start + width);
+    const auto last = gallop(first, first + count, start + width);
+    count = last - first;
     auto step = column(start, first, last);
     const bool held = first > begin_ && (first < end_ || start <= hold_until);
     const float before = held ? values_[slot(first - 1)] : std::numeric_limits<float>::quiet_NaN();

@@ -94,8 +94,10 @@ class MinMaxSeries {
   }
   [[nodiscard]] Nanoseconds time_of(std::uint64_t index) const { return (*times_)[slot(index)]; }
   [[nodiscard]] std::uint64_t lower_bound(Nanoseconds time) const;
-  /// First sample at or after `time`, looked for from `from` on.
-  [[nodiscard]] std::uint64_t gallop(std::uint64_t from, Nanoseconds time) const;
+  /// First sample at or after `time`, between these two (the second one may be it).
+  [[nodiscard]] std::uint64_t bisect(std::uint64_t low, std::uint64_t high, Nanoseconds time) const;
+  /// The same from `from` on, looked for from `guess` away.
+  [[nodiscard]] std::uint64_t gallop(std::uint64_t from, std::uint64_t guess, Nanoseconds time) const;
   [[nodiscard]] SeriesColumn column(Nanoseconds start, std::uint64_t first, std::uint64_t last) const;
   [[nodiscard]] Range range(std::uint64_t begin, std::uint64_t end) const;
   /// Sums up the buckets whose last sample lies at `place`; queries never use an incomplete one.
