@@ -16,6 +16,7 @@
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -25,6 +26,7 @@
 #include "support/ui_test_support.h"
 #include "tests/app/cli_runner.h"
 #include "ui/panels/overview_panel.h"
+#include "ui/plots/heat_legend.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
@@ -118,6 +120,22 @@ TEST_F(RecordingPictureTest, EveryViewIsWrittenInEveryForm) {
     EXPECT_THAT(wordsOf(written(wanted, "view.svg")), HasSubstr("cycle 1 ms")) << name.toStdString();
     EXPECT_TRUE(written(wanted, "view.pdf").startsWith("%PDF-")) << name.toStdString();
   }
+}
+
+TEST_F(RecordingPictureTest, TheLegendOfTheHeatMapIsWhole) {
+  RecordingPicture wanted;
+  wanted.view = PictureView::kSlaves;
+  const auto png = QImage::fromData(written(wanted, "legend.png"));
+  HeatLegend legend;
+  legend.setScale(127, true);
+  const int words = 2 * legend.sizeHint().width(), lines = 2 * legend.sizeHint().height();
+  int last = 0;
+  for (int y = 0; y < lines; ++y) {
+    for (int x = 0; x < words + 40; ++x) {
+      if (qGray(png.pixel(x, y)) < 200) last = std::max(last, x);
+    }
+  }
+  EXPECT_GT(last, words - 20) << "its last words stand there";
 }
 
 /// Points are 1/72 of an inch, pixels of the screen 1/96.

@@ -214,6 +214,7 @@ Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wan
   });
   if (!complete) return fail(ErrorCode::kTimeout, "picture");
   for (auto* panel : strip.panels()) panel->refreshText(true);
+  QCoreApplication::processEvents();  // what a legend says by now may need more room
   strip.refresh();
   return writePicture(strip.picture(), path);
 }
