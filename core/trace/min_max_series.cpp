@@ -2,6 +2,7 @@
 #include "trace/min_max_series.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -37,6 +38,11 @@ Nanoseconds floor_to(Nanoseconds time, Nanoseconds width) {
 
 }  // namespace
 
+std::uint64_t MinMaxSeries::next_filling() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 MinMaxSeries::MinMaxSeries(std::size_t capacity)
     : capacity_(std::bit_ceil(std::max<std::uint64_t>(capacity, 2 * kTop))),
       times_(std::make_shared<std::vector<Nanoseconds>>()) {}
@@ -53,7 +59,10 @@ MinMaxSeries MinMaxSeries::beside(const MinMaxSeries& leader) {
   return series;
 }
 
-void MinMaxSeries::clear() { begin_ = end_ = 0; }
+void MinMaxSeries::clear() {
+  begin_ = end_ = 0;
+  filling_ = next_filling();
+}
 
 Nanoseconds MinMaxSeries::first_time() const { return empty() ? 0 : time_of(begin_); }
 Nanoseconds MinMaxSeries::last_time() const { return empty() ? 0 : time_of(end_ - 1); }
@@ -194,18 +203,40 @@ SeriesColumn MinMaxSeries::column(Nanoseconds start, std::uint64_t first, std::u
   return column;
 }
 
+void MinMaxSeries::fetch_time(std::uint64_t index) const {
+  if (index < end_) __builtin_prefetch(&(*times_)[slot(index)]);
+}
+
+void MinMaxSeries::fetch_edge(std::uint64_t index) const {
+  if (index >= end_) return;
+  const auto place = slot(index);
+  __builtin_prefetch(&values_[place]);
+  std::uint64_t bucket = 1;
+  for (const auto& level : levels_) {
+    bucket *= kFactor;
+    if (place / bucket < level.size()) __builtin_prefetch(&level[place / bucket]);
+  }
+}
+
 void MinMaxSeries::columns(Nanoseconds begin, Nanoseconds end, Nanoseconds width,
                            std::vector<SeriesColumn>& out) const {
   out.clear();
   if (width <= 0 || end <= begin) return;
-  auto start = floor_to(begin, width);
-  auto first = lower_bound(start);
+  const auto first_start = floor_to(begin, width);
+  // Of a long series every edge lies in memory of its own, on each level: it is asked for some columns ahead.
+  constexpr std::size_t kAhead = 8;
+  std::vector<std::uint64_t> edges{lower_bound(first_start)};
   std::uint64_t count = 1;
-  for (; start < end; start += width) {
-    const auto last = gallop(first, first + count, start + width);
-    count = last - first;
-    out.push_back(column(start, first, last));
-    first = last;
+  for (auto start = first_start; start < end; start += width) {
+    const auto first = edges.back();
+    edges.push_back(gallop(first, first + count, start + width));
+    count = edges.back() - first;
+    fetch_time(edges.back() + kAhead * count);
+  }
+  out.reserve(edges.size() - 1);
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    if (i + kAhead < edges.size()) fetch_edge(edges[i + kAhead]);
+    out.push_back(column(first_start + static_cast<Nanoseconds>(i) * width, edges[i], edges[i + 1]));
   }
 }
 

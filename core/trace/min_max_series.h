@@ -49,6 +49,14 @@ class MinMaxSeries {
   [[nodiscard]] Nanoseconds last_time() const;
   [[nodiscard]] std::size_t memory_bytes() const;
   [[nodiscard]] std::size_t capacity() const { return static_cast<std::size_t>(capacity_); }
+  /// How far it is: what was asked of it before and lies between first_time() and the `last_time` of then is as it was
+  /// while `filling` is the same.
+  struct Stand {
+    std::uint64_t filling = 0;  // of no other series, and another one when it is cleared
+    std::uint64_t gone = 0;     // samples that went for newer ones
+    Nanoseconds last_time = 0;
+  };
+  [[nodiscard]] Stand stand() const { return {filling_, begin_, last_time()}; }
 
   /// Columns of `width` ns that cover [begin, end). Their edges are multiples of `width` since the epoch
   /// whatever `begin` is, so a window that slides does not change the columns inside it.
@@ -86,6 +94,7 @@ class MinMaxSeries {
   struct Range {
     float min, max;  // min > max: nothing valid
   };
+  static std::uint64_t next_filling();
   static constexpr std::uint64_t kFactor = 16;
   static constexpr std::size_t kLevels = 3;  // buckets of 16, 256 and 4096 samples
 
@@ -98,6 +107,9 @@ class MinMaxSeries {
   [[nodiscard]] std::uint64_t bisect(std::uint64_t low, std::uint64_t high, Nanoseconds time) const;
   /// The same from `from` on, looked for from `guess` away.
   [[nodiscard]] std::uint64_t gallop(std::uint64_t from, std::uint64_t guess, Nanoseconds time) const;
+  /// Asks for memory that is read soon.
+  void fetch_time(std::uint64_t index) const;
+  void fetch_edge(std::uint64_t index) const;
   [[nodiscard]] SeriesColumn column(Nanoseconds start, std::uint64_t first, std::uint64_t last) const;
   [[nodiscard]] Range range(std::uint64_t begin, std::uint64_t end) const;
   /// Sums up the buckets whose last sample lies at `place`; queries never use an incomplete one.
@@ -105,6 +117,7 @@ class MinMaxSeries {
 
   std::uint64_t capacity_;             // a power of two
   std::uint64_t begin_ = 0, end_ = 0;  // absolute indices of the samples that are kept
+  std::uint64_t filling_ = next_filling();
   std::shared_ptr<std::vector<Nanoseconds>> times_;
   bool leads_ = true;  // writes the times
   std::vector<float> values_;

@@ -10,9 +10,11 @@
 #include <QVector>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 
 #include "bench/ratio_report.h"
+#include "bench/rival_plots.h"
 #include "trace/min_max_series.h"
 #include "ui/panels/live_strip.h"
 #include "ui/plots/series_item.h"
@@ -38,7 +40,6 @@ float noise(std::mt19937& random) {
 struct Data {
   explicit Data(int count) : series(static_cast<std::size_t>(count)), size(count) {
     std::mt19937 random(1);
-    QVector<QPointF> points;
     points.reserve(count);
     for (int i = 0; i < count; ++i) {
       const float value = noise(random);
@@ -48,6 +49,7 @@ struct Data {
     curve.setSamples(points);
   }
   MinMaxSeries series;
+  QVector<QPointF> points;
   QwtPlotCurve curve;
   int size;
 };
@@ -79,25 +81,56 @@ QwtScaleMap map(double low, double high, double from, double to) {
   return result;
 }
 
+/// `part` of the series, or its latest stretch. Each picture is of another width, as while it is zoomed: nothing of the
+/// one before is in it.
 double item_time(const MinMaxSeries& series, Canvas& canvas, double part = 1) {
   SeriesItem item(QStringLiteral("x"));
   item.setSeries(&series);
   const auto end = kStart + static_cast<Nanoseconds>(series.size()) * kMillisecond;
   const auto begin = end - static_cast<Nanoseconds>(part * static_cast<double>(end - kStart));
+  const auto columns = static_cast<int>(kCanvas.width() * canvas.scale());
+  bool wider = false;
   return canvas.time([&](QPainter& painter) {
-    item.prepare(ColumnGrid::of(begin, end, static_cast<int>(kCanvas.width() * canvas.scale())));
+    wider = !wider;
+    item.prepare(ColumnGrid::of(begin + (wider ? 2 * columns : 0), end, columns));
+    item.draw(&painter, map(0, 1, 0, kCanvas.width()), map(-900, 900, kCanvas.height(), 0), QRectF(QPointF(), kCanvas));
+  });
+}
+
+/// The whole of it moves by a column from picture to picture, as while it follows.
+double following_time(const MinMaxSeries& series, Canvas& canvas) {
+  SeriesItem item(QStringLiteral("x"));
+  item.setSeries(&series);
+  auto end = kStart + static_cast<Nanoseconds>(series.size()) * kMillisecond;
+  const auto span = end - kStart;
+  return canvas.time([&](QPainter& painter) {
+    const auto grid = ColumnGrid::of(end - span, end, kCanvas.width());
+    end -= grid.width;  // backwards: there are no newer ones
+    if (end < kStart + span / 2) end += span / 2;
+    item.prepare(grid);
     item.draw(&painter, map(0, 1, 0, kCanvas.width()), map(-900, 900, kCanvas.height(), 0), QRectF(QPointF(), kCanvas));
   });
 }
 
 double item_time(const Data& data, Canvas& canvas, double part = 1) { return item_time(data.series, canvas, part); }
 
-/// More than Qwt's curve, with its 16 bytes a point twice, has room for.
-MinMaxSeries long_series(int count) {
+/// Of any length: every column is nearly as high as the canvas, so that as many pixels are filled.
+MinMaxSeries even_series(int count) {
   MinMaxSeries series(static_cast<std::size_t>(count));
   std::mt19937 random(1);
-  for (int i = 0; i < count; ++i) series.append(kStart + i * kMillisecond, noise(random));
+  for (int i = 0; i < count; ++i)
+    series.append(kStart + i * kMillisecond, static_cast<float>(random() % 2001) * 0.8F - 800);
   return series;
+}
+
+/// More than Qwt's curve, with its 16 bytes a point twice, has room for.
+void compare_lengths(RatioReport& report) {
+  Canvas canvas;
+  const auto few = even_series(10'000);
+  const auto many = even_series(100'000'000);
+  const auto whole = item_time(few, canvas), following = following_time(few, canvas);
+  report.add("draw 100 M points", item_time(many, canvas), "10 k points", whole, 2);
+  report.add("100 M points, a picture after the other", following_time(many, canvas), "10 k points", following, 2);
 }
 
 double curve_time(Data& data, Canvas& canvas, bool aggressive, bool cosmetic = false) {
@@ -107,6 +140,29 @@ double curve_time(Data& data, Canvas& canvas, bool aggressive, bool cosmetic = f
     data.curve.drawSeries(&painter, map(0, data.size, 0, kCanvas.width()), map(-900, 900, kCanvas.height(), 0),
                           QRectF(QPointF(), kCanvas), 0, -1);
   });
+}
+
+/// One picture by another library; where it is not there, that is said and nothing promised.
+void compare_rival(RatioReport& report, const std::string& what, double ours, const char* rival,
+                   const std::optional<DrawPicture>& picture, double gate) {
+  if (!picture) return report.add_missing(what, rival);
+  Canvas canvas;
+  report.add(what, ours, rival, canvas.time([&](QPainter& painter) { (*picture)(painter); }), gate);
+}
+
+void compare_rivals(RatioReport& report, const std::string& what, double ours, const Data& data) {
+  const auto qcustomplot = qcustomplot_picture(data.points, -900, 900);
+  switch (data.size) {
+    case 100'000:
+      return compare_rival(report, what, ours, "QCustomPlot, adaptive", qcustomplot, 1);
+    case 1'000'000:
+      compare_rival(report, what, ours, "QCustomPlot, adaptive", qcustomplot, 1.0 / 3);
+      return compare_rival(report, what, ours, "Qt Charts", qtcharts_picture(data.points, -900, 900), 1.0 / 150);
+    case 10'000'000:
+      return compare_rival(report, what, ours, "QCustomPlot, adaptive", qcustomplot, 1.0 / 12);
+    default:
+      return;
+  }
 }
 
 void compare_sizes(RatioReport& report) {
@@ -125,12 +181,12 @@ void compare_sizes(RatioReport& report) {
     report.add(what, ours[size.count], "Qwt curve", curve_time(data, canvas, false), size.gate);
     report.add(what, ours[size.count], "Qwt curve, aggressive filter", curve_time(data, canvas, true),
                size.aggressive_gate);
+    compare_rivals(report, what, ours[size.count], data);
     if (size.count == 10'000'000) {
       report.add("draw 1 % of 10 M points", item_time(data, canvas, 0.01), "all of them", ours[size.count], 1.5);
     }
   }
   report.add("draw 10 M points", ours[10'000'000], "1 k points", ours[1'000], 4);
-  report.add("draw 100 M points", item_time(long_series(100'000'000), canvas), "10 k points", ours[10'000], 2);
 }
 
 void compare_scales(RatioReport& report) {
@@ -277,6 +333,7 @@ void compare_slaves(RatioReport& report) {
 int run() {
   RatioReport report;
   compare_sizes(report);
+  compare_lengths(report);
   compare_scales(report);
   compare_live(report);
   compare_strip(report);

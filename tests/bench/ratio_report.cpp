@@ -50,6 +50,10 @@ void RatioReport::add(const std::string& what, double ns, const std::string& bas
                    gate > 0 ? "<= " + ratio_text(gate) : "", gate <= 0 || ratio <= gate});
 }
 
+void RatioReport::add_missing(const std::string& what, const std::string& baseline) {
+  rows_.push_back({what, "", baseline + ": not on this machine", "", "", true});
+}
+
 void RatioReport::add_count(const std::string& what, double count, const std::string& unit, double baseline_count,
                             const std::string& baseline_unit, double gate) {
   const double ratio = count / baseline_count;

@@ -26,6 +26,8 @@ class RatioReport {
                  const std::string& baseline_unit, double gate);
   /// A figure that could not be taken is a promise not kept.
   void add_failure(const std::string& what, const std::string& why);
+  /// A baseline that is not on this machine: told, and nothing is promised.
+  void add_missing(const std::string& what, const std::string& baseline);
   /// Prints the table; 0 when every gate is kept.
   [[nodiscard]] int finish(const std::string& title) const;
 

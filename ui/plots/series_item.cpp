@@ -36,6 +36,16 @@ double clampedY(const QwtScaleMap& y, double value, const QRectF& canvas) {
   return std::clamp(y.transform(value), canvas.top() - 4, canvas.bottom() + 4);
 }
 
+std::optional<MinMaxSeries::Extent> extentOf(const std::vector<SeriesColumn>& columns) {
+  std::optional<MinMaxSeries::Extent> extent;
+  for (const auto& column : columns) {
+    if (!column.valid) continue;
+    if (!extent) extent = MinMaxSeries::Extent{column.min, column.max};
+    extent = MinMaxSeries::Extent{std::min(extent->min, column.min), std::max(extent->max, column.max)};
+  }
+  return extent;
+}
+
 /// An SVG: a line without a width is next to nothing on paper, areas side by side show their seams.
 bool isVector(const QPainter& painter) { return painter.paintEngine()->type() == QPaintEngine::SVG; }
 
@@ -53,8 +63,9 @@ ColumnGrid ColumnGrid::of(Nanoseconds begin, Nanoseconds end, int columns) {
 SeriesItem::SeriesItem(const QString& title) : QwtPlotItem(title) { setZ(20); }
 
 void SeriesItem::setSeries(const MinMaxSeries* series) {
-  series_ = series;
   held_ = nullptr;
+  if (series_ == series) return;
+  series_ = series;
   columns_.clear();
   points_.clear();
   extent_.reset();
@@ -70,16 +81,16 @@ std::optional<MinMaxSeries::Reading> SeriesItem::valueAt(Nanoseconds time) const
 
 void SeriesItem::prepare(const ColumnGrid& grid) {
   grid_ = grid;
-  columns_.clear();
   points_.clear();
   extent_.reset();
-  if (series_ == nullptr || series_->empty()) return;
+  if (series_ == nullptr || series_->empty()) return columns_.clear();
   if (held_ != nullptr) hold_until_ = held_->heard();
-  extent_ = series_->extent(grid.origin, grid.end());
   const auto count = series_->count(grid.origin, grid.end());
   if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid.columns)) {
-    series_->columns(grid.origin, grid.end(), grid.width, columns_);
+    extent_ = extentOf(columns_.of(*series_, grid.origin, grid.end(), grid.width));
   } else {
+    columns_.clear();
+    extent_ = series_->extent(grid.origin, grid.end());
     preparePoints();
   }
 }
@@ -116,7 +127,7 @@ void SeriesItem::preparePoints() {
 }
 
 void SeriesItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const {
-  if (!columns_.empty()) {
+  if (!columns().empty()) {
     drawColumns(painter, x, y, canvas);
   } else if (shape_ == Shape::kStep) {
     drawSteps(painter, x, y, canvas);
@@ -134,8 +145,8 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
   QPainterPath whole;
   whole.setFillRule(Qt::WindingFill);
   const SeriesColumn* previous = nullptr;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const auto& column = columns_[i];
+  for (std::size_t i = 0; i < columns().size(); ++i) {
+    const auto& column = columns()[i];
     if (!column.valid) {
       // A column without a sample of a slower series is no gap as long as its neighbours are near.
       if (previous != nullptr && column.start - previous->start > max_gap_) previous = nullptr;

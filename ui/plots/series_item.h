@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trace/held_series.h"
+#include "trace/kept_columns.h"
 #include "trace/min_max_series.h"
 
 namespace syncline::ui {
@@ -62,7 +63,7 @@ class SeriesItem final : public QwtPlotItem {
 
   /// What the last prepare() left to draw: columns, or points by column (x) and value (y) with a
   /// not-a-number y between what must not be joined.
-  [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }
+  [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_.columns(); }
   [[nodiscard]] const std::vector<QPointF>& points() const { return points_; }
 
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
@@ -80,7 +81,7 @@ class SeriesItem final : public QwtPlotItem {
   Nanoseconds max_gap_ = 100 * kMillisecond;
   Nanoseconds hold_until_ = 0;
   ColumnGrid grid_;
-  std::vector<SeriesColumn> columns_;
+  KeptColumns columns_;
   std::vector<QPointF> points_;
   std::optional<MinMaxSeries::Extent> extent_;
 };
