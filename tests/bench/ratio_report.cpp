@@ -16,6 +16,7 @@ std::string duration(double ns) {
 }
 
 std::string ratio_text(double ratio) {
+  if (ratio < 1e-9) return "0";
   return ratio < 0.1 ? fmt::format("1/{:.0f}", 1 / ratio) : fmt::format("{:.2f}", ratio);
 }
 
