@@ -6,6 +6,7 @@
 
 #include "config/command_text.h"
 #include "config/frame_time.h"
+#include "exports/exports.h"
 #include "exports/html_table.h"
 #include "exports/report_sections.h"
 #include "findings/finding.h"
@@ -79,6 +80,11 @@ std::string frames_section(const NetworkConfig& config) {
       "with padding and frame check sequence, times have preamble and gap, too.",
       exact_time_text(need.wire), exact_time_text(config.cycle_time()));
   return table.end() + html_element("p", sum) + "\n";
+}
+
+std::string topology_section(const NetworkConfig& config) {
+  const auto svg = topology_svg(config);
+  return svg.substr(svg.find("<svg"));
 }
 
 }  // namespace syncline::exports

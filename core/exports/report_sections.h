@@ -6,7 +6,7 @@
 
 #include "exports/export_report.h"
 
-/// The sections of the report, HTML without their titles.
+/// The sections of reports, HTML without their titles.
 namespace syncline::exports {
 
 /// "2 errors, 1 warning, 3 notes", "none"
@@ -18,6 +18,8 @@ namespace syncline::exports {
 [[nodiscard]] std::string clocks_section(const NetworkConfig& config, bool set);
 [[nodiscard]] std::string frames_section(const NetworkConfig& config);
 [[nodiscard]] std::string findings_section(std::span<const Finding> findings);
+/// The drawing without the head of a file of its own.
+[[nodiscard]] std::string topology_section(const NetworkConfig& config);
 [[nodiscard]] std::string unsaid_section(const ReportFacts& facts);
 
 }  // namespace syncline::exports

@@ -60,6 +60,7 @@ std::vector<Room> rooms() {
       {"core/diagnosis", with(kValues, {"core/dc", "core/channels", "core/families", "core/findings", "core/trace"})},
       {"core/record",
        with(kValues, {"core/dc", "core/channels", "core/findings", "core/trace", "core/diagnosis", "core/sqlite"})},
+      {"core/reports", with(kValues, {"core/channels", "core/trace", "core/record", "core/exports"})},
       {"core/engine", with(kValues, {"core/channels", "core/compare", "core/sim", "core/link", "core/master",
                                      "core/trace", "core/record"})},
   };

@@ -9,6 +9,7 @@
 #include "eni/format/eni_file.h"
 #include "reasons/because.h"
 #include "record/import_run.h"
+#include "record/recorded_configuration.h"
 #include "record/recording_notes.h"
 #include "support/whole_file.h"
 #include "ui/models/message_model.h"
@@ -19,22 +20,6 @@ namespace syncline::ui {
 namespace {
 
 constexpr std::size_t kLargestTable = 1U << 30;  // bytes: two hours at 1 kHz
-
-/// What was run; where the recording has no configuration that can be read, at least its slaves with their names.
-NetworkConfig configurationOf(const RecordingAbout& about) {
-  for (const auto& document : about.documents) {
-    if (document.kind != "configuration") continue;
-    auto config = eni::parse_eni(document.body, document.name);
-    if (config && config->slaves.size() == about.slaves.size()) return std::move(*config);
-  }
-  NetworkConfig config;
-  for (const auto& slave : about.slaves) {
-    auto& configured = config.slaves.emplace_back();
-    configured.name = slave.name;
-    configured.identity = {slave.vendor_id, slave.product_code, slave.revision_no, 0};
-  }
-  return config;
-}
 
 /// A table or log that is shown like a recording.
 Result<ReplayedRun> imported(const QString& path) {
@@ -95,7 +80,7 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
     }
     return !cancelled_;
   };
-  auto config = configurationOf(info->about);
+  auto config = recorded_configuration(info->about, eni::parse_eni);
   auto run = replay_run(*reader, std::move(*info), std::move(config), options);
   if (!run) return tl::unexpected(run.error());
   auto messages = messagesOf(*run, MessageModel::kMaximum);

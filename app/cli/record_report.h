@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "app/cli/context.h"
+
+namespace syncline::cli {
+
+/// "record report": the page that is handed over with a machine. Exit code 1 where the run is not accepted.
+void add_report_command(CLI::App& group, Context& context);
+
+}  // namespace syncline::cli
