@@ -20,6 +20,22 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>&amp;Memory for the Last…</source>
+            <translation>&amp;Speicher für die letzten …</translation>
+        </message>
+        <message>
+            <source>How many of the latest cycles stay in memory, to be saved afterwards</source>
+            <translation>Wie viele der letzten Zyklen im Speicher bleiben, um nachträglich gesichert zu werden</translation>
+        </message>
+    <message>
+        <source>Commissioning &amp;Report…</source>
+        <translation>Inbetriebnahme&amp;bericht …</translation>
+    </message>
+    <message>
+        <source>Judge the run that is shown by criteria, and write the page to hand over</source>
+        <translation>Den gezeigten Lauf nach Kriterien beurteilen und die Seite zur Übergabe schreiben</translation>
+    </message>
+        <message>
             <source>Ne&amp;w Machine…</source>
             <translation>Neue &amp;Maschine…</translation>
         </message>
@@ -8736,6 +8752,22 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 <context>
     <name>TriggerPanel</name>
         <message>
+            <source>A signal, in every cycle of it, an event, or a finding</source>
+            <translation>Ein Signal in jedem seiner Zyklen, ein Ereignis oder ein Befund</translation>
+        </message>
+        <message>
+            <source>A finding</source>
+            <translation>Ein Befund</translation>
+        </message>
+        <message>
+            <source>Finding of the trigger</source>
+            <translation>Befund des Triggers</translation>
+        </message>
+        <message>
+            <source>Which finding; it counts at the moment at which it began, and one that is of the whole run has none</source>
+            <translation>Welcher Befund; er zählt in dem Augenblick, in dem er begann, und einer des ganzen Laufs hat keinen</translation>
+        </message>
+        <message>
             <source>SM2 events missed</source>
             <translation>Verpasste SM2-Ereignisse</translation>
         </message>
@@ -8762,10 +8794,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>What the trigger watches</source>
             <translation>Was der Trigger beobachtet</translation>
-        </message>
-        <message>
-            <source>A signal, in every cycle of it, or an event</source>
-            <translation>Ein Signal, in jedem seiner Zyklen, oder ein Ereignis</translation>
         </message>
         <message>
             <source>Slave of the trigger</source>
@@ -9833,4 +9861,349 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Noch kein Frame des Laufs</translation>
         </message>
     </context>
+<context>
+    <name>AcceptanceText</name>
+    <message>
+        <source>not monitored</source>
+        <translation>nicht überwacht</translation>
+    </message>
+    <message>
+        <source>not ready</source>
+        <translation>nicht bereit</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>schwingt ein</translation>
+    </message>
+    <message>
+        <source>in sync</source>
+        <translation>synchron</translation>
+    </message>
+    <message>
+        <source>out of sync</source>
+        <translation>nicht synchron</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <translation>%1 seit %2</translation>
+    </message>
+    <message>
+        <source>; no value since it was armed</source>
+        <translation>; kein Wert seit der Scharfschaltung</translation>
+    </message>
+    <message>
+        <source>; largest %1 ns</source>
+        <translation>; größter Wert %1 ns</translation>
+    </message>
+    <message>
+        <source>, over the limit</source>
+        <translation>, über dem Grenzwert</translation>
+    </message>
+    <message>
+        <source>, %1 % margin</source>
+        <translation>, %1 % Reserve</translation>
+    </message>
+    <message>
+        <source>Watched for</source>
+        <translation>Beobachtet</translation>
+    </message>
+    <message>
+        <source>State of the master</source>
+        <translation>Zustand des Masters</translation>
+    </message>
+    <message>
+        <source>Slaves against their reference clock</source>
+        <translation>Slaves gegen ihre Referenzuhr</translation>
+    </message>
+    <message>
+        <source>Reference clock against the master</source>
+        <translation>Referenzuhr gegen den Master</translation>
+    </message>
+    <message>
+        <source>SM2 events missed</source>
+        <translation>Verpasste SM2-Ereignisse</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>Verlorene Frames</translation>
+    </message>
+    <message>
+        <source>Cycles with another working counter than expected</source>
+        <translation>Zyklen mit anderem Working Counter als erwartet</translation>
+    </message>
+    <message>
+        <source>Cycles left out by the host</source>
+        <translation>Vom Rechner ausgelassene Zyklen</translation>
+    </message>
+    <message>
+        <source>Disturbances</source>
+        <translation>Störungen</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>erfüllt</translation>
+    </message>
+    <message>
+        <source>NOT KEPT</source>
+        <translation>NICHT ERFÜLLT</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>Angenommen</translation>
+    </message>
+    <message>
+        <source>Not accepted</source>
+        <translation>Nicht angenommen</translation>
+    </message>
+    <message>
+        <source>Not proven</source>
+        <translation>Nicht nachgewiesen</translation>
+    </message>
+    <message>
+        <source>as long as it was</source>
+        <translation>so lange, wie es war</translation>
+    </message>
+    <message>
+        <source>OP at the end</source>
+        <translation>am Ende OP</translation>
+    </message>
+    <message>
+        <source>in sync throughout</source>
+        <translation>durchweg synchron</translation>
+    </message>
+    <message>
+        <source>in sync throughout, within ±%1 ns</source>
+        <translation>durchweg synchron, innerhalb ±%1 ns</translation>
+    </message>
+    <message>
+        <source>, %1 % to spare</source>
+        <translation>, %1 % Reserve</translation>
+    </message>
+    <message>
+        <source>no error, no warning</source>
+        <translation>kein Fehler, keine Warnung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>never: it was not in sync in OP</source>
+        <translation>nie: in OP war es nicht synchron</translation>
+    </message>
+    <message>
+        <source>unknown: a slave does not answer, or it is not told</source>
+        <translation>unbekannt: ein Slave antwortet nicht, oder es ist nicht überliefert</translation>
+    </message>
+    <message>
+        <source>not counted: it was never armed</source>
+        <translation>nicht gezählt: es wurde nie scharfgeschaltet</translation>
+    </message>
+    <message>
+        <source>no slave has a counter that is known</source>
+        <translation>kein Slave hat einen bekannten Zähler</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nicht überliefert</translation>
+    </message>
+    <message numerus="yes">
+        <source>, lost %n time(s)</source>
+        <translation><numerusform>, %n-mal verloren</numerusform><numerusform>, %n-mal verloren</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n episode(s)</source>
+        <translation><numerusform>%n Episode</numerusform><numerusform>%n Episoden</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation><numerusform>%n Fehler</numerusform><numerusform>%n Fehler</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation><numerusform>%n Warnung</numerusform><numerusform>%n Warnungen</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>CommissioningDialog</name>
+    <message>
+        <source>Commissioning Report</source>
+        <translation>Inbetriebnahmebericht</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Name der Maschine</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>&amp;Maschine</translation>
+    </message>
+    <message>
+        <source>Least time that it was watched for, minutes</source>
+        <translation>Kürzeste Beobachtungszeit, Minuten</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>&amp;Watched for at least</source>
+        <translation>&amp;Beobachtet mindestens</translation>
+    </message>
+    <message>
+        <source>Least m&amp;argin</source>
+        <translation>Kleinste &amp;Reserve</translation>
+    </message>
+    <message>
+        <source>Least margin to the limits, percent</source>
+        <translation>Kleinste Reserve zu den Grenzwerten, Prozent</translation>
+    </message>
+    <message>
+        <source>SM2 &amp;events missed at most</source>
+        <translation>Verpasste SM2-&amp;Ereignisse höchstens</translation>
+    </message>
+    <message>
+        <source>Most SM2 events missed</source>
+        <translation>Höchstzahl verpasster SM2-Ereignisse</translation>
+    </message>
+    <message>
+        <source>&amp;Frames lost at most</source>
+        <translation>Verlorene &amp;Frames höchstens</translation>
+    </message>
+    <message>
+        <source>Most frames lost</source>
+        <translation>Höchstzahl verlorener Frames</translation>
+    </message>
+    <message>
+        <source>Wr&amp;ong working counters at most</source>
+        <translation>Falsche &amp;Working Counter höchstens</translation>
+    </message>
+    <message>
+        <source>Most wrong working counters</source>
+        <translation>Höchstzahl falscher Working Counter</translation>
+    </message>
+    <message>
+        <source>&amp;Cycles left out at most</source>
+        <translation>Ausgelassene &amp;Zyklen höchstens</translation>
+    </message>
+    <message>
+        <source>Most cycles left out</source>
+        <translation>Höchstzahl ausgelassener Zyklen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>Kriterien</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>Kriterium</translation>
+    </message>
+    <message>
+        <source>Required</source>
+        <translation>Gefordert</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Write &amp;Page…</source>
+        <translation>&amp;Seite schreiben …</translation>
+    </message>
+    <message>
+        <source>Write the page</source>
+        <translation>Seite schreiben</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Write Page</source>
+        <translation>Seite schreiben</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>The page could not be written.</source>
+        <translation>Die Seite konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Commissioning</source>
+        <translation>Inbetriebnahme</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>MemoryDialog</name>
+        <message>
+            <source>Memory for the Last Cycles</source>
+            <translation>Speicher für die letzten Zyklen</translation>
+        </message>
+        <message>
+            <source>Every cycle of a run is kept in memory, so that the last stretch can be saved afterwards. The oldest go when the memory is full.</source>
+            <translation>Jeder Zyklus eines Laufs bleibt im Speicher, damit das letzte Stück nachträglich gesichert werden kann. Ist der Speicher voll, gehen die ältesten.</translation>
+        </message>
+        <message>
+            <source>Memory for each network</source>
+            <translation>Speicher je Netzwerk</translation>
+        </message>
+        <message>
+            <source>&amp;Memory for each network</source>
+            <translation>&amp;Speicher je Netzwerk</translation>
+        </message>
+        <message>
+            <source>How much time it holds</source>
+            <translation>Wie viel Zeit er fasst</translation>
+        </message>
+        <message>
+            <source>What is forgotten at once</source>
+            <translation>Was sofort vergessen wird</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>OK</translation>
+        </message>
+        <message>
+            <source>How much time that is follows from the cycle time: nothing has run yet.</source>
+            <translation>Wie viel Zeit das ist, folgt aus der Zykluszeit: noch ist nichts gelaufen.</translation>
+        </message>
+        <message>
+            <source>Holds every cycle of about the last %1 of this network.</source>
+            <translation>Fasst jeden Zyklus von etwa den letzten %1 dieses Netzwerks.</translation>
+        </message>
+        <message>
+            <source>The last %1 are in memory: what is older than that goes at once.</source>
+            <translation>Die letzten %1 sind im Speicher: was älter ist, geht sofort.</translation>
+        </message>
+</context>
 </TS>

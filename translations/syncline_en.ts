@@ -3,6 +3,25 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
     <context>
+    <name>AcceptanceText</name>
+    <message numerus="yes">
+        <source>%n episode(s)</source>
+        <translation><numerusform>%n episode</numerusform><numerusform>%n episodes</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation><numerusform>%n error</numerusform><numerusform>%n errors</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation><numerusform>%n warning</numerusform><numerusform>%n warnings</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>, lost %n time(s)</source>
+        <translation><numerusform>, lost %n time</numerusform><numerusform>, lost %n times</numerusform></translation>
+    </message>
+</context>
+<context>
     <name>CutShortDialog</name>
         <message numerus="yes">
             <source>%n more write(s) follow.</source>

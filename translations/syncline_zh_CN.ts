@@ -20,6 +20,22 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>&amp;Memory for the Last…</source>
+            <translation>最近周期的内存(&amp;M)…</translation>
+        </message>
+        <message>
+            <source>How many of the latest cycles stay in memory, to be saved afterwards</source>
+            <translation>内存中保留多少最近的周期，以便事后保存</translation>
+        </message>
+    <message>
+        <source>Commissioning &amp;Report…</source>
+        <translation>调试报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Judge the run that is shown by criteria, and write the page to hand over</source>
+        <translation>按准则评判所示的运行，并写出移交页面</translation>
+    </message>
+        <message>
             <source>Ne&amp;w Machine…</source>
             <translation>新建机器(&amp;W)…</translation>
         </message>
@@ -8687,6 +8703,22 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 <context>
     <name>TriggerPanel</name>
         <message>
+            <source>A signal, in every cycle of it, an event, or a finding</source>
+            <translation>每个周期的信号、事件或发现</translation>
+        </message>
+        <message>
+            <source>A finding</source>
+            <translation>发现</translation>
+        </message>
+        <message>
+            <source>Finding of the trigger</source>
+            <translation>触发的发现</translation>
+        </message>
+        <message>
+            <source>Which finding; it counts at the moment at which it began, and one that is of the whole run has none</source>
+            <translation>哪个发现；以其开始的时刻为准，关于整个运行的发现没有时刻</translation>
+        </message>
+        <message>
             <source>SM2 events missed</source>
             <translation>错过的 SM2 事件</translation>
         </message>
@@ -8713,10 +8745,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>What the trigger watches</source>
             <translation>触发监视的对象</translation>
-        </message>
-        <message>
-            <source>A signal, in every cycle of it, or an event</source>
-            <translation>一个信号（其每个周期），或一个事件</translation>
         </message>
         <message>
             <source>Slave of the trigger</source>
@@ -9775,4 +9803,349 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>还没有本次运行的帧</translation>
         </message>
     </context>
+<context>
+    <name>AcceptanceText</name>
+    <message>
+        <source>not monitored</source>
+        <translation>未监视</translation>
+    </message>
+    <message>
+        <source>not ready</source>
+        <translation>未就绪</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>正在稳定</translation>
+    </message>
+    <message>
+        <source>in sync</source>
+        <translation>已同步</translation>
+    </message>
+    <message>
+        <source>out of sync</source>
+        <translation>失步</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1 for %2</source>
+        <translation>%1，已持续 %2</translation>
+    </message>
+    <message>
+        <source>; no value since it was armed</source>
+        <translation>；启用统计后没有数值</translation>
+    </message>
+    <message>
+        <source>; largest %1 ns</source>
+        <translation>；最大 %1 ns</translation>
+    </message>
+    <message>
+        <source>, over the limit</source>
+        <translation>，超出限值</translation>
+    </message>
+    <message>
+        <source>, %1 % margin</source>
+        <translation>，裕量 %1 %</translation>
+    </message>
+    <message>
+        <source>Watched for</source>
+        <translation>观察时长</translation>
+    </message>
+    <message>
+        <source>State of the master</source>
+        <translation>主站状态</translation>
+    </message>
+    <message>
+        <source>Slaves against their reference clock</source>
+        <translation>从站相对参考时钟</translation>
+    </message>
+    <message>
+        <source>Reference clock against the master</source>
+        <translation>参考时钟相对主站</translation>
+    </message>
+    <message>
+        <source>SM2 events missed</source>
+        <translation>错过的 SM2 事件</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>丢失的帧</translation>
+    </message>
+    <message>
+        <source>Cycles with another working counter than expected</source>
+        <translation>工作计数器与预期不符的周期</translation>
+    </message>
+    <message>
+        <source>Cycles left out by the host</source>
+        <translation>主机跳过的周期</translation>
+    </message>
+    <message>
+        <source>Disturbances</source>
+        <translation>干扰</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>发现</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>满足</translation>
+    </message>
+    <message>
+        <source>NOT KEPT</source>
+        <translation>不满足</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>未评判</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>Not accepted</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>Not proven</source>
+        <translation>未证明</translation>
+    </message>
+    <message>
+        <source>as long as it was</source>
+        <translation>实际时长</translation>
+    </message>
+    <message>
+        <source>OP at the end</source>
+        <translation>结束时为 OP</translation>
+    </message>
+    <message>
+        <source>in sync throughout</source>
+        <translation>始终同步</translation>
+    </message>
+    <message>
+        <source>in sync throughout, within ±%1 ns</source>
+        <translation>始终同步，在 ±%1 ns 以内</translation>
+    </message>
+    <message>
+        <source>, %1 % to spare</source>
+        <translation>，裕量 %1 %</translation>
+    </message>
+    <message>
+        <source>no error, no warning</source>
+        <translation>无错误、无警告</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>最多 %1</translation>
+    </message>
+    <message>
+        <source>never: it was not in sync in OP</source>
+        <translation>从未：在 OP 中未曾同步</translation>
+    </message>
+    <message>
+        <source>unknown: a slave does not answer, or it is not told</source>
+        <translation>未知：有从站无应答，或没有记录</translation>
+    </message>
+    <message>
+        <source>not counted: it was never armed</source>
+        <translation>未计数：从未启用统计</translation>
+    </message>
+    <message>
+        <source>no slave has a counter that is known</source>
+        <translation>没有从站具有已知的计数器</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>没有记录</translation>
+    </message>
+    <message numerus="yes">
+        <source>, lost %n time(s)</source>
+        <translation><numerusform>，失步 %n 次</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n episode(s)</source>
+        <translation><numerusform>%n 次</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation><numerusform>%n 个错误</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation><numerusform>%n 个警告</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>CommissioningDialog</name>
+    <message>
+        <source>Commissioning Report</source>
+        <translation>调试报告</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>机器名称</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>机器(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Least time that it was watched for, minutes</source>
+        <translation>最短观察时间（分钟）</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>&amp;Watched for at least</source>
+        <translation>至少观察(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Least m&amp;argin</source>
+        <translation>最小裕量(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Least margin to the limits, percent</source>
+        <translation>距限值的最小裕量（百分比）</translation>
+    </message>
+    <message>
+        <source>SM2 &amp;events missed at most</source>
+        <translation>最多错过 SM2 事件(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Most SM2 events missed</source>
+        <translation>错过 SM2 事件的上限</translation>
+    </message>
+    <message>
+        <source>&amp;Frames lost at most</source>
+        <translation>最多丢失帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Most frames lost</source>
+        <translation>丢失帧的上限</translation>
+    </message>
+    <message>
+        <source>Wr&amp;ong working counters at most</source>
+        <translation>最多错误工作计数器(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Most wrong working counters</source>
+        <translation>错误工作计数器的上限</translation>
+    </message>
+    <message>
+        <source>&amp;Cycles left out at most</source>
+        <translation>最多跳过周期(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Most cycles left out</source>
+        <translation>跳过周期的上限</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>准则</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>评判</translation>
+    </message>
+    <message>
+        <source>Criterion</source>
+        <translation>准则</translation>
+    </message>
+    <message>
+        <source>Required</source>
+        <translation>要求</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>实际</translation>
+    </message>
+    <message>
+        <source>Write &amp;Page…</source>
+        <translation>写出页面(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Write the page</source>
+        <translation>写出页面</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Write Page</source>
+        <translation>写出页面</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>The page could not be written.</source>
+        <translation>无法写出页面。</translation>
+    </message>
+    <message>
+        <source>Commissioning</source>
+        <translation>调试</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>MemoryDialog</name>
+        <message>
+            <source>Memory for the Last Cycles</source>
+            <translation>最近周期的内存</translation>
+        </message>
+        <message>
+            <source>Every cycle of a run is kept in memory, so that the last stretch can be saved afterwards. The oldest go when the memory is full.</source>
+            <translation>运行的每个周期都保存在内存中，以便事后保存最近的一段。内存满时丢弃最旧的周期。</translation>
+        </message>
+        <message>
+            <source>Memory for each network</source>
+            <translation>每个网络的内存</translation>
+        </message>
+        <message>
+            <source>&amp;Memory for each network</source>
+            <translation>每个网络的内存(&amp;M)</translation>
+        </message>
+        <message>
+            <source>How much time it holds</source>
+            <translation>可容纳的时间</translation>
+        </message>
+        <message>
+            <source>What is forgotten at once</source>
+            <translation>立即丢弃的内容</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>确定</translation>
+        </message>
+        <message>
+            <source>How much time that is follows from the cycle time: nothing has run yet.</source>
+            <translation>时间长短取决于周期时间：尚未运行过。</translation>
+        </message>
+        <message>
+            <source>Holds every cycle of about the last %1 of this network.</source>
+            <translation>可保存该网络最近约 %1 的每个周期。</translation>
+        </message>
+        <message>
+            <source>The last %1 are in memory: what is older than that goes at once.</source>
+            <translation>内存中有最近 %1：更早的将立即丢弃。</translation>
+        </message>
+</context>
 </TS>

@@ -40,6 +40,7 @@ void updateRecordingStates(const Actions& actions, Workspace& workspace, const R
   actions.record->setText(disk.isRecording() ? MainWindow::tr("Stop &Recording") : MainWindow::tr("&Record…"));
   actions.record->setChecked(disk.isRecording());
   actions.record->setEnabled(workspace.live().phase() == LiveSession::Phase::kOnline || disk.isRecording());
+  actions.commissioning->setEnabled(workspace.shownRecord() != nullptr && !workspace.shownRecord()->samples().empty());
   actions.save_recent->setText(recordings.saveLastText());
   actions.save_recent->setEnabled(disk.remembered() > 0 && !shown);
   for (auto* action : {actions.create, actions.scan, actions.demo, actions.online, actions.offline, actions.record,

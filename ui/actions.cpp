@@ -82,8 +82,12 @@ Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
   save_recent = add("actionSaveRecent", tr("Save the &Last…"), "",
                     tr("Save the last stretch, which is still in memory, as a recording"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
+  memory = add("actionMemory", tr("&Memory for the Last…"), "",
+               tr("How many of the latest cycles stay in memory, to be saved afterwards"));
   black_box = add("actionBlackBox", tr("&Black Box of Frames…"), "",
                   tr("Keep the last frames of every run on disk, whole also after a crash"));
+  commissioning = add("actionCommissioning", tr("Commissioning &Report…"), "",
+                      tr("Judge the run that is shown by criteria, and write the page to hand over"));
   clear_statistics = add("actionClearStatistics", tr("&Clear Statistics"), "clear", tr("Start counting anew"));
   for (const auto state : {AlState::kInit, AlState::kPreop, AlState::kSafeop, AlState::kOp}) {
     const auto name = stateName(state);

@@ -214,7 +214,9 @@ void MainWindow::connectActions() {
     updateRecordingActions();
   });
   connect(actions_->save_recent, &QAction::triggered, recordings_, &RecordingCommands::saveLast);
+  connect(actions_->memory, &QAction::triggered, recordings_, &RecordingCommands::askMemory);
   connect(actions_->black_box, &QAction::triggered, recordings_, &RecordingCommands::askBlackBox);
+  connect(actions_->commissioning, &QAction::triggered, recordings_, &RecordingCommands::askCommissioning);
   for (auto* action : actions_->states) {
     connect(action, &QAction::triggered, this,
             [this, action] { workspace_.live().requestState(static_cast<AlState>(action->data().toInt())); });

@@ -39,9 +39,9 @@ void buildNetworkMenu(QMenu& menu, const Actions& actions, const QList<QAction*>
   menu.addActions({actions.online, actions.offline});
   menu.addMenu(MainWindow::tr("Request S&tate"))->addActions(actions.states);
   menu.addSeparator();
-  menu.addActions({actions.record, actions.save_recent, actions.black_box});
+  menu.addActions({actions.record, actions.save_recent, actions.memory, actions.black_box});
   menu.addSeparator();
-  menu.addAction(actions.clear_statistics);
+  menu.addActions({actions.commissioning, actions.clear_statistics});
   menu.addSeparator();
   menu.addActions(networks);
 }

@@ -33,10 +33,10 @@ struct ReportOptions {
 Json acceptance_json(const reports::Acceptance& acceptance) {
   Json criteria = Json::array();
   for (const auto& criterion : acceptance.criteria) {
-    criteria.push_back({{"key", criterion.key},
-                        {"name", criterion.name},
-                        {"required", criterion.required},
-                        {"found", criterion.found},
+    criteria.push_back({{"key", reports::criterion_key(criterion.kind)},
+                        {"name", reports::criterion_text(criterion.kind)},
+                        {"required", reports::required_text(criterion)},
+                        {"found", reports::found_text(criterion)},
                         {"verdict", reports::verdict_key(criterion.verdict)}});
   }
   return {{"accepted", acceptance.verdict == reports::Verdict::kKept},
@@ -47,8 +47,9 @@ Json acceptance_json(const reports::Acceptance& acceptance) {
 std::string acceptance_lines(const reports::Acceptance& acceptance) {
   std::string text;
   for (const auto& criterion : acceptance.criteria) {
-    text += fmt::format("{:<10}  {}: {} (required: {})\n", reports::verdict_text(criterion.verdict), criterion.name,
-                        criterion.found, criterion.required);
+    text += fmt::format("{:<10}  {}: {} (required: {})\n", reports::verdict_text(criterion.verdict),
+                        reports::criterion_text(criterion.kind), reports::found_text(criterion),
+                        reports::required_text(criterion));
   }
   return text + fmt::format("{}\n", reports::acceptance_text(acceptance.verdict));
 }

@@ -74,6 +74,7 @@ Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, cons
 
 void RunRecording::add(std::span<const CycleSample> samples) {
   if (!recorder_) return;
+  if (first_ == 0 && !samples.empty()) first_ = samples.front().send_time;
   recorder_->add(samples);
   tell();
 }
@@ -98,8 +99,9 @@ void RunRecording::tell() {
   stop_.reset();
 }
 
-void RunRecording::finish(const RunReport& report) {
+void RunRecording::finish(RunReport report) {
   if (!recorder_) return;
+  report.told_from = first_;  // all times of a recording are told from there on
   const auto status = recorder_->finish("end of the run", recorded(diagnose(report)));
   const bool told = [this] {
     const std::lock_guard lock(mutex_);

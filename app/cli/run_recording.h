@@ -34,7 +34,7 @@ class RunRecording {
   void add(const Snapshot& snapshot);
   void add(const Event& event);
   /// With the findings; what failed is told now, at the latest.
-  void finish(const RunReport& report);
+  void finish(RunReport report);
 
  private:
   explicit RunRecording(Context& context) : context_(context) {}
@@ -43,6 +43,7 @@ class RunRecording {
 
   Context& context_;
   std::string file_;
+  Nanoseconds first_ = 0;  // of its samples
   std::mutex mutex_;
   std::optional<Recorder::Stop> stop_;
   std::unique_ptr<Recorder> recorder_;  // last: its thread uses what stands above

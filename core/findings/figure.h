@@ -17,7 +17,7 @@ struct Figure {
     kTimes,        // "once", "3 times"
     kNanoseconds,  // four digits: a figure that was measured
     kTime,         // all digits: one that was set
-    kMoment,       // kMoment: ns since the run began
+    kMoment,       // kMoment: ns since the run began, or what the finder counts from
     kPpm,          // value in thousandths
     kSlave,        // position; `other` is the last one of a range, or the same; -1 the host, -2 nobody; `text` its name
     kSlaves,       // each of several: `text` are their positions, "3 to 17, 19"

@@ -88,8 +88,17 @@ void RecentSamples::add(std::span<const CycleSample> samples) {
     chunks_.push_back(std::make_shared<const SampleChunk>(open_));
     bytes_ += chunks_.back()->bytes();
     open_.clear();
-    for (; bytes_ > budget_ && chunks_.size() > 1; chunks_.pop_front()) bytes_ -= chunks_.front()->bytes();
+    forget_beyond();
   }
+}
+
+void RecentSamples::forget_beyond() {
+  for (; bytes_ > budget_ && chunks_.size() > 1; chunks_.pop_front()) bytes_ -= chunks_.front()->bytes();
+}
+
+void RecentSamples::set_budget(std::size_t budget) {
+  budget_ = budget;
+  forget_beyond();
 }
 
 void RecentSamples::clear() {

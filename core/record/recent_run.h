@@ -40,6 +40,9 @@ class RecentSamples {
   explicit RecentSamples(std::size_t budget) : budget_(budget) {}
   void add(std::span<const CycleSample> samples);
   void clear();
+  /// Bytes; what is beyond goes at once, the oldest first.
+  void set_budget(std::size_t budget);
+  [[nodiscard]] std::size_t budget() const { return budget_; }
 
   [[nodiscard]] bool empty() const { return chunks_.empty() && open_.empty(); }
   /// Host clock, of the oldest sample; 0 without any.
@@ -52,6 +55,8 @@ class RecentSamples {
   [[nodiscard]] std::vector<Chunk> since(Nanoseconds from) const;
 
  private:
+  void forget_beyond();
+
   std::size_t budget_, bytes_ = 0;  // of the chunks
   std::deque<Chunk> chunks_;
   std::vector<CycleSample> open_;

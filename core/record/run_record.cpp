@@ -118,9 +118,10 @@ std::string RunRecord::slave_name(std::size_t position) const {
   return position < config_.slaves.size() ? config_.slaves[position].name : fmt::format("{}", position);
 }
 
-std::vector<Finding> RunRecord::findings() const {
+std::vector<Finding> RunRecord::findings(Nanoseconds told_from) const {
   if (restored_findings_) return *restored_findings_;
-  const auto run = report();
+  auto run = report();
+  run.told_from = told_from;
   return run.history.reached_op ? diagnose(run) : std::vector<Finding>{};
 }
 

@@ -93,8 +93,10 @@ class RunRecord {
   [[nodiscard]] RunReport report() const { return recorder_.finish(snapshot_); }
   [[nodiscard]] const SyncOverview& overview() const { return overview_.overview(); }
   /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished. Of a recording: what
-  /// was found while it ran.
-  [[nodiscard]] std::vector<Finding> findings() const;
+  /// was found while it ran. Moments count from the first sample on, as the axis of the plots does.
+  [[nodiscard]] std::vector<Finding> findings() const { return findings(overview().begin); }
+  /// The same with moments that count from `told_from` on (host clock): for a recording that began later.
+  [[nodiscard]] std::vector<Finding> findings(Nanoseconds told_from) const;
 
  private:
   NetworkConfig config_;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,27 +27,55 @@ enum class Verdict : std::uint8_t {
   kNotKept,
   kNotJudged,  // nothing is watched that would tell, or the recording does not hold it
 };
-[[nodiscard]] std::string_view verdict_text(Verdict verdict);  // "kept", "NOT KEPT", "not judged"
-[[nodiscard]] std::string_view verdict_key(Verdict verdict);   // "kept", "not_kept", "not_judged"
 
 struct Criterion {
-  std::string_view key;   // for programs: "slaves_in_sync"
-  std::string_view name;  // for people
-  std::string required, found;
+  enum class Kind : std::uint8_t {
+    kWatchedFor,    // `required` and `found`: ns; none found: never armed
+    kState,         // AlState
+    kSlavesInSync,  // `required`: the limit, ns; `found`: the largest magnitude, ns
+    kMasterInSync,  // the same
+    kMissedEvents,  // this and the next: `required` at most, `found`; none: not told
+    kLostFrames,
+    kWkcErrors,
+    kLeftOutCycles,
+    kFaults,    // `found`: episodes
+    kFindings,  // `found`: errors
+  };
+  Kind kind = Kind::kWatchedFor;
   Verdict verdict = Verdict::kNotJudged;
-  bool operator==(const Criterion&) const = default;
+  std::int64_t required = 0;
+  std::optional<std::int64_t> found{};
+  std::uint64_t warnings = 0;  // of kFindings
+  // of the two that are about being in sync:
+  SyncState state = SyncState::kNotMonitored;  // at the end
+  Nanoseconds state_for = 0;                   // how long it has been that
+  std::uint64_t times_lost = 0;
+  double least_margin = 0;         // 0..1
+  std::optional<double> margin{};  // part of the limit that the largest left; negative: over it
 };
 
 struct Acceptance {
-  std::vector<Criterion> criteria;
-  /// kNotKept: one of them is not. kNotJudged: the run was never armed, or neither slaves nor master were judged, so
-  /// that nothing is proven about synchronisation. Else kKept, though single criteria may not have been judged.
+  std::vector<Criterion> criteria;  // one of each kind, in their order
+  bool armed = false;
+  /// kNotKept: one of them is not. kNotJudged: nothing is proven about synchronisation, because the run was never
+  /// armed, slaves follow a reference clock and nobody watched them, or none does and nobody watched the master. Else
+  /// kKept, though single criteria may not have been judged.
   Verdict verdict = Verdict::kNotJudged;
+
+  [[nodiscard]] const Criterion& of(Criterion::Kind kind) const { return criteria[static_cast<std::size_t>(kind)]; }
 };
-/// "accepted", "NOT ACCEPTED", "NOT PROVEN"
-[[nodiscard]] std::string_view acceptance_text(Verdict verdict);
 
 /// Counted is what came since the run was armed: bring-up is no part of it. `findings`: what was found about the run.
 [[nodiscard]] Acceptance judge(const RunRecord& run, std::span<const Finding> findings, const AcceptanceLimits& limits);
+
+/// For programs: "slaves_in_sync"; "kept", "not_kept", "not_judged".
+[[nodiscard]] std::string_view criterion_key(Criterion::Kind kind);
+[[nodiscard]] std::string_view verdict_key(Verdict verdict);
+/// In English: "kept", "NOT KEPT", "not judged"; of the whole "accepted", "NOT ACCEPTED", "NOT PROVEN".
+[[nodiscard]] std::string_view verdict_text(Verdict verdict);
+[[nodiscard]] std::string_view acceptance_text(Verdict verdict);
+[[nodiscard]] std::string_view criterion_text(Criterion::Kind kind);
+[[nodiscard]] std::string required_text(const Criterion& criterion);
+[[nodiscard]] std::string found_text(const Criterion& criterion);
 
 }  // namespace syncline::reports

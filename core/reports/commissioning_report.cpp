@@ -23,9 +23,9 @@ namespace {
 using exports::html_element;
 using exports::HtmlTable;
 
-/// Seconds since the run began.
+/// Seconds since the first sample, as findings count, too.
 std::string moment(Nanoseconds time, Nanoseconds begin) {
-  return fmt::format("{:.6f} s", static_cast<double>(time - begin) / 1e9);
+  return fmt::format("{:.3f}", static_cast<double>(time - begin) / 1e9);
 }
 
 std::string utc(Nanoseconds time) {
@@ -60,8 +60,8 @@ std::string head(const RunRecord& run, const CommissioningFacts& facts, const Ac
 std::string criteria_section(const Acceptance& acceptance) {
   HtmlTable table({"Verdict", "Criterion", "Required", "Found"});
   for (const auto& criterion : acceptance.criteria) {
-    table.row({std::string(verdict_text(criterion.verdict)), std::string(criterion.name), criterion.required,
-               criterion.found},
+    table.row({std::string(verdict_text(criterion.verdict)), std::string(criterion_text(criterion.kind)),
+               required_text(criterion), found_text(criterion)},
               criterion.verdict == Verdict::kNotKept ? "r-error" : "");
   }
   return table.end() + paragraph(
@@ -87,7 +87,7 @@ void add_figure(HtmlTable& table, const std::string& name, const OverviewFigure&
 
 std::string figures_section(const RunRecord& run) {
   const auto& overview = run.overview();
-  HtmlTable table({"Figure", "Values", "Mean, ns", "Rms, ns", "99.99 %, ns", "Largest, ns", "At", "Margin"});
+  HtmlTable table({"Figure", "Values", "Mean, ns", "Rms, ns", "99.99 %, ns", "Largest, ns", "At, s", "Margin"});
   add_figure(table, "Deviation of the slaves (0x092C), largest in each cycle", overview.deviation,
              run.limits().deviation_ns, overview.begin);
   add_figure(table, "Error of the master synchronisation", overview.dcm_error, 0, overview.begin);
@@ -170,11 +170,10 @@ std::string slaves_section(const RunRecord& run) {
              "or no such counter.");
 }
 
-std::string fault_text(const Fault& fault, const RunRecord& run) {
-  auto text = fault.slave < 0 ? std::string() : run.slave_name(static_cast<std::size_t>(fault.slave)) + ": ";
-  if (!fault.event) return text + fmt::format("{} SM2 events missed", fault.count);
+std::string fault_text(const Fault& fault) {
+  if (!fault.event) return fmt::format("{} SM2 events missed", fault.count);
   const auto finding = event_finding(*fault.event);
-  text += finding ? describe(*finding) : std::string("an event");
+  const auto text = finding ? describe(*finding) : std::string("an event");
   return fault.count > 1 ? text + fmt::format(" ({} times)", fault.count) : text;
 }
 
@@ -182,16 +181,17 @@ std::string faults_section(const RunRecord& run) {
   const auto& overview = run.overview();
   const auto& faults = overview.faults;
   if (faults.count() == 0) return paragraph("Nothing went wrong while it was watched.");
-  HtmlTable table({"At", "After the first", "What"});
+  HtmlTable table({"At, s", "Behind the first, ms", "Slave", "What"});
   for (const auto& episode : faults.episodes()) {
     for (const auto& fault : episode.faults) {
       const bool first = &fault == &episode.faults.front();
-      table.row({moment(fault.first, overview.begin),
-                 first ? "first" : fmt::format("{:.3f} ms", static_cast<double>(fault.first - episode.begin) / 1e6),
-                 fault_text(fault, run)},
-                first ? "r-error" : "");
+      table.row(
+          {moment(fault.first, overview.begin),
+           first ? "first" : fmt::format("{:.3f}", static_cast<double>(fault.first - episode.begin) / 1e6),
+           fault.slave < 0 ? "network" : run.slave_name(static_cast<std::size_t>(fault.slave)), fault_text(fault)},
+          first ? "r-error" : "");
     }
-    if (episode.left_out > 0) table.row({"", "", fmt::format("and {} more", episode.left_out)});
+    if (episode.left_out > 0) table.row({"", "", "", fmt::format("and {} more", episode.left_out)});
   }
   std::string out = table.end();
   if (faults.count() > faults.episodes().size()) {
@@ -216,7 +216,7 @@ std::string found_section(const RunRecord& run, const CommissioningFacts& facts)
 
 std::string notes_section(const RunRecord& run) {
   if (run.notes().empty()) return paragraph("None.");
-  HtmlTable table({"At", "Note"});
+  HtmlTable table({"At, s", "Note"});
   for (const auto& note : run.notes()) table.row({moment(note.time, run.overview().begin), note.text});
   return table.end();
 }

@@ -57,6 +57,7 @@ struct RunReport {
   Statistics lateness;               // ns, every cycle
   Histogram lateness_histogram;      // in OP
   RunHistory history;
+  Nanoseconds told_from = 0;  // host clock: from here on findings count their moments; 0: from history.begin on
   HostStatus host;
 };
 

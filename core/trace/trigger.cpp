@@ -49,7 +49,7 @@ TriggerWatch::TriggerWatch(Trigger trigger, Nanoseconds from)
     : trigger_(std::move(trigger)), next_(from), begin_(from) {}
 
 bool TriggerWatch::look(const SampleStore& store, Nanoseconds portion) {
-  if (trigger_.kind == Trigger::Kind::kEvent || done()) return true;
+  if (trigger_.kind == Trigger::Kind::kEvent || trigger_.kind == Trigger::Kind::kFinding || done()) return true;
   const auto place = place_of(trigger_, store);
   if (!place) return true;
   const auto& series = store.series(trigger_.signal, *place);
@@ -88,6 +88,21 @@ void TriggerWatch::hear(const Event& event, const SampleStore& store) {
   if (trigger_.slave >= 0 && event.slave != trigger_.slave) return;
   const auto told = event_finding(event);
   if (told && told->code == trigger_.code) fire(event.time, event.slave, 0, store);
+}
+
+void TriggerWatch::hear(std::span<const Finding> findings, const SampleStore& store) {
+  if (trigger_.kind != Trigger::Kind::kFinding) return;
+  std::vector<std::pair<Nanoseconds, int>> fresh;
+  for (const auto& finding : findings) {
+    if (finding.code != trigger_.code || finding.from < std::max<Nanoseconds>(begin_, 1)) continue;
+    if (trigger_.slave >= 0 && finding.place.slave != trigger_.slave) continue;
+    const std::pair moment(finding.from, finding.place.slave);
+    if (found_.insert(moment).second) fresh.push_back(moment);
+  }
+  std::ranges::sort(fresh);
+  for (const auto& [time, slave] : fresh) {
+    if (!done()) fire(time, slave, 0, store);
+  }
 }
 
 void TriggerWatch::fire(Nanoseconds time, int slave, double value, const SampleStore& store) {

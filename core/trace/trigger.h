@@ -4,21 +4,26 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "channels/event.h"
+#include "findings/finding.h"
 #include "trace/sample_store.h"
 
-/// Triggers, as an oscilloscope has them: moments of a run at which a signal or an event does what was asked for, each
-/// with the time before and after it.
+/// Triggers, as an oscilloscope has them: moments of a run at which a signal, an event or a finding does what was asked
+/// for, each with the time before and after it.
 namespace syncline {
 
 struct Trigger {
   enum class Kind : std::uint8_t {
-    kLevel,   // the signal crosses `level`
-    kWindow,  // the signal leaves or enters [low, high]
-    kEvent,   // an event of `code`
+    kLevel,    // the signal crosses `level`
+    kWindow,   // the signal leaves or enters [low, high]
+    kEvent,    // an event of `code`
+    kFinding,  // a finding of `code` that has a moment at which it began
   };
   /// How the picture follows; an evaluator only knows that a single one ends with its first episode.
   enum class Mode : std::uint8_t { kAutomatic, kNormal, kSingle };
@@ -27,14 +32,14 @@ struct Trigger {
   Kind kind = Kind::kLevel;
   Mode mode = Mode::kNormal;
   Signal signal = Signal::kDeviation;  // of those that are drawn, not SignalInfo::Form::kCell
-  int slave = -1;                      // whose signal, where it is one of slaves; of events -1: of any
+  int slave = -1;                      // whose signal, where it is one of slaves; of events and findings -1: of any
   std::string variable{};              // its name, where the signal is that of a watched one
   Edge edge = Edge::kUp;
   bool magnitude = false;           // of the absolute value of the signal
   bool enters = false;              // of a window: comes in; else goes out
   double level = 1000;              // in the signal's unit
   double low = -1000, high = 1000;  // inside are both
-  std::string code{};               // of event_finding(): "event-slave-lost"
+  std::string code{};               // of event_finding(): "event-slave-lost"; of a finding: "frames-lost"
   Nanoseconds hold_off = kSecond;   // after an episode's moment no other one begins; 0: each counts
   Nanoseconds pre = kSecond, post = kSecond;
   bool operator==(const Trigger&) const = default;
@@ -44,7 +49,7 @@ struct TriggerEpisode {
   Nanoseconds time = 0;                // host clock
   std::optional<std::uint64_t> cycle;  // in which it was; nothing where it is not kept any more
   int slave = -1;                      // the signal's or the event's
-  double value = 0;                    // of the sample that fired; of events 0
+  double value = 0;                    // of the sample that fired; of events and findings 0
   Nanoseconds from = 0, to = 0;        // with what was asked for before and after, also where the run does not reach
   std::uint64_t left_out = 0;          // further ones within the hold-off
   bool operator==(const TriggerEpisode&) const = default;
@@ -66,6 +71,8 @@ class TriggerWatch {
   bool look(const SampleStore& store, Nanoseconds portion = kAll);
   /// In the order of their coming; the cycle is taken from the store.
   void hear(const Event& event, const SampleStore& store);
+  /// All that is found by now, as often as one likes: a finding fires once for each moment at which it began.
+  void hear(std::span<const Finding> findings, const SampleStore& store);
 
   [[nodiscard]] const Trigger& trigger() const { return trigger_; }
   /// The latest; of kMostEpisodes the earlier half goes when another one comes.
@@ -92,6 +99,7 @@ class TriggerWatch {
   Nanoseconds begin_;
   std::optional<double> before_;
   Nanoseconds before_time_ = 0;
+  std::set<std::pair<Nanoseconds, int>> found_;  // moments of findings that were heard, and of which slave
   std::vector<TriggerEpisode> episodes_;
   std::uint64_t forgotten_ = 0, left_out_ = 0;
 };

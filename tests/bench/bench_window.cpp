@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QApplication>
+#include <QTest>
 #include <QThread>
+#include <QUndoStack>
 #include <algorithm>
 #include <functional>
 #include <random>
@@ -9,10 +11,15 @@
 #include "compare/line_difference.h"
 #include "eni/project/line_wiring.h"
 #include "tests/support/sample_devices.h"
+#include "ui/main_window.h"
 #include "ui/models/eni_model.h"
+#include "ui/panels/explorer_panel.h"
+#include "ui/panels/topology_view.h"
 #include "ui/session/eni_preview.h"
 #include "ui/session/project_copy.h"
 #include "ui/session/project_document.h"
+#include "ui/session/workspace.h"
+#include "ui/support/ui_test_support.h"
 
 /// What the window's own thread does about a large project, against a picture of its plots; and the comparison of long
 /// texts.
@@ -86,6 +93,55 @@ void bench_lines(RatioReport& report) {
   report.add("100,000 lines, 5,000 altered", took(), "a second", kSecondNs, 1);
 }
 
+double once(const std::function<void()>& action) {
+  const auto begin = processor_seconds();
+  action();
+  return (processor_seconds() - begin) * 1e9;
+}
+
+/// The slowest of twenty, in ns of the window's thread.
+double slowest(const std::function<void()>& action) {
+  double longest = 0;
+  for (int i = 0; i < 20; ++i) longest = std::max(longest, once(action));
+  return longest;
+}
+
+/// A thousand slaves in the whole window, as they are worked with.
+void bench_thousand(RatioReport& report) {
+  constexpr double kFluid = 100e6;
+  ui::Workspace workspace(test::virtualEnvironment());
+  ui::MainWindow window(workspace);
+  const auto load = once([&] {
+    workspace.document().replace(QStringLiteral("load"), thousand_slaves());
+    window.show();
+    QApplication::processEvents();
+  });
+  auto& explorer = window.explorer();
+  int round = 0;
+  const auto add = [&](const char* what, const std::function<void()>& action) {
+    report.add(std::string("1000 slaves: ") + what + ", the slowest of 20", slowest(action), "a tenth of a second",
+               kFluid, 1);
+  };
+  report.add("1000 slaves: open", load, "a second", kSecondNs, 0);
+  add("another view", [&] {
+    explorer.setView(round++ % 2 == 0 ? ui::ExplorerPanel::View::kTopology : ui::ExplorerPanel::View::kClassic);
+    QApplication::processEvents();
+  });
+  add("select one", [&] {
+    window.selectNode(round = (round + 371) % 1000);
+    QApplication::processEvents();
+  });
+  explorer.setView(ui::ExplorerPanel::View::kTopology);
+  add("paint the topology", [&] { explorer.topology().viewport()->repaint(); });
+  window.selectNode(500);
+  add("move one", [&] {
+    explorer.topology().setFocus();
+    QTest::keyClick(&explorer.topology(), Qt::Key_Up, Qt::AltModifier);
+    QApplication::processEvents();
+  });
+  workspace.document().undoStack().setClean();
+}
+
 }  // namespace
 }  // namespace syncline::bench
 
@@ -95,5 +151,6 @@ int main(int argc, char** argv) {
   syncline::bench::RatioReport report;
   syncline::bench::bench_preview(report);
   syncline::bench::bench_lines(report);
+  syncline::bench::bench_thousand(report);
   return report.finish("Large projects in the window");
 }

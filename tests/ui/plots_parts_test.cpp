@@ -6,7 +6,9 @@
 #include <QGuiApplication>
 #include <QLocale>
 #include <algorithm>
+#include <array>
 #include <clocale>
+#include <cmath>
 #include <limits>
 
 #include "ui/plots/plot_colors.h"
@@ -142,7 +144,49 @@ TEST(UnitScaleDraw, DecimalsFollowTheTicks) {
   EXPECT_EQ(draw.label(-1e-12).text(), QStringLiteral("0.00"));
 }
 
-/// Okabe-Ito survives the common colour blindnesses by lightness and hue; here: it is visible at all.
+using Linear = std::array<double, 3>;
+using SeenAs = std::array<Linear, 3>;
+/// What is seen of linear RGB (Machado, Oliveira, Fernandes 2009, table 1, severity 1.0).
+constexpr SeenAs kNormal{Linear{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+constexpr SeenAs kNoRed{
+    Linear{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}};
+constexpr SeenAs kNoGreen{
+    Linear{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
+
+double times(const Linear& row, const Linear& color) {
+  return std::clamp(row[0] * color[0] + row[1] * color[1] + row[2] * color[2], 0.0, 1.0);
+}
+
+/// CIE 1976 L*a*b*, D65.
+Linear lab(const QColor& color, const SeenAs& seen) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  const Linear shown{linear(color.redF()), linear(color.greenF()), linear(color.blueF())};
+  const Linear rgb{times(seen[0], shown), times(seen[1], shown), times(seen[2], shown)};
+  const auto f = [](double t) { return t > 216.0 / 24389 ? std::cbrt(t) : (24389.0 / 27 * t + 16) / 116; };
+  const double x = f((0.4124564 * rgb[0] + 0.3575761 * rgb[1] + 0.1804375 * rgb[2]) / 0.95047);
+  const double y = f(0.2126729 * rgb[0] + 0.7151522 * rgb[1] + 0.0721750 * rgb[2]);
+  const double z = f((0.0193339 * rgb[0] + 0.1191920 * rgb[1] + 0.9503041 * rgb[2]) / 1.08883);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+/// Any two traces can be told apart, also by who sees no red or no green.
+TEST(PlotColors, AreToldApartWithoutRedOrGreen) {
+  constexpr double kLeastDistance = 16;  // just seen side by side are 2.3
+  for (const auto mode : {theme::Mode::kLight, theme::Mode::kDark}) {
+    theme::apply(mode);
+    const QPalette palette = QGuiApplication::palette();
+    for (const auto& seen : {kNormal, kNoRed, kNoGreen}) {
+      for (int i = 0; i < plot_colors::kTraceCount; ++i) {
+        for (int k = 0; k < i; ++k) {
+          const auto a = lab(plot_colors::trace(palette, i), seen), b = lab(plot_colors::trace(palette, k), seen);
+          EXPECT_GE(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), kLeastDistance) << i << " and " << k;
+        }
+      }
+    }
+  }
+  theme::apply(theme::Mode::kLight);
+}
+
 TEST(PlotColors, StandOutOnTheCanvasOfBothThemes) {
   for (const auto mode : {theme::Mode::kLight, theme::Mode::kDark}) {
     theme::apply(mode);

@@ -162,6 +162,30 @@ TEST(TriggerPanel, TakesWhatItsFieldsSay) {
   EXPECT_FALSE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("triggerLevel"))->isVisibleTo(&panel));
 }
 
+/// What is taken is what is shown: the list of events becomes one of findings, and back.
+TEST(TriggerPanel, ListsEventsOrFindings) {
+  WindowMemory memory({});
+  TriggerMonitor monitor(memory);
+  TriggerPanel panel(monitor);
+  auto* source = panel.findChild<QComboBox*>(QStringLiteral("triggerSource"));
+  auto* code = panel.findChild<QComboBox*>(QStringLiteral("triggerEvent"));
+  const auto choose = [&](const QString& text) {
+    source->setCurrentIndex(source->findText(text));
+    Q_EMIT source->activated(source->currentIndex());
+  };
+  choose(QStringLiteral("A finding"));
+  EXPECT_EQ(monitor.trigger().kind, Trigger::Kind::kFinding);
+  EXPECT_GE(code->findData(QStringLiteral("frames-lost")), 0);
+  EXPECT_EQ(code->currentData().toString().toStdString(), monitor.trigger().code);
+  code->setCurrentIndex(code->findData(QStringLiteral("frames-lost")));
+  Q_EMIT code->activated(code->currentIndex());
+  EXPECT_EQ(monitor.trigger().code, "frames-lost");
+  choose(QStringLiteral("An event"));
+  EXPECT_EQ(monitor.trigger().kind, Trigger::Kind::kEvent);
+  EXPECT_EQ(code->findData(QStringLiteral("frames-lost")), -1);
+  EXPECT_EQ(code->currentData().toString().toStdString(), monitor.trigger().code);
+}
+
 TEST(LiveStripTrigger, TheLevelIsDrawnWhereItsSignalIsAndCanBeDragged) {
   const auto record = triggerRecord(5000);
   LiveStrip strip;

@@ -10,7 +10,9 @@
 #include <algorithm>
 
 #include "ui/dialogs/black_box_dialog.h"
+#include "ui/dialogs/commissioning_dialog.h"
 #include "ui/dialogs/error_dialog.h"
+#include "ui/dialogs/memory_dialog.h"
 #include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
 #include "ui/text/black_box_text.h"
@@ -150,10 +152,23 @@ void RecordingCommands::writeNote(Nanoseconds time) {
     tell(tr("The note could not be written."), status.error());
 }
 
-void RecordingCommands::askBlackBox() {
-  auto* dialog = new BlackBoxDialog(workspace_, &window_);
+namespace {
+
+template <class Dialog>
+void openOn(Workspace& workspace, QWidget& window) {
+  auto* dialog = new Dialog(workspace, &window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
+}
+
+}  // namespace
+
+void RecordingCommands::askMemory() { openOn<MemoryDialog>(workspace_, window_); }
+
+void RecordingCommands::askBlackBox() { openOn<BlackBoxDialog>(workspace_, window_); }
+
+void RecordingCommands::askCommissioning() {
+  if (workspace_.shownRecord() != nullptr) openOn<CommissioningDialog>(workspace_, window_);
 }
 
 void RecordingCommands::onFramesKept(const BlackBox::Report& report) {

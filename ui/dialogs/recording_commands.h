@@ -34,8 +34,12 @@ class RecordingCommands final : public QObject {
   void saveRange(Nanoseconds from, Nanoseconds to);
   /// Asks what to write at a moment of what is shown (host clock).
   void writeNote(Nanoseconds time);
+  /// How much of every run stays in memory.
+  void askMemory();
   /// Whether and where the last frames of every run are kept.
   void askBlackBox();
+  /// Whether the run that is shown is accepted, and the page that says so.
+  void askCommissioning();
   /// "Save the last 4 min 10 s…"
   [[nodiscard]] QString saveLastText() const;
 

@@ -18,8 +18,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "findings/event_words.h"
+#include "findings/run_bus_words.h"
+#include "findings/run_slaves_words.h"
 #include "ui/text/signal_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -29,7 +32,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kEventSource = -1;
+constexpr int kEventSource = -1, kFindingSource = -2;
 enum Condition : std::uint8_t { kRises, kFalls, kCrosses, kLeaves, kEnters };
 enum EpisodeColumn : std::uint8_t { kTimeColumn, kCycleColumn, kCauseColumn, kSlaveColumn, kNameColumn, kColumns };
 
@@ -57,8 +60,11 @@ QString valueOf(Signal signal, double value) {
 
 constexpr double kLargestTime = 2e9, kLargestValue = 1e12;  // of the fields
 
+/// Of a signal it is the slave's own, of these any slave's may be wanted.
+bool isTold(int source) { return source == kEventSource || source == kFindingSource; }
+
 bool ofSlave(int source) {
-  return source == kEventSource || info(static_cast<Signal>(source)).scope == SignalInfo::Scope::kSlave;
+  return isTold(source) || info(static_cast<Signal>(source)).scope == SignalInfo::Scope::kSlave;
 }
 
 /// In a small window the fields are scrolled; none pushes the window wider.
@@ -81,18 +87,14 @@ QWidget* scrolled(QLayout* fields) {
 TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(parent), monitor_(monitor) {
   setObjectName(QStringLiteral("triggerPanel"));
   setAccessibleName(tr("Trigger"));
-  source_ =
-      choice("triggerSource", tr("What the trigger watches"), tr("A signal, in every cycle of it, or an event"), 14);
+  source_ = choice("triggerSource", tr("What the trigger watches"),
+                   tr("A signal, in every cycle of it, an event, or a finding"), 14);
   slave_ = choice("triggerSlave", tr("Slave of the trigger"), tr("Whose signal or event"), 8);
   variable_ = choice("triggerVariable", tr("Variable of the trigger"),
                      tr("Which variable; they are watched on the page Variables"), 18);
   condition_ = choice("triggerCondition", tr("Condition of the trigger"), tr("What the signal does"), 10);
   condition_->addItems({tr("rises to"), tr("falls to"), tr("crosses"), tr("leaves"), tr("enters")});
   event_ = choice("triggerEvent", tr("Event of the trigger"), tr("Which event"), 22);
-  for (const auto& words : words::kEvents)
-    event_->addItem(eventTitle(words.code),
-                    QString::fromUtf8(words.code.data(), static_cast<qsizetype>(words.code.size())));
-  event_->model()->sort(0);
   level_ = number("triggerLevel", tr("Level of the trigger"), tr("The level, in the unit of the signal"));
   low_ = number("triggerLow", tr("Lower edge of the band"), tr("Lower edge of the band; it belongs to the band"));
   high_ = number("triggerHigh", tr("Upper edge of the band"), tr("Upper edge of the band; it belongs to the band"));
@@ -235,6 +237,31 @@ void TriggerPanel::fillSources() {
     if (signal.form != SignalInfo::Form::kCell && !text.isEmpty()) source_->addItem(text, static_cast<int>(signal.id));
   }
   source_->addItem(tr("An event"), kEventSource);
+  source_->addItem(tr("A finding"), kFindingSource);
+}
+
+void TriggerPanel::fillCodes() {
+  const bool findings = source_->currentData().toInt() == kFindingSource;
+  if (event_->count() > 0 && event_->property("findings").toBool() == findings) return;
+  event_->clear();
+  event_->setProperty("findings", findings);
+  const auto add = [this](std::span<const FindingWords> rows) {
+    for (const auto& words : rows)
+      event_->addItem(eventTitle(words.code),
+                      QString::fromUtf8(words.code.data(), static_cast<qsizetype>(words.code.size())));
+  };
+  if (findings) {
+    add(words::kRunSlaves);
+    add(words::kRunBus);
+  } else {
+    add(words::kEvents);
+  }
+  event_->model()->sort(0);
+  event_->setAccessibleName(findings ? tr("Finding of the trigger") : tr("Event of the trigger"));
+  event_->setToolTip(findings
+                         ? tr("Which finding; it counts at the moment at which it began, and one that is of the whole "
+                              "run has none")
+                         : tr("Which event"));
 }
 
 QString TriggerPanel::slaveText(int slave) const {
@@ -247,7 +274,7 @@ QString TriggerPanel::slaveText(int slave) const {
 
 void TriggerPanel::fillSlaves() {
   slave_->clear();
-  if (source_->currentData().toInt() == kEventSource) slave_->addItem(tr("Any slave"), -1);
+  if (isTold(source_->currentData().toInt())) slave_->addItem(tr("Any slave"), -1);
   const auto* record = monitor_.record();
   const int count = record == nullptr ? 0 : static_cast<int>(record->config().slaves.size());
   for (int slave = 0; slave < count; ++slave) slave_->addItem(slaveText(slave), slave);
@@ -272,9 +299,13 @@ void TriggerPanel::fillVariables() {
 void TriggerPanel::showTrigger() {
   showing_ = true;
   const auto& trigger = monitor_.trigger();
-  const bool event = trigger.kind == Trigger::Kind::kEvent;
+  const bool finding = trigger.kind == Trigger::Kind::kFinding;
+  const bool event = finding || trigger.kind == Trigger::Kind::kEvent;
   const bool band = trigger.kind == Trigger::Kind::kWindow;
-  source_->setCurrentIndex(source_->findData(event ? kEventSource : static_cast<int>(trigger.signal)));
+  source_->setCurrentIndex(source_->findData(finding ? kFindingSource
+                                             : event ? kEventSource
+                                                     : static_cast<int>(trigger.signal)));
+  fillCodes();
   fillSlaves();
   slave_->setVisible(ofSlave(source_->currentData().toInt()));
   fillVariables();
@@ -311,8 +342,8 @@ Trigger TriggerPanel::fields() const {
   auto trigger = monitor_.trigger();
   const int source = source_->currentData().toInt();
   const auto condition = static_cast<Condition>(condition_->currentIndex());
-  if (source == kEventSource) {
-    trigger.kind = Trigger::Kind::kEvent;
+  if (isTold(source)) {
+    trigger.kind = source == kEventSource ? Trigger::Kind::kEvent : Trigger::Kind::kFinding;
   } else {
     trigger.signal = static_cast<Signal>(source);
     trigger.kind = condition >= kLeaves ? Trigger::Kind::kWindow : Trigger::Kind::kLevel;
@@ -320,10 +351,9 @@ Trigger TriggerPanel::fields() const {
   if (condition < kLeaves) trigger.edge = static_cast<Trigger::Edge>(condition);
   trigger.enters = condition == kEnters;
   trigger.slave = slave_->currentIndex() < 0 ? -1 : slave_->currentData().toInt();
-  if (trigger.kind != Trigger::Kind::kEvent && trigger.signal == Signal::kVariable)
-    trigger.variable = variable_->currentText().toStdString();
+  if (!isTold(source) && trigger.signal == Signal::kVariable) trigger.variable = variable_->currentText().toStdString();
   // A signal is always somebody's.
-  if (source != kEventSource && ofSlave(source)) trigger.slave = std::max(trigger.slave, 0);
+  if (!isTold(source) && ofSlave(source)) trigger.slave = std::max(trigger.slave, 0);
   trigger.code = event_->currentData().toString().toStdString();
   trigger.magnitude = magnitude_->isChecked();
   trigger.level = level_->value();
@@ -340,7 +370,9 @@ Trigger TriggerPanel::fields() const {
 }
 
 void TriggerPanel::takeFields() {
-  if (!showing_) monitor_.setTrigger(fields());
+  if (showing_) return;
+  fillCodes();  // the source may be another one: what is taken is what is shown
+  monitor_.setTrigger(fields());
 }
 
 const TriggerEpisode* TriggerPanel::chosen() const {
@@ -352,7 +384,7 @@ const TriggerEpisode* TriggerPanel::chosen() const {
 
 QString TriggerPanel::causeText(const TriggerEpisode& episode) const {
   const auto& trigger = monitor_.trigger();
-  auto text = trigger.kind == Trigger::Kind::kEvent
+  auto text = trigger.kind == Trigger::Kind::kEvent || trigger.kind == Trigger::Kind::kFinding
                   ? eventTitle(trigger.code)
                   : tr("%1 %2: %3")
                         .arg(trigger.signal == Signal::kVariable ? variable_->currentText() : source_->currentText(),

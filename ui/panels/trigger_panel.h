@@ -37,6 +37,7 @@ class TriggerPanel final : public QWidget {
  private:
   QComboBox* choice(const char* name, const QString& accessible, const QString& tip, int characters);
   QDoubleSpinBox* number(const char* name, const QString& accessible, const QString& tip);
+  void fillCodes();
   void fillSources();
   void fillSlaves();
   void fillVariables();

@@ -10,9 +10,9 @@
 namespace syncline::ui::plot_colors {
 namespace {
 
-constexpr std::array<QRgb, kTraceCount> kOnLight{0xFF0072B2, 0xFFD55E00, 0xFF00845F,
-                                                 0xFFA84C82, 0xFF9A6A00, 0xFF2A86BE};
-constexpr std::array<QRgb, kTraceCount> kOnDark{0xFF56B4E9, 0xFFE69F00, 0xFF2BBF94, 0xFFD98DB7, 0xFFF0E442, 0xFFF0793A};
+constexpr std::array<QRgb, kTraceCount> kOnLight{0xFF0072B2, 0xFFD55E00, 0xFF009E73,
+                                                 0xFFA84C82, 0xFF8A5A2B, 0xFF2B2F77};
+constexpr std::array<QRgb, kTraceCount> kOnDark{0xFF56B4E9, 0xFFE69F00, 0xFF2BBF94, 0xFFD070B0, 0xFFF0E442, 0xFFF0793A};
 
 QColor pick(const QPalette& palette, QRgb light, QRgb dark) {
   return QColor::fromRgba(theme::isDark(palette) ? dark : light);

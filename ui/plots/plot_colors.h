@@ -4,9 +4,9 @@
 #include <QColor>
 #include <QPalette>
 
-/// Colours of the plots. Traces take the Okabe-Ito set, which colour-blind users can tell apart; its
-/// light members are darkened on a light canvas (and the dark ones lightened on a dark one), so that
-/// each trace keeps at least 3:1 against the canvas. Text never takes a trace's colour.
+/// Colours of the plots. Traces begin with the Okabe-Ito set; its light members are darkened or replaced on a light
+/// canvas (and the dark ones on a dark one), so that each trace keeps at least 3:1 against the canvas and any two can
+/// be told apart by who sees no red or no green. Text never takes a trace's colour.
 namespace syncline::ui::plot_colors {
 
 inline constexpr int kTraceCount = 6;

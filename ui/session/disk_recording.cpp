@@ -15,9 +15,15 @@
 
 namespace syncline::ui {
 
+namespace {
+
+std::size_t mibBytes(int mib) { return static_cast<std::size_t>(mib) << 20U; }
+
+}  // namespace
+
 DiskRecording::DiskRecording(NetworkRun& run, const RunFindings& findings, const Environment& environment,
                              QObject* parent)
-    : QObject(parent), run_(run), findings_(findings), environment_(environment), recent_(kMemoryBudget) {
+    : QObject(parent), run_(run), findings_(findings), environment_(environment), recent_(mibBytes(kUsualMemoryMib)) {
   connectRun();
 }
 
@@ -28,6 +34,7 @@ void DiskRecording::connectRun() {
   connect(&run_, &NetworkRun::samplesArrived, this, [this](const std::vector<CycleSample>& samples) {
     recent_.add(samples);
     if (!recorder_) return;
+    if (first_ == 0 && !samples.empty()) first_ = samples.front().send_time;
     recorder_->add(samples);
     tellStanding();
   });
@@ -45,7 +52,7 @@ void DiskRecording::connectRun() {
     if (recorder_) recorder_->add(note);
   });
   connect(&findings_, &RunFindings::findingsChanged, this, [this] {
-    if (recorder_) recorder_->tell(recorded(findings_.findings()));
+    if (recorder_) recorder_->tell(found());
   });
   connect(&run_, &NetworkRun::applied, this, [this] {
     if (recorder_) recorder_->tell(project());
@@ -71,6 +78,11 @@ RecordingAbout DiskRecording::about() const {
   result.documents.push_back(project());
   result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(run.config())});
   return result;
+}
+
+/// With the moments of the file that is written, which may have begun in the middle of the run.
+std::vector<RecordedFinding> DiskRecording::found() const {
+  return recorded(run_.record()->findings(first_ != 0 ? first_ : begun_));
 }
 
 void DiskRecording::tellStanding() {
@@ -99,7 +111,8 @@ Status DiskRecording::start(const QString& path) {
   path_ = path;
   begun_ = run_.record()->samples().empty() ? 0 : run_.record()->samples().last_time();
   told_ = run_.record()->standing();
-  recorder_->tell(recorded(findings_.findings()));
+  first_ = 0;
+  recorder_->tell(found());
   Q_EMIT changed();
   return {};
 }
@@ -116,9 +129,8 @@ void DiskRecording::stop() {
   const bool ended = run_.phase() == NetworkRun::Phase::kOffline;
   auto& ending = ending_[number_];
   ending.path = path_;
-  ending.thread =
-      std::thread([this, number = number_, ended, recorder = std::shared_ptr<Recorder>(std::move(recorder_)),
-                   findings = recorded(run_.record()->findings())] {
+  ending.thread = std::thread(
+      [this, number = number_, ended, recorder = std::shared_ptr<Recorder>(std::move(recorder_)), findings = found()] {
         const auto status = recorder->finish(ended ? "end of the run" : "stopped by the user", findings);
         QMetaObject::invokeMethod(
             this, [this, number, status] { onFinished(number, status); }, Qt::QueuedConnection);
@@ -161,6 +173,15 @@ Nanoseconds DiskRecording::memoryReach() const {
   return run_.record() == nullptr ? 0 : recent_.reach(run_.record()->limits().cycle_time);
 }
 
+Nanoseconds DiskRecording::memoryReach(int mib) const {
+  return static_cast<Nanoseconds>(static_cast<double>(memoryReach()) * mib / memoryMib());
+}
+
+void DiskRecording::setMemoryMib(int mib) {
+  recent_.set_budget(mibBytes(mib));
+  Q_EMIT changed();
+}
+
 Status DiskRecording::saveLast(Nanoseconds duration, const QString& path) {
   if (recent_.span() == 0)
     return fail(ErrorCode::kFileNotWritable, {}, because("no cycle has run yet: go online first"));
@@ -183,7 +204,7 @@ Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString&
   std::vector<Event> events;
   std::ranges::copy_if(record.events(), std::back_inserter(events),
                        [from = run->from, to](const Event& event) { return event.time >= from && event.time <= to; });
-  run->findings = recorded(record.findings());
+  run->findings = recorded(record.findings(run->from));
   std::ranges::copy_if(record.notes(), std::back_inserter(run->notes),
                        [from = run->from, to](const RunNote& note) { return note.time >= from && note.time <= to; });
   saving_ = true;

@@ -24,7 +24,7 @@ class DiskRecording final : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t kMemoryBudget = std::size_t{256} << 20;  // bytes
+  static constexpr int kUsualMemoryMib = 256, kMostMemoryMib = 65'536;
 
   DiskRecording(NetworkRun& run, const RunFindings& findings, const Environment& environment,
                 QObject* parent = nullptr);
@@ -49,6 +49,11 @@ class DiskRecording final : public QObject {
   /// How far back the memory reaches, and how far the budget lets it.
   [[nodiscard]] Nanoseconds remembered() const { return recent_.span(); }
   [[nodiscard]] Nanoseconds memoryReach() const;
+  /// The same of another budget, 1 to kMostMemoryMib.
+  [[nodiscard]] Nanoseconds memoryReach(int mib) const;
+  /// The budget; less than before forgets the oldest at once.
+  void setMemoryMib(int mib);
+  [[nodiscard]] int memoryMib() const { return static_cast<int>(recent_.budget() >> 20U); }
   /// Writes the last `duration` to a new file; saved() follows. kFileNotWritable where nothing is remembered, or while
   /// another stretch is being written.
   Status saveLast(Nanoseconds duration, const QString& path);
@@ -72,6 +77,7 @@ class DiskRecording final : public QObject {
   [[nodiscard]] RecordingAbout about() const;
   [[nodiscard]] RecordedDocument project() const;
   void connectRun();
+  [[nodiscard]] std::vector<RecordedFinding> found() const;
   void tellStanding();
   void onStopped(int number, const Recorder::Stop& stop);
   void onFinished(int number, const Status& status);
@@ -81,7 +87,8 @@ class DiskRecording final : public QObject {
   const Environment& environment_;
   RecentSamples recent_;
   QString path_;
-  Nanoseconds begun_ = 0;
+  Nanoseconds begun_ = 0;            // the newest sample when it was started
+  Nanoseconds first_ = 0;            // of its samples; 0: none yet
   std::optional<RunStanding> told_;  // to the recorder
   std::unique_ptr<Recorder> recorder_;
   int number_ = 0;                // of the recording that goes on, or was the last one

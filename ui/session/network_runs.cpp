@@ -37,6 +37,7 @@ NetworkSession* NetworkRuns::make() {
   auto* session = new NetworkSession(
       environment_, [this](const NetworkSession& of) { return boxName(of); }, this);
   session->frames.setWish(black_box_);
+  session->disk.setMemoryMib(memory_mib_);
   (void)session->run.watch(watched_);
   listen(*session);
   return session;
@@ -150,6 +151,11 @@ int NetworkRuns::networkOf(int run) const {
 void NetworkRuns::setBlackBox(const BlackBoxWish& wish) {
   black_box_ = wish;
   for (auto* session : sessions_) session->frames.setWish(wish);
+}
+
+void NetworkRuns::setMemoryMib(int mib) {
+  memory_mib_ = mib;
+  for (auto* session : sessions_) session->disk.setMemoryMib(mib);
 }
 
 /// The file of what runs, and which of its networks where it has several.

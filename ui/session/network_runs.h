@@ -60,6 +60,9 @@ class NetworkRuns final : public QObject {
   /// What is kept of the frames of each network, those that run and all later ones.
   void setBlackBox(const BlackBoxWish& wish);
   [[nodiscard]] const BlackBoxWish& blackBox() const { return black_box_; }
+  /// Of each network, see DiskRecording::setMemoryMib().
+  void setMemoryMib(int mib);
+  [[nodiscard]] int memoryMib() const { return memory_mib_; }
   /// Something runs, or comes or goes.
   [[nodiscard]] bool any() const;
   /// Begins to take all of them offline; with shutDown() all are when it returns.
@@ -98,6 +101,7 @@ class NetworkRuns final : public QObject {
   ProjectDocument& document_;
   const Environment& environment_;
   BlackBoxWish black_box_;
+  int memory_mib_ = DiskRecording::kUsualMemoryMib;
   std::vector<VariableName> watched_;      // before the sessions, which are told
   std::vector<NetworkSession*> of_run_;    // of each run there was in the window, by its number - 1; null: gone
   std::vector<NetworkSession*> sessions_;  // of each network; children of this

@@ -10,6 +10,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kTriggerTickMs = 50;
+constexpr unsigned kLooksAFinding = 10;
 constexpr Nanoseconds kPortionCycles = 1'000'000;  // a tick: some milliseconds of work
 
 const QString kTriggerKey = QStringLiteral("trigger/%1");
@@ -27,7 +28,7 @@ double keptNumber(const WindowMemory& memory, const char* name, double usual) {
 
 Trigger recalled(const WindowMemory& memory) {
   Trigger trigger;
-  trigger.kind = static_cast<Trigger::Kind>(kept(memory, "kind", 0, 2));
+  trigger.kind = static_cast<Trigger::Kind>(kept(memory, "kind", 0, 3));
   trigger.mode = static_cast<Trigger::Mode>(kept(memory, "mode", 1, 2));
   trigger.edge = static_cast<Trigger::Edge>(kept(memory, "edge", 0, 2));
   const auto key = memory.value(kTriggerKey.arg(QLatin1String("signal"))).toString().toStdString();
@@ -116,6 +117,7 @@ void TriggerMonitor::begin(Nanoseconds from) {
   watch_ = std::make_unique<TriggerWatch>(trigger_, from);
   names_.clear();
   heard_ = 0;
+  looks_ = 0;
   told_ = 0;
   whole_ = false;
   tick_.start();
@@ -150,12 +152,19 @@ void TriggerMonitor::hearEvents() {
   heard_ = all;
 }
 
+/// What is found follows from all figures of the run: it is not asked for at every tick.
+void TriggerMonitor::hearFindings() {
+  if (trigger_.kind != Trigger::Kind::kFinding || looks_++ % kLooksAFinding != 0) return;
+  watch_->hear(record_->findings(), record_->samples());
+}
+
 void TriggerMonitor::look() {
   if (!armed_ || !watch_ || record_ == nullptr || record_->samples().empty()) return;
   const auto before = stateText();
   const auto count = watch_->count();
   const auto left_out = leftOut();
   hearEvents();
+  hearFindings();
   whole_ = watch_->look(record_->samples(), kPortionCycles * std::max<Nanoseconds>(record_->limits().cycle_time, 1));
   tellCompleted(whole_);
   if (count != watch_->count() || left_out != leftOut() || before != stateText()) Q_EMIT changed();

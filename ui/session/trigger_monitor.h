@@ -61,6 +61,7 @@ class TriggerMonitor final : public QObject {
  private:
   void begin(Nanoseconds from);
   void hearEvents();
+  void hearFindings();
   void tellCompleted(bool whole);
 
   WindowMemory& memory_;
@@ -69,7 +70,8 @@ class TriggerMonitor final : public QObject {
   bool recorded_ = false, armed_ = false, whole_ = false;
   std::unique_ptr<TriggerWatch> watch_;
   std::uint64_t heard_ = 0;  // events
-  std::uint64_t told_ = 0;   // episodes that were complete
+  unsigned looks_ = 0;
+  std::uint64_t told_ = 0;  // episodes that were complete
   std::map<Nanoseconds, QString> names_;
   QTimer tick_;
 };

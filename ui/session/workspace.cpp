@@ -17,7 +17,7 @@ namespace {
 
 const QString kLastLink = QStringLiteral("link");
 const QString kBlackBoxOn = QStringLiteral("blackBox/on"), kBlackBoxFolder = QStringLiteral("blackBox/folder"),
-              kBlackBoxMib = QStringLiteral("blackBox/mib");
+              kBlackBoxMib = QStringLiteral("blackBox/mib"), kMemoryMib = QStringLiteral("recording/memoryMib");
 
 BlackBoxWish rememberedWish(const WindowMemory& memory) {
   BlackBoxWish wish;
@@ -50,6 +50,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
       variables_(document_, memory_),
       run_difference_(document_, configuration_, live()) {
   runs_.setBlackBox(rememberedWish(memory_));
+  if (const int mib = memory_.value(kMemoryMib).toInt(); mib >= 1 && mib <= DiskRecording::kMostMemoryMib)
+    runs_.setMemoryMib(mib);
   network_.setProject(document_.project());
   cables_.setProject(document_.project());
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
@@ -197,6 +199,11 @@ void Workspace::setBlackBox(const BlackBoxWish& wish) {
   memory_.setValue(kBlackBoxFolder, wish.folder);
   memory_.setValue(kBlackBoxMib, wish.mib);
   runs_.setBlackBox(wish);
+}
+
+void Workspace::setMemoryMib(int mib) {
+  memory_.setValue(kMemoryMib, mib);
+  runs_.setMemoryMib(mib);
 }
 
 void Workspace::inform(const QString& source, const QString& text) {

@@ -85,6 +85,9 @@ class Workspace final : public QObject {
   /// From now on, for every network; the window remembers it.
   void setBlackBox(const BlackBoxWish& wish);
 
+  /// How much of the latest cycles each network keeps in memory, 1 to DiskRecording::kMostMemoryMib; remembered, too.
+  void setMemoryMib(int mib);
+
   /// Whether settings that few machines need are shown.
   [[nodiscard]] bool expert() const { return expert_; }
   void setExpert(bool expert);

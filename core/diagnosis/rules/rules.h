@@ -40,7 +40,7 @@ void find_short_cycle(const RunReport& report, Findings& findings);
 /// "once", "3 times".
 [[nodiscard]] Figure times_figure(std::string_view name, std::uint64_t count, bool at_least = false);
 [[nodiscard]] Figure time_figure(std::string_view name, Nanoseconds length);
-/// A host time, told from the beginning of the run.
+/// A host time, told from RunReport::told_from on.
 [[nodiscard]] Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds time);
 /// Somebody's own text, and one of finding_phrases().
 [[nodiscard]] Figure text_figure(std::string_view name, std::string text);

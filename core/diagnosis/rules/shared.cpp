@@ -23,7 +23,8 @@ Figure times_figure(std::string_view name, std::uint64_t count, bool at_least) {
 Figure time_figure(std::string_view name, Nanoseconds length) { return {name, Figure::Unit::kNanoseconds, length}; }
 
 Figure moment_figure(const RunReport& report, std::string_view name, Nanoseconds time) {
-  return {name, Figure::Unit::kMoment, std::max<Nanoseconds>(0, time - report.history.begin)};
+  const auto begin = report.told_from != 0 ? report.told_from : report.history.begin;
+  return {name, Figure::Unit::kMoment, std::max<Nanoseconds>(0, time - begin)};
 }
 
 Figure phrase_figure(std::string_view name, std::string_view text) {

@@ -38,6 +38,20 @@ TEST(RecentSamples, ReachAsFarAsTheyDidWhereNothingIsWatched) {
   EXPECT_EQ(back[77].dcm_error_ns, watched[77].dcm_error_ns);
 }
 
+TEST(RecentSamples, AnotherBudgetHoldsAtOnce) {
+  RecentSamples recent(8 * kChunk);
+  test::MadeSamples made(1);
+  for (int i = 0; i < 8; ++i) recent.add(made.next(4096));
+  const auto end = recent.begin() + recent.span();
+  recent.set_budget(2 * kChunk);
+  EXPECT_EQ(recent.since(0).size(), 2U);
+  EXPECT_EQ(recent.begin() + recent.span(), end) << "the newest stay";
+  EXPECT_EQ(recent.reach(kMillisecond), 2 * 4096 * kMillisecond);
+  recent.set_budget(4 * kChunk);
+  for (int i = 0; i < 8; ++i) recent.add(made.next(4096));
+  EXPECT_EQ(recent.since(0).size(), 4U);
+}
+
 TEST(RecentSamples, KeepsWhatTheBudgetHolds) {
   RecentSamples recent(3 * kChunk);
   test::MadeSamples made(1);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace syncline {
 namespace {
 
@@ -90,6 +92,38 @@ TEST(RunRecord, SamplesAndSnapshotsReachTheStore) {
   EXPECT_EQ(record.samples().value(Signal::kDcmError, kSecond)->value, 12);
   EXPECT_EQ(record.samples().value(Signal::kAlState, 1, kSecond)->value, 8);
   EXPECT_TRUE(record.findings().empty()) << "it was not in OP";
+}
+
+/// The master was on its way for two seconds before its first cyclic frame: a finding says the moment that the axis of
+/// the plots has, and in a recording that began later the one of that.
+TEST(RunRecord, FindingsCountTheirMomentsAsThePlotsDo) {
+  RunRecord record(running_machine());
+  record.add(Event{kSecond, -1, events::Online{}});
+  for (std::uint64_t cycle = 0; cycle < 4000; ++cycle) {
+    CycleSample sample;
+    sample.cycle = cycle;
+    sample.send_time = 3 * kSecond + static_cast<Nanoseconds>(cycle) * kMillisecond;
+    sample.master_state = 8;
+    record.add(std::span(&sample, 1));
+  }
+  record.add(Event{5 * kSecond, 1, events::SlaveLost{}});
+  Snapshot snapshot;
+  snapshot.online = true;
+  snapshot.time = 7 * kSecond;
+  snapshot.slaves.resize(2);
+  snapshot.slaves[0].present = true;
+  snapshot.slaves[1].absent_since = 5 * kSecond;
+  record.add(snapshot);
+  const auto moment = [](const std::vector<Finding>& findings) -> std::optional<std::int64_t> {
+    for (const auto& finding : findings) {
+      for (const auto& figure : finding.figures) {
+        if (figure.unit == Figure::Unit::kMoment) return figure.value;
+      }
+    }
+    return std::nullopt;
+  };
+  EXPECT_EQ(moment(record.findings()), 2 * kSecond);
+  EXPECT_EQ(moment(record.findings(4 * kSecond)), kSecond);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
 #include <vector>
 
 namespace syncline {
@@ -221,6 +222,35 @@ TEST(TriggerWatch, SaysWhereItIs) {
   EXPECT_EQ(watch.state(triggered_at(0), triggered_at(7)), State::kTriggered);
   EXPECT_EQ(watch.state(triggered_at(0), triggered_at(8)), State::kHoldingOff);
   EXPECT_EQ(watch.state(triggered_at(0), triggered_at(25)), State::kWaiting);
+}
+
+/// A finding fires once for each moment at which it began, however often it is told; one without a moment never does.
+TEST(TriggerWatch, AFindingFiresWhereItBegan) {
+  const auto store = trigger_store(trigger_samples({0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  Trigger trigger;
+  trigger.kind = Trigger::Kind::kFinding;
+  trigger.code = "slave-fell";
+  trigger.hold_off = 0;
+  const auto found = [](std::string_view code, int slave, Nanoseconds from) {
+    return Finding{code, Severity::kError, slave, from, from};
+  };
+  std::vector<Finding> findings{found("slave-fell", 1, triggered_at(6)), found("frames-lost", -1, triggered_at(2)),
+                                found("slave-fell", 0, 0)};
+  TriggerWatch watch(trigger);
+  EXPECT_TRUE(watch.look(store));
+  watch.hear(findings, store);
+  watch.hear(findings, store);
+  ASSERT_EQ(watch.episodes().size(), 1U);
+  EXPECT_EQ(watch.episodes()[0].cycle, 6U);
+  EXPECT_EQ(watch.episodes()[0].slave, 1);
+  findings.push_back(found("slave-fell", 0, triggered_at(8)));
+  watch.hear(findings, store);
+  EXPECT_EQ(watch.episodes().size(), 2U);
+  trigger.slave = 0;
+  TriggerWatch of_one(trigger, triggered_at(7));
+  of_one.hear(findings, store);
+  ASSERT_EQ(of_one.episodes().size(), 1U);
+  EXPECT_EQ(of_one.episodes()[0].cycle, 8U);
 }
 
 }  // namespace

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the criteria say in English, and to programs.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "reports/acceptance.h"
+
+namespace syncline::reports {
+namespace {
+
+using Kind = Criterion::Kind;
+
+struct Words {
+  std::string_view key, name;
+};
+/// By the number of the kind.
+constexpr Words kWords[] = {{"watched_for", "Watched for"},
+                            {"state", "State of the master"},
+                            {"slaves_in_sync", "Slaves against their reference clock"},
+                            {"master_in_sync", "Reference clock against the master"},
+                            {"sm2_missed", "SM2 events missed"},
+                            {"lost_frames", "Frames lost"},
+                            {"wkc_errors", "Cycles with another working counter than expected"},
+                            {"left_out_cycles", "Cycles left out by the host"},
+                            {"faults", "Disturbances"},
+                            {"findings", "Findings"}};
+static_assert(std::size(kWords) == static_cast<std::size_t>(Kind::kFindings) + 1);
+
+std::string time_text(Nanoseconds time) { return fmt::format("{:.3f} s", static_cast<double>(time) / 1e9); }
+
+std::string counted(std::int64_t count, std::string_view word) {
+  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
+}
+
+std::string sync_found(const Criterion& criterion) {
+  if (criterion.verdict == Verdict::kNotJudged) return "not monitored";
+  auto text = fmt::format("{} for {}", sync_state_text(criterion.state), time_text(criterion.state_for));
+  if (criterion.times_lost > 0) text += ", lost " + counted(static_cast<std::int64_t>(criterion.times_lost), "time");
+  if (!criterion.margin) return text + "; no value since it was armed";
+  text += fmt::format("; largest {} ns, ", *criterion.found);
+  return text + (*criterion.margin < 0 ? std::string("over the limit")
+                                       : fmt::format("{:.0f} % margin", std::floor(*criterion.margin * 100)));
+}
+
+}  // namespace
+
+std::string_view criterion_key(Kind kind) { return kWords[static_cast<std::size_t>(kind)].key; }
+std::string_view criterion_text(Kind kind) { return kWords[static_cast<std::size_t>(kind)].name; }
+
+std::string_view verdict_key(Verdict verdict) {
+  constexpr std::string_view kKeys[] = {"kept", "not_kept", "not_judged"};
+  return kKeys[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view verdict_text(Verdict verdict) {
+  constexpr std::string_view kTexts[] = {"kept", "NOT KEPT", "not judged"};
+  return kTexts[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view acceptance_text(Verdict verdict) {
+  constexpr std::string_view kTexts[] = {"accepted", "NOT ACCEPTED", "NOT PROVEN"};
+  return kTexts[static_cast<std::size_t>(verdict)];
+}
+
+std::string required_text(const Criterion& criterion) {
+  switch (criterion.kind) {
+    case Kind::kWatchedFor:
+      return criterion.required <= 0 ? "as long as it was" : time_text(criterion.required);
+    case Kind::kState:
+      return "OP at the end";
+    case Kind::kSlavesInSync:
+    case Kind::kMasterInSync: {
+      if (criterion.required <= 0) return "in sync throughout";
+      auto text = fmt::format("in sync throughout, within ±{} ns", criterion.required);
+      if (criterion.least_margin > 0) text += fmt::format(" with {:g} % to spare", criterion.least_margin * 100);
+      return text;
+    }
+    case Kind::kFindings:
+      return "no error, no warning";
+    default:
+      return criterion.required == 0 ? "none" : fmt::format("{} at most", criterion.required);
+  }
+}
+
+std::string found_text(const Criterion& criterion) {
+  switch (criterion.kind) {
+    case Kind::kWatchedFor:
+      return criterion.found ? time_text(*criterion.found) : "never: it was not in sync in OP";
+    case Kind::kState: {
+      const auto state = static_cast<AlState>(*criterion.found);
+      return state == AlState::kNone ? "unknown: a slave does not answer, or it is not told"
+                                     : std::string(al_state_name(state));
+    }
+    case Kind::kSlavesInSync:
+    case Kind::kMasterInSync:
+      return sync_found(criterion);
+    case Kind::kFaults:
+      if (!criterion.found) return "not counted: it was never armed";
+      return *criterion.found == 0 ? "none" : counted(*criterion.found, "episode");
+    case Kind::kFindings:
+      if (criterion.verdict == Verdict::kKept) return "none";
+      return counted(*criterion.found, "error") + ", " +
+             counted(static_cast<std::int64_t>(criterion.warnings), "warning");
+    case Kind::kMissedEvents:
+      return criterion.found ? fmt::format("{}", *criterion.found) : "no slave has a counter that is known";
+    default:
+      return criterion.found ? fmt::format("{}", *criterion.found) : "not told";
+  }
+}
+
+}  // namespace syncline::reports

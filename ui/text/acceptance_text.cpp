@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/text/acceptance_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+#include "ui/text/units.h"
+
+namespace syncline::ui {
+namespace {
+
+using reports::Criterion;
+using reports::Verdict;
+using Kind = Criterion::Kind;
+
+struct AcceptanceText {
+  Q_DECLARE_TR_FUNCTIONS(AcceptanceText)
+};
+
+QString stateText(SyncState state) {
+  switch (state) {
+    case SyncState::kNotMonitored:
+      return AcceptanceText::tr("not monitored");
+    case SyncState::kNotReady:
+      return AcceptanceText::tr("not ready");
+    case SyncState::kBusy:
+      return AcceptanceText::tr("settling");
+    case SyncState::kInSync:
+      return AcceptanceText::tr("in sync");
+    case SyncState::kOutOfSync:
+      return AcceptanceText::tr("out of sync");
+    case SyncState::kUnknown:
+      return AcceptanceText::tr("unknown");
+  }
+  return {};
+}
+
+QString syncText(const Criterion& criterion) {
+  if (criterion.verdict == Verdict::kNotJudged) return stateText(SyncState::kNotMonitored);
+  auto text = AcceptanceText::tr("%1 for %2").arg(stateText(criterion.state), runTimeText(criterion.state_for));
+  if (criterion.times_lost > 0)
+    text += AcceptanceText::tr(", lost %n time(s)", nullptr, static_cast<int>(criterion.times_lost));
+  if (!criterion.margin) return text + AcceptanceText::tr("; no value since it was armed");
+  text += AcceptanceText::tr("; largest %1 ns").arg(QLocale().toString(static_cast<qlonglong>(*criterion.found)));
+  return text + (*criterion.margin < 0
+                     ? AcceptanceText::tr(", over the limit")
+                     : AcceptanceText::tr(", %1 % margin").arg(static_cast<int>(std::floor(*criterion.margin * 100))));
+}
+
+}  // namespace
+
+QString criterionText(Kind kind) {
+  switch (kind) {
+    case Kind::kWatchedFor:
+      return AcceptanceText::tr("Watched for");
+    case Kind::kState:
+      return AcceptanceText::tr("State of the master");
+    case Kind::kSlavesInSync:
+      return AcceptanceText::tr("Slaves against their reference clock");
+    case Kind::kMasterInSync:
+      return AcceptanceText::tr("Reference clock against the master");
+    case Kind::kMissedEvents:
+      return AcceptanceText::tr("SM2 events missed");
+    case Kind::kLostFrames:
+      return AcceptanceText::tr("Frames lost");
+    case Kind::kWkcErrors:
+      return AcceptanceText::tr("Cycles with another working counter than expected");
+    case Kind::kLeftOutCycles:
+      return AcceptanceText::tr("Cycles left out by the host");
+    case Kind::kFaults:
+      return AcceptanceText::tr("Disturbances");
+    case Kind::kFindings:
+      return AcceptanceText::tr("Findings");
+  }
+  return {};
+}
+
+QString verdictText(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kKept:
+      return AcceptanceText::tr("kept");
+    case Verdict::kNotKept:
+      return AcceptanceText::tr("NOT KEPT");
+    case Verdict::kNotJudged:
+      return AcceptanceText::tr("not judged");
+  }
+  return {};
+}
+
+QString acceptanceText(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kKept:
+      return AcceptanceText::tr("Accepted");
+    case Verdict::kNotKept:
+      return AcceptanceText::tr("Not accepted");
+    case Verdict::kNotJudged:
+      return AcceptanceText::tr("Not proven");
+  }
+  return {};
+}
+
+QString requiredText(const Criterion& criterion) {
+  switch (criterion.kind) {
+    case Kind::kWatchedFor:
+      return criterion.required <= 0 ? AcceptanceText::tr("as long as it was") : runTimeText(criterion.required);
+    case Kind::kState:
+      return AcceptanceText::tr("OP at the end");
+    case Kind::kSlavesInSync:
+    case Kind::kMasterInSync: {
+      if (criterion.required <= 0) return AcceptanceText::tr("in sync throughout");
+      auto text = AcceptanceText::tr("in sync throughout, within ±%1 ns")
+                      .arg(QLocale().toString(static_cast<qlonglong>(criterion.required)));
+      if (criterion.least_margin > 0)
+        text += AcceptanceText::tr(", %1 % to spare").arg(static_cast<int>(std::lround(criterion.least_margin * 100)));
+      return text;
+    }
+    case Kind::kFindings:
+      return AcceptanceText::tr("no error, no warning");
+    default:
+      return criterion.required == 0
+                 ? AcceptanceText::tr("none")
+                 : AcceptanceText::tr("%1 at most").arg(QLocale().toString(static_cast<qlonglong>(criterion.required)));
+  }
+}
+
+QString foundText(const Criterion& criterion) {
+  const auto number = [&] { return QLocale().toString(static_cast<qlonglong>(*criterion.found)); };
+  switch (criterion.kind) {
+    case Kind::kWatchedFor:
+      return criterion.found ? runTimeText(*criterion.found) : AcceptanceText::tr("never: it was not in sync in OP");
+    case Kind::kState: {
+      const auto state = static_cast<AlState>(*criterion.found);
+      if (state == AlState::kNone) return AcceptanceText::tr("unknown: a slave does not answer, or it is not told");
+      const auto name = al_state_name(state);
+      return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
+    }
+    case Kind::kSlavesInSync:
+    case Kind::kMasterInSync:
+      return syncText(criterion);
+    case Kind::kFaults:
+      if (!criterion.found) return AcceptanceText::tr("not counted: it was never armed");
+      return *criterion.found == 0 ? AcceptanceText::tr("none")
+                                   : AcceptanceText::tr("%n episode(s)", nullptr, static_cast<int>(*criterion.found));
+    case Kind::kFindings:
+      if (criterion.verdict == Verdict::kKept) return AcceptanceText::tr("none");
+      return AcceptanceText::tr("%n error(s)", nullptr, static_cast<int>(*criterion.found)) + QStringLiteral(", ") +
+             AcceptanceText::tr("%n warning(s)", nullptr, static_cast<int>(criterion.warnings));
+    case Kind::kMissedEvents:
+      return criterion.found ? number() : AcceptanceText::tr("no slave has a counter that is known");
+    default:
+      return criterion.found ? number() : AcceptanceText::tr("not told");
+  }
+}
+
+}  // namespace syncline::ui
