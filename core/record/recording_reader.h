@@ -44,6 +44,7 @@ class RecordingReader {
   /// As open_recording(), and kFileNotReadable.
   [[nodiscard]] static Result<RecordingReader> open(const std::string& path);
 
+  [[nodiscard]] const std::string& path() const { return database_.path(); }
   [[nodiscard]] Result<RecordingInfo> info();
   /// All samples in their order, a block at a time, until `take` returns false.
   [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take);

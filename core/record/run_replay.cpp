@@ -15,7 +15,8 @@ Result<RunReplay> RunReplay::open(RecordingReader reader, ReplayedRun& run) {
 }
 
 RunReplay::RunReplay(RecordingReader reader, ReplayedRun& run, std::vector<RecordingReader::Block> blocks)
-    : reader_(std::move(reader)),
+    : path_(reader.path()),
+      reader_(std::move(reader)),
       record_(run.record.get()),
       fresh_(run.record->config().slaves.size()),
       marks_(std::exchange(run.marks, OverviewMarks(blocks.size()))),
@@ -78,7 +79,12 @@ Status RunReplay::make_overview(Nanoseconds moment) {
 Status RunReplay::read_current() {
   if (!samples_.empty()) return {};
   taken_samples_ = 0;
-  const auto status = reader_.samples(blocks_[block_], samples_);
+  if (!reader_) {
+    auto reader = RecordingReader::open(path_);
+    if (!reader) return tl::unexpected(reader.error());
+    reader_.emplace(std::move(*reader));
+  }
+  const auto status = reader_->samples(blocks_[block_], samples_);
   if (!status) samples_.clear();
   return status;
 }

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "record/overview_marks.h"
@@ -32,6 +34,8 @@ class RunReplay {
   [[nodiscard]] Status show(Nanoseconds moment);
   /// Shows all of it.
   void leave();
+  /// Closes the file, for whoever wants to write notes into it; it is opened again when it is read next.
+  void release() { reader_.reset(); }
 
   /// Of the first and the last cycle that the run's record keeps.
   [[nodiscard]] Nanoseconds begin() const { return begin_; }
@@ -47,7 +51,8 @@ class RunReplay {
   bool take(Nanoseconds until);
   void begin_anew(std::size_t block);
 
-  RecordingReader reader_;
+  std::string path_;
+  std::optional<RecordingReader> reader_;  // none: released
   RunRecord* record_;
   OverviewRecorder fresh_;  // of the run before its first cycle
   OverviewMarks marks_;
