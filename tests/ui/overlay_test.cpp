@@ -61,6 +61,7 @@ class OverlayTest : public test::RunningWindow {
     window_.overlay().open(path(name));
     ASSERT_TRUE(waitFor([this] { return !overlay().isReading(); }));
     ASSERT_EQ(overlay().path(), path(name));
+    QApplication::processEvents();
   }
   const SeriesItem& item(std::size_t panel, const MinMaxSeries& series) {
     for (const auto* one : strip().panels()[panel]->plot()->items()) {

@@ -28,7 +28,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kTickMs = 33;
-constexpr int kLeastHeight = 160, kLeastWithVariables = 270;
+constexpr int kLeastHeight = 160, kLeastWithVariables = 270, kLeastGiven = 30;
 constexpr unsigned kTextEvery = 6;         // ticks between updates of numbers: faster cannot be read
 constexpr unsigned kPointedTextEvery = 2;  // the same while a cursor moves
 constexpr unsigned kChooseEvery = 30;      // ticks between choices of the worst slaves
@@ -80,9 +80,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   layout->addWidget(toolbar_);
   layout->addWidget(body, 1);
 
-  // Two rows of plots need more room than one.
-  connect(variables_, &VariablesRow::changed, this,
-          [this] { setMinimumHeight(variables_->isHidden() ? kLeastHeight : kLeastWithVariables); });
+  connect(variables_, &VariablesRow::changed, this, [this] { setMinimumHeight(leastHeight()); });
   connect(toolbar_, &LiveStripToolbar::fitRequested, this, [this] {
     for (auto* panel : all_panels_) panel->plot()->fitValues();
   });
@@ -154,10 +152,18 @@ void LiveStrip::attachViews() {
   cycle_->setRecord(record_);
 }
 
+/// Two rows of plots need more room than one; of what the bar of an overlay takes they give some.
+int LiveStrip::leastHeight() const {
+  const bool overlaid = panels_.front()->overlay().record != nullptr;
+  return (variables_->isHidden() ? kLeastHeight : kLeastWithVariables) - (overlaid ? kLeastGiven : 0);
+}
+
 void LiveStrip::setOverlay(const TracePanel::Overlay& overlay) {
+  const bool other = overlay.record != panels_.front()->overlay().record;
   for (auto* panel : panels_) panel->setOverlay(overlay);
   overlay_figures_->setSources(record_, overlay);
   distribution_->setOverlay(overlay);
+  if (other) setMinimumHeight(leastHeight());
 }
 
 void LiveStrip::showMoment(bool back) {

@@ -121,6 +121,7 @@ class LiveStrip : public QWidget {
   void collectMarks();
   void collectNotes();
   void attachViews();
+  [[nodiscard]] int leastHeight() const;
   [[nodiscard]] Nanoseconds notePlace(Nanoseconds time) const;
   void followRecord();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }

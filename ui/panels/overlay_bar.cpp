@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
 #include <cmath>
 
@@ -73,7 +74,11 @@ OverlayBar::OverlayBar(RecordingOverlay& overlay, const TriggerMonitor& trigger,
   close->setFocusPolicy(Qt::StrongFocus);
   connect(close, &QToolButton::clicked, &overlay_, &RecordingOverlay::close);
   layout->addWidget(close);
-  connect(&overlay_, &RecordingOverlay::changed, this, &OverlayBar::refresh);
+  connect(&overlay_, &RecordingOverlay::changed, this, [this] {
+    if (!overlay_.isOpen()) return refresh();
+    // Not before the plots have given room for it, or a window that is as small as it can be would grow.
+    QTimer::singleShot(0, this, &OverlayBar::refresh);
+  });
   connect(&overlay_, &RecordingOverlay::moved, this, &OverlayBar::refresh);
   refresh();
 }

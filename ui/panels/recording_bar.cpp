@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "ui/session/opened_recording.h"
 #include "ui/text/recorded_text.h"
@@ -20,21 +19,22 @@ RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* transport, QWidg
     : QFrame(parent), recording_(recording) {
   setObjectName(QStringLiteral("recordingBar"));
   setAccessibleName(tr("Recording that is shown"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 3, 10, 2);
-  layout->setSpacing(1);
-  // One line: what it has no room for is told by pointing at it.
+  // One row, for height is what a small screen lacks: what it has no room for is told by pointing at it, and the title
+  // of the window names the file.
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 3, 10, 3);
+  layout->setSpacing(2);
+  layout->addWidget(transport, 2);
   text_ = named(new ValueLabel, "recordingBarText", tr("Recording that is shown"));
-  layout->addWidget(text_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2);
-  row->addWidget(transport, 1);
+  text_->setLeastCharacters(4);
+  layout->addSpacing(8);
+  layout->addWidget(text_, 1);
   auto* close = named(new QToolButton, "recordingBarClose", tr("Close the recording"));
   close->setText(tr("Close"));
   close->setToolTip(tr("Shows the project and its machine again"));
+  close->setFocusPolicy(Qt::StrongFocus);
   connect(close, &QToolButton::clicked, &recording_, &OpenedRecording::close);
-  row->addWidget(close, 0, Qt::AlignRight);
-  layout->addLayout(row);
+  layout->addWidget(close);
   connect(&recording_, &OpenedRecording::changed, this, &RecordingBar::refresh);
   refresh();
 }

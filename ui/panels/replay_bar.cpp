@@ -141,7 +141,7 @@ void ReplayBar::refresh() {
   speed_->setCurrentIndex(replay_.speed());
   place_->update();
   const auto total = secondsText(replay_.end() - replay_.begin());
-  time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(tr("%1 of %2 s").arg(total, total)));
+  time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(tr("%1 of %2 s").arg(total, total)) + 4);
   showMoment();
 }
 
