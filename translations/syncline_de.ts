@@ -9904,7 +9904,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Zum Anfang der Aufzeichnung</translation>
         </message>
         <message>
-            <source>&amp;Previous Event</source>
+            <source>Pre&amp;vious Event</source>
             <translation>&amp;Voriges Ereignis</translation>
         </message>
         <message>

@@ -9846,8 +9846,8 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>到记录的开头</translation>
         </message>
         <message>
-            <source>&amp;Previous Event</source>
-            <translation>上一个事件(&amp;P)</translation>
+            <source>Pre&amp;vious Event</source>
+            <translation>上一个事件(&amp;V)</translation>
         </message>
         <message>
             <source>To the event or note before</source>

@@ -71,8 +71,7 @@ std::optional<double> worst_moment_ns(const std::string& path) {
   double worst = 0;
   for (std::uint64_t i = 0; i < kMoments; ++i) {
     const auto part = static_cast<Nanoseconds>(i * 7919 % kMoments);
-    const auto moment =
-        replay->begin() + (replay->end() - replay->begin()) / static_cast<Nanoseconds>(kMoments) * part;
+    const auto moment = replay->begin() + (replay->end() - replay->begin()) / static_cast<Nanoseconds>(kMoments) * part;
     const auto begin = processor_seconds();
     if (!replay->show(moment)) return std::nullopt;
     worst = std::max(worst, (processor_seconds() - begin) * 1e9);

@@ -32,7 +32,7 @@ ReplayBar::ReplayBar(RecordingReplay& replay, QWidget* parent) : QWidget(parent)
   setAccessibleName(tr("Replay of the recording"));
   begin_ = command("actionReplayBegin", tr("To the &Beginning"), tr("To the beginning of the recording"),
                    "replay-begin", QKeySequence(Qt::ALT | Qt::Key_Home));
-  last_mark_ = command("actionReplayLastEvent", tr("&Previous Event"), tr("To the event or note before"),
+  last_mark_ = command("actionReplayLastEvent", tr("Pre&vious Event"), tr("To the event or note before"),
                        "replay-last-event", QKeySequence(Qt::ALT | Qt::Key_PageUp));
   last_cycle_ = command("actionReplayLastCycle", tr("Cycle B&ack"), tr("A cycle back"), "replay-last-cycle",
                         QKeySequence(Qt::ALT | Qt::Key_Left));
