@@ -24,9 +24,10 @@ RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* transport, QWidg
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 3, 10, 3);
   layout->setSpacing(2);
-  layout->addWidget(transport, 2);
+  layout->addWidget(transport, 4);
   text_ = named(new ValueLabel, "recordingBarText", tr("Recording that is shown"));
-  text_->setLeastCharacters(4);
+  // Its length is no reason to take room from the slider.
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->addSpacing(8);
   layout->addWidget(text_, 1);
   auto* close = named(new QToolButton, "recordingBarClose", tr("Close the recording"));
