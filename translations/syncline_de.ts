@@ -20,16 +20,16 @@
 <context>
     <name>Actions</name>
         <message>
-            <source>&amp;Memory for the Last…</source>
-            <translation>&amp;Speicher für die letzten …</translation>
+            <source>Memor&amp;y for the Last…</source>
+            <translation>Speiche&amp;r für die letzten …</translation>
         </message>
         <message>
             <source>How many of the latest cycles stay in memory, to be saved afterwards</source>
             <translation>Wie viele der letzten Zyklen im Speicher bleiben, um nachträglich gesichert zu werden</translation>
         </message>
     <message>
-        <source>Commissioning &amp;Report…</source>
-        <translation>Inbetriebnahme&amp;bericht …</translation>
+        <source>Comm&amp;issioning Report…</source>
+        <translation>&amp;Inbetriebnahmebericht …</translation>
     </message>
     <message>
         <source>Judge the run that is shown by criteria, and write the page to hand over</source>
@@ -266,6 +266,14 @@
         <message>
             <source>Keep the last frames of every run on disk, whole also after a crash</source>
             <translation>Die letzten Frames jedes Laufs auf dem Datenträger halten, ganz auch nach einem Absturz</translation>
+        </message>
+        <message>
+            <source>O&amp;verlay Another Recording…</source>
+            <translation>Andere Aufzeichnung dar&amp;überlegen…</translation>
+        </message>
+        <message>
+            <source>Lay the curves of another recording over those of the one that is shown</source>
+            <translation>Die Kurven einer anderen Aufzeichnung über die der gezeigten legen</translation>
         </message>
 </context>
 <context>
@@ -1004,6 +1012,14 @@
             <source>Export picture…</source>
             <translation>Bild exportieren …</translation>
         </message>
+        <message>
+            <source>Replay from here</source>
+            <translation>Wiedergabe ab hier</translation>
+        </message>
+        <message>
+            <source>Lay this moment of %1 on cursor A</source>
+            <translation>Diesen Zeitpunkt von %1 auf Cursor A legen</translation>
+        </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -1166,6 +1182,22 @@
             <source>What is shown instead of the plots over time</source>
             <translation>Was anstelle der Kurven über der Zeit gezeigt wird</translation>
         </message>
+        <message>
+            <source>Now</source>
+            <translation>Jetzt</translation>
+        </message>
+        <message>
+            <source>Replay</source>
+            <translation>Wiedergabe</translation>
+        </message>
+        <message>
+            <source>Follow the moment of the replay (End)</source>
+            <translation>Dem Zeitpunkt der Wiedergabe folgen (Ende)</translation>
+        </message>
+        <message>
+            <source>Stop the picture, not the replay (Space)</source>
+            <translation>Das Bild anhalten, nicht die Wiedergabe (Leertaste)</translation>
+        </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -1272,6 +1304,10 @@
         <message>
             <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
             <translation>Eine Aufzeichnung wird gezeigt, und nichts läuft: Schließen Sie sie zuerst (Datei, Aufzeichnung schließen)</translation>
+        </message>
+        <message>
+            <source>Re&amp;play</source>
+            <translation>&amp;Wiedergabe</translation>
         </message>
 </context>
 <context>
@@ -3464,6 +3500,14 @@ Einstellung %2</translation>
             <source>   min %1   max %2   mean %3</source>
             <translation>   Min %1   Max %2   Mittel %3</translation>
         </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>%1: %2   %3: %4</source>
+            <translation>%1: %2   %3: %4</translation>
+        </message>
 </context>
 <context>
     <name>TracePlot</name>
@@ -3626,6 +3670,10 @@ Einstellung %2</translation>
             <source>Monitor</source>
             <translation>Monitor</translation>
         </message>
+        <message>
+            <source>Replay</source>
+            <translation>Wiedergabe</translation>
+        </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3710,6 +3758,10 @@ Einstellung %2</translation>
         <message>
             <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
             <translation>Nichts gefunden. Was am laufenden Bus nicht stimmt, steht hier, mit Ursache und Abhilfe.</translation>
+        </message>
+        <message>
+            <source>A moment of a recording is shown. Findings are of the whole run: they stand at its end.</source>
+            <translation>Ein Zeitpunkt einer Aufzeichnung wird gezeigt. Befunde gelten dem ganzen Lauf: Sie stehen an dessen Ende.</translation>
         </message>
 </context>
 <context>
@@ -6020,8 +6072,8 @@ Einstellung %2</translation>
             <translation>Zeigt wieder das Projekt und seine Maschine</translation>
         </message>
         <message>
-            <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
-            <translation>&lt;b&gt;Aufzeichnung %1&lt;/b&gt; – %2. Nichts hier läuft.</translation>
+            <source>Recording %1 (not live): %2</source>
+            <translation>Aufzeichnung %1 (nicht live): %2</translation>
         </message>
 </context>
 <context>
@@ -7642,6 +7694,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Arrival phase</source>
             <translation>Ankunftsphase</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
         </message>
 </context>
 <context>
@@ -10204,6 +10260,270 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>The last %1 are in memory: what is older than that goes at once.</source>
             <translation>Die letzten %1 sind im Speicher: was älter ist, geht sofort.</translation>
+        </message>
+</context>
+<context>
+    <name>ReplayBar</name>
+        <message>
+            <source>Replay of the recording</source>
+            <translation>Wiedergabe der Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>To the &amp;Beginning</source>
+            <translation>Zum &amp;Anfang</translation>
+        </message>
+        <message>
+            <source>To the beginning of the recording</source>
+            <translation>Zum Anfang der Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>Pre&amp;vious Event</source>
+            <translation>&amp;Voriges Ereignis</translation>
+        </message>
+        <message>
+            <source>To the event or note before</source>
+            <translation>Zum Ereignis oder zur Notiz davor</translation>
+        </message>
+        <message>
+            <source>Cycle B&amp;ack</source>
+            <translation>Zyklus &amp;zurück</translation>
+        </message>
+        <message>
+            <source>A cycle back</source>
+            <translation>Einen Zyklus zurück</translation>
+        </message>
+        <message>
+            <source>&amp;Play</source>
+            <translation>A&amp;bspielen</translation>
+        </message>
+        <message>
+            <source>&amp;Pause</source>
+            <translation>An&amp;halten</translation>
+        </message>
+        <message>
+            <source>Play the recording as it was live, or pause</source>
+            <translation>Die Aufzeichnung abspielen, wie sie live war, oder anhalten</translation>
+        </message>
+        <message>
+            <source>Cycle &amp;Further</source>
+            <translation>Zyklus &amp;weiter</translation>
+        </message>
+        <message>
+            <source>A cycle further</source>
+            <translation>Einen Zyklus weiter</translation>
+        </message>
+        <message>
+            <source>&amp;Next Event</source>
+            <translation>&amp;Nächstes Ereignis</translation>
+        </message>
+        <message>
+            <source>To the next event or note</source>
+            <translation>Zum nächsten Ereignis oder zur nächsten Notiz</translation>
+        </message>
+        <message>
+            <source>To the &amp;End</source>
+            <translation>Zum &amp;Ende</translation>
+        </message>
+        <message>
+            <source>To the end of the recording</source>
+            <translation>Zum Ende der Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>&amp;Slower</source>
+            <translation>&amp;Langsamer</translation>
+        </message>
+        <message>
+            <source>Play slower</source>
+            <translation>Langsamer abspielen</translation>
+        </message>
+        <message>
+            <source>Fas&amp;ter</source>
+            <translation>&amp;Schneller</translation>
+        </message>
+        <message>
+            <source>Play faster</source>
+            <translation>Schneller abspielen</translation>
+        </message>
+        <message>
+            <source>&amp;Whole Recording</source>
+            <translation>&amp;Ganze Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>Show the whole recording again (Esc in the plots or in this bar)</source>
+            <translation>Wieder die ganze Aufzeichnung zeigen (Esc in den Kurven oder in dieser Leiste)</translation>
+        </message>
+        <message>
+            <source>Speed of the replay</source>
+            <translation>Geschwindigkeit der Wiedergabe</translation>
+        </message>
+        <message>
+            <source>How fast the recording is played, against the time of the run (Alt+Minus, Alt+Plus)</source>
+            <translation>Wie schnell die Aufzeichnung abgespielt wird, gemessen an der Zeit des Laufs (Alt+Minus, Alt+Plus)</translation>
+        </message>
+        <message>
+            <source>Real time</source>
+            <translation>Echtzeit</translation>
+        </message>
+        <message>
+            <source>Moment of the recording</source>
+            <translation>Zeitpunkt der Aufzeichnung</translation>
+        </message>
+        <message>
+            <source>The moment that is shown; ticks are events and notes</source>
+            <translation>Der Zeitpunkt, der gezeigt wird; Striche sind Ereignisse und Notizen</translation>
+        </message>
+        <message>
+            <source>Time of the replay</source>
+            <translation>Zeit der Wiedergabe</translation>
+        </message>
+        <message>
+            <source>Whole</source>
+            <translation>Ganze</translation>
+        </message>
+        <message>
+            <source>Show the whole recording</source>
+            <translation>Die ganze Aufzeichnung zeigen</translation>
+        </message>
+        <message>
+            <source>%1 of %2 s</source>
+            <translation>%1 von %2 s</translation>
+        </message>
+</context>
+<context>
+    <name>OverlayBar</name>
+        <message>
+            <source>Recording laid over the one that is shown</source>
+            <translation>Aufzeichnung, die über der gezeigten liegt</translation>
+        </message>
+        <message>
+            <source>Aligned by</source>
+            <translation>Ausgerichtet an</translation>
+        </message>
+        <message>
+            <source>By what the two recordings are aligned</source>
+            <translation>Woran die beiden Aufzeichnungen ausgerichtet sind</translation>
+        </message>
+        <message>
+            <source>Beginnings</source>
+            <translation>Anfängen</translation>
+        </message>
+        <message>
+            <source>Armed</source>
+            <translation>Scharfstellen</translation>
+        </message>
+        <message>
+            <source>First trigger</source>
+            <translation>erstem Trigger</translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation>Hand</translation>
+        </message>
+        <message>
+            <source>What lies over each other: the first cycles, the moments at which figures were armed (in OP and in sync), or the first episodes of the trigger as it is set in the panel Trigger</source>
+            <translation>Was übereinander liegt: die ersten Zyklen, die Zeitpunkte, ab denen die Zahlen zählen (in OP und synchron), oder die ersten Episoden des Triggers, wie er im Feld Trigger eingestellt ist</translation>
+        </message>
+        <message>
+            <source>later by</source>
+            <translation>später um</translation>
+        </message>
+        <message>
+            <source>How much later it is drawn</source>
+            <translation>Wie viel später sie gezeichnet wird</translation>
+        </message>
+        <message>
+            <source>How much later than with both beginnings together; arrow keys move it by a cycle. In the plots Ctrl and the arrow keys or dragging with Ctrl move it, too</source>
+            <translation>Wie viel später als mit beiden Anfängen übereinander; die Pfeiltasten verschieben um einen Zyklus. In den Kurven verschieben Strg mit den Pfeiltasten und Ziehen mit Strg sie auch</translation>
+        </message>
+        <message>
+            <source> s</source>
+            <translation> s</translation>
+        </message>
+        <message>
+            <source>Take the other recording away</source>
+            <translation>Die andere Aufzeichnung wegnehmen</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Entfernen</translation>
+        </message>
+        <message>
+            <source>Takes the recording that lies over this one away</source>
+            <translation>Nimmt die Aufzeichnung weg, die über dieser liegt</translation>
+        </message>
+        <message>
+            <source>One of the two recordings was not armed: it cannot be aligned so.</source>
+            <translation>Eine der beiden Aufzeichnungen war nicht scharfgestellt: So kann nicht ausgerichtet werden.</translation>
+        </message>
+        <message>
+            <source>The trigger as it is set does not occur in both recordings.</source>
+            <translation>Der Trigger, wie er eingestellt ist, kommt nicht in beiden Aufzeichnungen vor.</translation>
+        </message>
+        <message>
+            <source>Over it: %1</source>
+            <translation>Darüber: %1</translation>
+        </message>
+</context>
+<context>
+    <name>OverlayFigures</name>
+        <message>
+            <source>Figures of both recordings over the range shown</source>
+            <translation>Zahlen beider Aufzeichnungen über den gezeigten Bereich</translation>
+        </message>
+        <message>
+            <source>Of every cycle of the range shown, at the places where the two lie over each other</source>
+            <translation>Aus jedem Zyklus des gezeigten Bereichs, so wie die beiden übereinander liegen</translation>
+        </message>
+        <message>
+            <source>rms</source>
+            <translation>RMS</translation>
+        </message>
+        <message>
+            <source>p99.99</source>
+            <translation>p99.99</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>max</translation>
+        </message>
+        <message>
+            <source>DC deviation: mean</source>
+            <translation>DC-Abweichung: Mittel</translation>
+        </message>
+        <message>
+            <source>DCM error: mean</source>
+            <translation>DCM-Fehler: Mittel</translation>
+        </message>
+</context>
+<context>
+    <name>WindowOverlay</name>
+        <message>
+            <source>Overlay Another Recording</source>
+            <translation>Andere Aufzeichnung darüberlegen</translation>
+        </message>
+        <message>
+            <source>Recordings and tables (*.slrec *.csv);;All files (*)</source>
+            <translation>Aufzeichnungen und Tabellen (*.slrec *.csv);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>No recording is shown that another could lie over.</source>
+            <translation>Es wird keine Aufzeichnung gezeigt, über der eine andere liegen könnte.</translation>
+        </message>
+        <message>
+            <source>Reading %1…</source>
+            <translation>%1 wird gelesen …</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+        <message>
+            <source>Overlay</source>
+            <translation>Überlagerung</translation>
+        </message>
+        <message>
+            <source>The recording %1 could not be opened.</source>
+            <translation>Die Aufzeichnung %1 konnte nicht geöffnet werden.</translation>
         </message>
 </context>
 </TS>

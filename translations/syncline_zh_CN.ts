@@ -20,16 +20,16 @@
 <context>
     <name>Actions</name>
         <message>
-            <source>&amp;Memory for the Last…</source>
-            <translation>最近周期的内存(&amp;M)…</translation>
+            <source>Memor&amp;y for the Last…</source>
+            <translation>最近周期的内存(&amp;Y)…</translation>
         </message>
         <message>
             <source>How many of the latest cycles stay in memory, to be saved afterwards</source>
             <translation>内存中保留多少最近的周期，以便事后保存</translation>
         </message>
     <message>
-        <source>Commissioning &amp;Report…</source>
-        <translation>调试报告(&amp;R)…</translation>
+        <source>Comm&amp;issioning Report…</source>
+        <translation>调试报告(&amp;I)…</translation>
     </message>
     <message>
         <source>Judge the run that is shown by criteria, and write the page to hand over</source>
@@ -266,6 +266,14 @@
         <message>
             <source>Keep the last frames of every run on disk, whole also after a crash</source>
             <translation>将每次运行的最后若干帧保存在磁盘上，崩溃后也完整</translation>
+        </message>
+        <message>
+            <source>O&amp;verlay Another Recording…</source>
+            <translation>叠加另一个记录(&amp;V)…</translation>
+        </message>
+        <message>
+            <source>Lay the curves of another recording over those of the one that is shown</source>
+            <translation>将另一个记录的曲线叠加到所显示的记录上</translation>
         </message>
 </context>
 <context>
@@ -1002,6 +1010,14 @@
             <source>Export picture…</source>
             <translation>导出图片…</translation>
         </message>
+        <message>
+            <source>Replay from here</source>
+            <translation>从此处回放</translation>
+        </message>
+        <message>
+            <source>Lay this moment of %1 on cursor A</source>
+            <translation>将 %1 的此时刻对到光标 A</translation>
+        </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -1164,6 +1180,22 @@
             <source>What is shown instead of the plots over time</source>
             <translation>代替时间曲线显示的内容</translation>
         </message>
+        <message>
+            <source>Now</source>
+            <translation>现在</translation>
+        </message>
+        <message>
+            <source>Replay</source>
+            <translation>回放</translation>
+        </message>
+        <message>
+            <source>Follow the moment of the replay (End)</source>
+            <translation>跟随回放的时刻（End）</translation>
+        </message>
+        <message>
+            <source>Stop the picture, not the replay (Space)</source>
+            <translation>停住画面，不停止回放（空格）</translation>
+        </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -1270,6 +1302,10 @@
         <message>
             <source>A recording is shown, and nothing runs: close it first (File, Close Recording)</source>
             <translation>正在显示记录，没有机器运行：请先关闭记录（文件，关闭记录）</translation>
+        </message>
+        <message>
+            <source>Re&amp;play</source>
+            <translation>回放(&amp;P)</translation>
         </message>
 </context>
 <context>
@@ -3450,6 +3486,14 @@ Setting %2</source>
             <source>   min %1   max %2   mean %3</source>
             <translation>   最小 %1   最大 %2   平均 %3</translation>
         </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>%1: %2   %3: %4</source>
+            <translation>%1: %2   %3: %4</translation>
+        </message>
 </context>
 <context>
     <name>TracePlot</name>
@@ -3608,6 +3652,10 @@ Setting %2</source>
             <source>Monitor</source>
             <translation>监视器</translation>
         </message>
+        <message>
+            <source>Replay</source>
+            <translation>回放</translation>
+        </message>
 </context>
 <context>
     <name>Finding</name>
@@ -3692,6 +3740,10 @@ Setting %2</source>
         <message>
             <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
             <translation>没有发现问题。运行中的总线出现问题时，会在此列出其原因和应对措施。</translation>
+        </message>
+        <message>
+            <source>A moment of a recording is shown. Findings are of the whole run: they stand at its end.</source>
+            <translation>显示的是记录的某个时刻。检查结果针对整个运行：它们在记录末尾给出。</translation>
         </message>
 </context>
 <context>
@@ -5989,8 +6041,8 @@ Setting %2</source>
             <translation>重新显示项目及其机器</translation>
         </message>
         <message>
-            <source>&lt;b&gt;Recording %1&lt;/b&gt; – %2. Nothing here is live.</source>
-            <translation>&lt;b&gt;记录 %1&lt;/b&gt; – %2。此处没有实时内容。</translation>
+            <source>Recording %1 (not live): %2</source>
+            <translation>记录 %1（非实时）：%2</translation>
         </message>
 </context>
 <context>
@@ -7605,6 +7657,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Arrival phase</source>
             <translation>到达相位</translation>
+        </message>
+        <message>
+            <source>%1 (%2)</source>
+            <translation>%1 (%2)</translation>
         </message>
 </context>
 <context>
@@ -10146,6 +10202,270 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>The last %1 are in memory: what is older than that goes at once.</source>
             <translation>内存中有最近 %1：更早的将立即丢弃。</translation>
+        </message>
+</context>
+<context>
+    <name>ReplayBar</name>
+        <message>
+            <source>Replay of the recording</source>
+            <translation>记录的回放</translation>
+        </message>
+        <message>
+            <source>To the &amp;Beginning</source>
+            <translation>到开头(&amp;B)</translation>
+        </message>
+        <message>
+            <source>To the beginning of the recording</source>
+            <translation>到记录的开头</translation>
+        </message>
+        <message>
+            <source>Pre&amp;vious Event</source>
+            <translation>上一个事件(&amp;V)</translation>
+        </message>
+        <message>
+            <source>To the event or note before</source>
+            <translation>到前一个事件或注释</translation>
+        </message>
+        <message>
+            <source>Cycle B&amp;ack</source>
+            <translation>后退一个周期(&amp;A)</translation>
+        </message>
+        <message>
+            <source>A cycle back</source>
+            <translation>后退一个周期</translation>
+        </message>
+        <message>
+            <source>&amp;Play</source>
+            <translation>播放(&amp;P)</translation>
+        </message>
+        <message>
+            <source>&amp;Pause</source>
+            <translation>暂停(&amp;P)</translation>
+        </message>
+        <message>
+            <source>Play the recording as it was live, or pause</source>
+            <translation>按当时实况播放记录，或暂停</translation>
+        </message>
+        <message>
+            <source>Cycle &amp;Further</source>
+            <translation>前进一个周期(&amp;F)</translation>
+        </message>
+        <message>
+            <source>A cycle further</source>
+            <translation>前进一个周期</translation>
+        </message>
+        <message>
+            <source>&amp;Next Event</source>
+            <translation>下一个事件(&amp;N)</translation>
+        </message>
+        <message>
+            <source>To the next event or note</source>
+            <translation>到下一个事件或注释</translation>
+        </message>
+        <message>
+            <source>To the &amp;End</source>
+            <translation>到末尾(&amp;E)</translation>
+        </message>
+        <message>
+            <source>To the end of the recording</source>
+            <translation>到记录的末尾</translation>
+        </message>
+        <message>
+            <source>&amp;Slower</source>
+            <translation>减慢(&amp;S)</translation>
+        </message>
+        <message>
+            <source>Play slower</source>
+            <translation>减慢播放</translation>
+        </message>
+        <message>
+            <source>Fas&amp;ter</source>
+            <translation>加快(&amp;T)</translation>
+        </message>
+        <message>
+            <source>Play faster</source>
+            <translation>加快播放</translation>
+        </message>
+        <message>
+            <source>&amp;Whole Recording</source>
+            <translation>整个记录(&amp;W)</translation>
+        </message>
+        <message>
+            <source>Show the whole recording again (Esc in the plots or in this bar)</source>
+            <translation>重新显示整个记录（在曲线或此栏中按 Esc）</translation>
+        </message>
+        <message>
+            <source>Speed of the replay</source>
+            <translation>回放速度</translation>
+        </message>
+        <message>
+            <source>How fast the recording is played, against the time of the run (Alt+Minus, Alt+Plus)</source>
+            <translation>相对于运行时间的播放速度（Alt+减号、Alt+加号）</translation>
+        </message>
+        <message>
+            <source>Real time</source>
+            <translation>实时</translation>
+        </message>
+        <message>
+            <source>Moment of the recording</source>
+            <translation>记录的时刻</translation>
+        </message>
+        <message>
+            <source>The moment that is shown; ticks are events and notes</source>
+            <translation>所显示的时刻；刻线为事件和注释</translation>
+        </message>
+        <message>
+            <source>Time of the replay</source>
+            <translation>回放时间</translation>
+        </message>
+        <message>
+            <source>Whole</source>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>Show the whole recording</source>
+            <translation>显示整个记录</translation>
+        </message>
+        <message>
+            <source>%1 of %2 s</source>
+            <translation>%1 / %2 s</translation>
+        </message>
+</context>
+<context>
+    <name>OverlayBar</name>
+        <message>
+            <source>Recording laid over the one that is shown</source>
+            <translation>叠加在所显示记录之上的记录</translation>
+        </message>
+        <message>
+            <source>Aligned by</source>
+            <translation>对齐方式</translation>
+        </message>
+        <message>
+            <source>By what the two recordings are aligned</source>
+            <translation>两个记录的对齐依据</translation>
+        </message>
+        <message>
+            <source>Beginnings</source>
+            <translation>开头</translation>
+        </message>
+        <message>
+            <source>Armed</source>
+            <translation>就绪时刻</translation>
+        </message>
+        <message>
+            <source>First trigger</source>
+            <translation>首次触发</translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation>手动</translation>
+        </message>
+        <message>
+            <source>What lies over each other: the first cycles, the moments at which figures were armed (in OP and in sync), or the first episodes of the trigger as it is set in the panel Trigger</source>
+            <translation>相互重叠的是：首个周期、数值开始统计的时刻（处于 OP 且同步），或按触发面板设置的触发的首次事件段</translation>
+        </message>
+        <message>
+            <source>later by</source>
+            <translation>推迟</translation>
+        </message>
+        <message>
+            <source>How much later it is drawn</source>
+            <translation>绘制推迟的时间</translation>
+        </message>
+        <message>
+            <source>How much later than with both beginnings together; arrow keys move it by a cycle. In the plots Ctrl and the arrow keys or dragging with Ctrl move it, too</source>
+            <translation>相对于两个开头对齐时推迟的时间；方向键按一个周期移动。在曲线中按 Ctrl 加方向键或按住 Ctrl 拖动也可移动</translation>
+        </message>
+        <message>
+            <source> s</source>
+            <translation> s</translation>
+        </message>
+        <message>
+            <source>Take the other recording away</source>
+            <translation>移除另一个记录</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Takes the recording that lies over this one away</source>
+            <translation>移除叠加在此记录之上的记录</translation>
+        </message>
+        <message>
+            <source>One of the two recordings was not armed: it cannot be aligned so.</source>
+            <translation>两个记录之一未曾就绪：无法这样对齐。</translation>
+        </message>
+        <message>
+            <source>The trigger as it is set does not occur in both recordings.</source>
+            <translation>按当前设置的触发并未在两个记录中都出现。</translation>
+        </message>
+        <message>
+            <source>Over it: %1</source>
+            <translation>叠加：%1</translation>
+        </message>
+</context>
+<context>
+    <name>OverlayFigures</name>
+        <message>
+            <source>Figures of both recordings over the range shown</source>
+            <translation>两个记录在所显示范围内的数值</translation>
+        </message>
+        <message>
+            <source>Of every cycle of the range shown, at the places where the two lie over each other</source>
+            <translation>取自所显示范围内的每个周期，按两者的叠加位置</translation>
+        </message>
+        <message>
+            <source>rms</source>
+            <translation>rms</translation>
+        </message>
+        <message>
+            <source>p99.99</source>
+            <translation>p99.99</translation>
+        </message>
+        <message>
+            <source>max</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>DC deviation: mean</source>
+            <translation>DC 偏差：平均</translation>
+        </message>
+        <message>
+            <source>DCM error: mean</source>
+            <translation>DCM 误差：平均</translation>
+        </message>
+</context>
+<context>
+    <name>WindowOverlay</name>
+        <message>
+            <source>Overlay Another Recording</source>
+            <translation>叠加另一个记录</translation>
+        </message>
+        <message>
+            <source>Recordings and tables (*.slrec *.csv);;All files (*)</source>
+            <translation>记录和表格 (*.slrec *.csv);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>No recording is shown that another could lie over.</source>
+            <translation>未显示可供叠加的记录。</translation>
+        </message>
+        <message>
+            <source>Reading %1…</source>
+            <translation>正在读取 %1…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Overlay</source>
+            <translation>叠加</translation>
+        </message>
+        <message>
+            <source>The recording %1 could not be opened.</source>
+            <translation>无法打开记录 %1。</translation>
         </message>
 </context>
 </TS>

@@ -37,6 +37,7 @@ void updateRecordingStates(const Actions& actions, Workspace& workspace, const R
   const bool shown = workspace.recording().isOpen();
   const auto& disk = workspace.disk();
   actions.close_recording->setEnabled(shown);
+  actions.overlay->setEnabled(shown);
   actions.record->setText(disk.isRecording() ? MainWindow::tr("Stop &Recording") : MainWindow::tr("&Record…"));
   actions.record->setChecked(disk.isRecording());
   actions.record->setEnabled(workspace.live().phase() == LiveSession::Phase::kOnline || disk.isRecording());

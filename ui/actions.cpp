@@ -52,6 +52,8 @@ Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
   export_report->setCheckable(true);
   close_recording = add("actionCloseRecording", tr("&Close Recording"), "",
                         tr("Show the project and its machine again in place of the recording"));
+  overlay = add("actionOverlay", tr("O&verlay Another Recording…"), "",
+                tr("Lay the curves of another recording over those of the one that is shown"));
   quit = add("actionQuit", tr("&Quit"), "", tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
   undo = add("actionUndo", tr("&Undo"), "undo", tr("Take the last edit back"), QKeySequence::Undo);
   redo = add("actionRedo", tr("&Redo"), "redo", tr("Do again what was taken back"),
@@ -82,11 +84,11 @@ Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
   save_recent = add("actionSaveRecent", tr("Save the &Last…"), "",
                     tr("Save the last stretch, which is still in memory, as a recording"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R));
-  memory = add("actionMemory", tr("&Memory for the Last…"), "",
+  memory = add("actionMemory", tr("Memor&y for the Last…"), "",
                tr("How many of the latest cycles stay in memory, to be saved afterwards"));
   black_box = add("actionBlackBox", tr("&Black Box of Frames…"), "",
                   tr("Keep the last frames of every run on disk, whole also after a crash"));
-  commissioning = add("actionCommissioning", tr("Commissioning &Report…"), "",
+  commissioning = add("actionCommissioning", tr("Comm&issioning Report…"), "",
                       tr("Judge the run that is shown by criteria, and write the page to hand over"));
   clear_statistics = add("actionClearStatistics", tr("&Clear Statistics"), "clear", tr("Start counting anew"));
   for (const auto state : {AlState::kInit, AlState::kPreop, AlState::kSafeop, AlState::kOp}) {

@@ -37,6 +37,7 @@
 #include "ui/panels/live_strip.h"
 #include "ui/panels/messages_panel.h"
 #include "ui/panels/overview_panel.h"
+#include "ui/panels/replay_bar.h"
 #include "ui/panels/run_bar.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/workspace.h"
@@ -46,6 +47,8 @@
 #include "ui/window_docks.h"
 #include "ui/window_layout.h"
 #include "ui/window_menus.h"
+#include "ui/window_overlay.h"
+#include "ui/window_replay.h"
 #include "ui/window_trigger.h"
 #include "ui/wizard/new_machine_wizard.h"
 
@@ -72,6 +75,11 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   connectActions();
   connectSession();
   new WindowTrigger(workspace.trigger(), docks_->trigger(), *strip_, *recordings_, this);
+  overlay_ = new WindowOverlay(workspace, *strip_, centre_->overlayBar(), *this);
+  connect(overlay_, &WindowOverlay::refused, this,
+          [this](const QString& why) { statusBar()->showMessage(why, 10'000); });
+  connect(actions_->overlay, &QAction::triggered, overlay_, &WindowOverlay::ask);
+  new WindowReplay(workspace, *strip_, *overview_, *findings_, this);
   resize(1280, 800);
   updateTheme();
   updateTitle();
@@ -165,7 +173,7 @@ void MainWindow::buildMenus() {
           [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
   auto* network = ui::buildMenus(*menuBar(), *actions_,
                                  {recent, language, building_->commands().all(), networks_->all(), docks_->toggles(),
-                                  explorer_->viewActions(), editor_->modeActions()});
+                                  explorer_->viewActions(), editor_->modeActions(), centre_->replayBar().commands()});
   connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
   state_button_ = buildToolBar(*addToolBar(tr("Main")), *actions_);
 }

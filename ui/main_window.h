@@ -25,6 +25,7 @@ class NetworkCommands;
 class TemplateCommands;
 class WindowCentre;
 class WindowDocks;
+class WindowOverlay;
 class WindowLayout;
 class Workspace;
 
@@ -40,6 +41,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] TemplateCommands& templates() { return *templates_; }
   [[nodiscard]] BusCommands& bus() { return *bus_; }
   [[nodiscard]] RecordingCommands& recordings() { return *recordings_; }
+  [[nodiscard]] WindowOverlay& overlay() { return *overlay_; }
   [[nodiscard]] DeviceEditor& editor() { return *editor_; }
   [[nodiscard]] MachineBuilding& building() { return *building_; }
   [[nodiscard]] ExplorerPanel& explorer() { return *explorer_; }
@@ -91,6 +93,7 @@ class MainWindow final : public QMainWindow {
   LiveStrip* strip_ = nullptr;
   ExplorerPanel* explorer_ = nullptr;
   WindowDocks* docks_ = nullptr;
+  WindowOverlay* overlay_ = nullptr;
   QToolButton* state_button_ = nullptr;
   std::unique_ptr<WindowLayout> layout_;
   bool laid_out_ = false;

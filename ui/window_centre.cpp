@@ -7,8 +7,10 @@
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/overlay_bar.h"
 #include "ui/panels/overview_panel.h"
 #include "ui/panels/recording_bar.h"
+#include "ui/panels/replay_bar.h"
 #include "ui/panels/run_bar.h"
 #include "ui/session/workspace.h"
 
@@ -29,6 +31,8 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
       overview_(new OverviewPanel),
       strip_(new LiveStrip),
       bar_(new RunBar(workspace.runDifference())),
+      replay_bar_(new ReplayBar(workspace.replay())),
+      overlay_bar_(new OverlayBar(workspace.overlay(), workspace.trigger())),
       splitter_(new QSplitter(Qt::Vertical)),
       upper_(new QStackedWidget) {
   strip_->setObjectName(QStringLiteral("liveStrip"));
@@ -49,7 +53,8 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
   splitter_->setStretchFactor(1, 2);
   auto* working = new QWidget;
   auto* layout = closeColumn(*working);
-  layout->addWidget(new RecordingBar(workspace.recording()));
+  layout->addWidget(new RecordingBar(workspace.recording(), replay_bar_));
+  layout->addWidget(overlay_bar_);
   layout->addWidget(splitter_, 1);
   addWidget(welcome);
   addWidget(working);

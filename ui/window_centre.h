@@ -9,7 +9,9 @@ namespace syncline::ui {
 
 class DeviceEditor;
 class LiveStrip;
+class OverlayBar;
 class OverviewPanel;
+class ReplayBar;
 class RunBar;
 class Workspace;
 
@@ -26,6 +28,8 @@ class WindowCentre final : public QStackedWidget {
   [[nodiscard]] OverviewPanel& overview() const { return *overview_; }
   [[nodiscard]] LiveStrip& strip() const { return *strip_; }
   [[nodiscard]] RunBar& runBar() const { return *bar_; }
+  [[nodiscard]] ReplayBar& replayBar() const { return *replay_bar_; }
+  [[nodiscard]] OverlayBar& overlayBar() const { return *overlay_bar_; }
   [[nodiscard]] QSplitter& splitter() const { return *splitter_; }
 
   /// How the room is shared while pages are shown, also while they are not: to be kept for the next start.
@@ -42,6 +46,8 @@ class WindowCentre final : public QStackedWidget {
   OverviewPanel* overview_;
   LiveStrip* strip_;
   RunBar* bar_;
+  ReplayBar* replay_bar_;
+  OverlayBar* overlay_bar_;
   QSplitter* splitter_;
   QStackedWidget* upper_;  // editor or overview
   QByteArray page_sizes_;  // while the overview is shown

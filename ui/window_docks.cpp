@@ -30,6 +30,9 @@ WindowDocks::WindowDocks(Workspace& workspace, QMainWindow& window, QDockWidget&
   window.tabifyDockWidget(findings_dock_, trigger_dock_);
   messages_dock_->raise();
   connect(&workspace.runs(), &NetworkRuns::findingsChanged, this, &WindowDocks::showFindingCount);
+  // Of a recording there are some at its end alone.
+  for (const auto told : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+    connect(&workspace.findings(), told, this, &WindowDocks::showFindingCount);
   connect(&workspace.recording(), &OpenedRecording::changed, this, &WindowDocks::showRecording);
   showRecording();
 }

@@ -33,17 +33,21 @@ void buildEditMenu(QMenu& menu, const Actions& actions, const QList<QAction*>& s
   menu.addAction(actions.go_to);
 }
 
-void buildNetworkMenu(QMenu& menu, const Actions& actions, const QList<QAction*>& networks) {
+void buildNetworkMenu(QMenu& menu, const Actions& actions, const MenuEntries& entries) {
   menu.addActions({actions.scan, actions.demo});
   menu.addSeparator();
   menu.addActions({actions.online, actions.offline});
   menu.addMenu(MainWindow::tr("Request S&tate"))->addActions(actions.states);
   menu.addSeparator();
   menu.addActions({actions.record, actions.save_recent, actions.memory, actions.black_box});
+  auto* replay = menu.addMenu(MainWindow::tr("Re&play"));
+  replay->setObjectName(QStringLiteral("menuReplay"));
+  replay->addActions(entries.replay);
+  menu.addAction(actions.overlay);
   menu.addSeparator();
   menu.addActions({actions.commissioning, actions.clear_statistics});
   menu.addSeparator();
-  menu.addActions(networks);
+  menu.addActions(entries.networks);
 }
 
 void buildViewMenu(QMenu& menu, const Actions& actions, const MenuEntries& entries) {
@@ -67,7 +71,7 @@ QMenu* buildMenus(QMenuBar& bar, const Actions& actions, const MenuEntries& entr
   buildFileMenu(*bar.addMenu(MainWindow::tr("&File")), actions, *entries.recent);
   buildEditMenu(*bar.addMenu(MainWindow::tr("&Edit")), actions, entries.slaves);
   auto* network = bar.addMenu(MainWindow::tr("&Network"));
-  buildNetworkMenu(*network, actions, entries.networks);
+  buildNetworkMenu(*network, actions, entries);
   buildViewMenu(*bar.addMenu(MainWindow::tr("&View")), actions, entries);
   auto* help = bar.addMenu(MainWindow::tr("&Help"));
   auto* what = QWhatsThis::createAction(&bar);

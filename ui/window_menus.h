@@ -22,6 +22,7 @@ struct MenuEntries {
   QList<QAction*> panels;    // shown or hidden
   QList<QAction*> views;     // of the explorer
   QList<QAction*> pages;     // which of a node are shown
+  QList<QAction*> replay;    // of a recording
 };
 
 /// Puts the menus into the bar; gives the one of the network back, whose entries depend on what runs.

@@ -33,6 +33,7 @@
 #include "ui/text/translations.h"
 #include "ui/theme/theme.h"
 #include "ui/window_layout.h"
+#include "ui/window_overlay.h"
 
 namespace {
 
@@ -41,7 +42,7 @@ using namespace syncline;
 const QString kThemeSetting = QStringLiteral("theme"), kExpertSetting = QStringLiteral("expert");
 
 struct Options {
-  QString file, link, theme, screenshots, faults, language;
+  QString file, link, theme, screenshots, faults, language, overlay;
   bool demo = false, reset_settings = false;
   int exit_after_ms = 0;
   PictureOptions picture;  // without a name to write to: none is wanted
@@ -80,7 +81,18 @@ struct PictureSwitches {
                           QStringLiteral("With --picture: its size in pixels of a screen; a PNG has twice as many."),
                           QStringLiteral("WxH")};
 
-  [[nodiscard]] QList<QCommandLineOption> all() const { return {out, view, from, to, signal, figure, slave, size}; }
+  QCommandLineOption align{
+      QStringLiteral("align"),
+      QStringLiteral("With --picture --overlay: what lies over each other, begin (default) or armed."),
+      QStringLiteral("MOMENT")};
+  QCommandLineOption offset{
+      QStringLiteral("offset"),
+      QStringLiteral("With --picture --overlay: how much later the other recording is drawn, e.g. 1.5s or -20ms."),
+      QStringLiteral("TIME")};
+
+  [[nodiscard]] QList<QCommandLineOption> all() const {
+    return {out, view, from, to, signal, figure, slave, size, align, offset};
+  }
   [[nodiscard]] PictureOptions of(const QCommandLineParser& parser) const {
     return {{},
             parser.value(out),
@@ -90,6 +102,9 @@ struct PictureSwitches {
             parser.value(figure),
             parser.value(slave),
             parser.value(size),
+            {},
+            parser.value(align),
+            parser.value(offset),
             parser.values(signal)};
   }
 };
@@ -127,7 +142,12 @@ Options parse(const QCoreApplication& app) {
       QStringLiteral("faults"),
       QStringLiteral("With --screenshots: the overview of each scenario of FOLDER instead of the pages."),
       QStringLiteral("FOLDER"));
+  const QCommandLineOption overlay(
+      QStringLiteral("overlay"),
+      QStringLiteral("Another recording, laid over the one that is named: in the window, or with --picture."),
+      QStringLiteral("RECORDING"));
   const PictureSwitches picture;
+  parser.addOption(overlay);
   parser.addOptions({demo, link, theme, language, screenshots, faults, exit_after, reset});
   parser.addOptions(picture.all());
   parser.addPositionalArgument(QStringLiteral("file"),
@@ -139,6 +159,9 @@ Options parse(const QCoreApplication& app) {
   if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().constFirst();
   options.picture = picture.of(parser);
   options.picture.file = options.file;
+  options.overlay = options.picture.overlay = parser.value(overlay);
+  if (!options.overlay.isEmpty() && options.file.isEmpty())
+    refuse(QStringLiteral("--overlay: name the recording that it lies over, too"));
   if (!parser.isSet(picture.out)) {
     for (const auto& option : picture.all()) {
       if (parser.isSet(option)) refuse(QStringLiteral("--%1 goes with --picture").arg(option.names().constFirst()));
@@ -255,6 +278,12 @@ void begin(const Options& options, ui::MainWindow& window, ui::Workspace& worksp
   if (!options.link.isEmpty()) workspace.setLink(options.link);
   window.bus().offerRepairs();
   window.files().offerRecovery([options, &window, &workspace] {
+    if (!options.overlay.isEmpty()) {
+      QObject::connect(
+          &workspace.recording(), &ui::OpenedRecording::changed, &window,
+          [options, &window] { window.overlay().open(options.overlay); },
+          Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+    }
     if (!options.file.isEmpty()) window.files().openAny(options.file);
     if (!options.demo) return;
     window.bus().startDemo(options.link.isEmpty() ? workspace.environment().demo_link : options.link);

@@ -13,11 +13,13 @@
 #include <string>
 
 #include "app/cli/cli.h"
+#include "app/cli/duration.h"
 #include "app/cli/record_range.h"
 #include "reasons/because.h"
 #include "ui/panels/picture_file.h"
 #include "ui/panels/recording_picture.h"
 #include "ui/session/opened_recording.h"
+#include "ui/session/recording_overlay.h"
 #include "ui/text/error_text.h"
 
 namespace syncline {
@@ -82,6 +84,43 @@ QString understand(const PictureOptions& options, ui::RecordingPicture& wanted) 
   return {};
 }
 
+/// Of the recording that lies over it; the words of what is wrong, or none.
+QString understandOverlay(const PictureOptions& options, const ui::RecordingPicture& wanted,
+                          std::optional<Nanoseconds>& offset) {
+  if (options.overlay.isEmpty()) {
+    const bool any = !options.align.isEmpty() || !options.offset.isEmpty();
+    return any ? QStringLiteral("--align, --offset: they go with --overlay") : QString();
+  }
+  if (wanted.view != ui::PictureView::kPlots) return QStringLiteral("--overlay: only the view plots has it");
+  if (!options.align.isEmpty() && options.align != QLatin1String("begin") && options.align != QLatin1String("armed"))
+    return QStringLiteral("--align %1: take one of begin, armed").arg(options.align);
+  if (options.offset.isEmpty()) return {};
+  const bool back = options.offset.startsWith(u'-');
+  const auto time = cli::parse_duration(options.offset.mid(back ? 1 : 0).toStdString());
+  if (!time) return QStringLiteral("--offset %1: take a time such as 1.5s or -20ms").arg(options.offset);
+  offset = back ? -*time : *time;
+  return {};
+}
+
+/// Reads it and lays it where it is to lie; an exit code.
+int layOver(const PictureOptions& options, std::optional<Nanoseconds> offset, ui::RecordingOverlay& overlay) {
+  std::optional<Error> error;
+  QEventLoop reading;
+  QObject::connect(&overlay, &ui::RecordingOverlay::changed, &reading, &QEventLoop::quit);
+  QObject::connect(&overlay, &ui::RecordingOverlay::failed, &reading, [&](const QString&, const Error& why) {
+    error = why;
+    reading.quit();
+  });
+  overlay.read(options.overlay);
+  reading.exec();
+  if (error) return told(*error);
+  using Place = ui::RecordingOverlay::Place;
+  if (options.align == QLatin1String("armed") && !overlay.align(Place::kArmed, {}))
+    return told(QStringLiteral("--align armed: one of the two recordings was not armed"), cli::kUsage);
+  if (offset) overlay.setOffset(overlay.offset() + *offset);
+  return cli::kDone;
+}
+
 Status complete(const PictureOptions& options, const ReplayedRun& run, ui::RecordingPicture& wanted) {
   const auto slaves = run.info.about.slaves.size();
   if (wanted.slave >= 0 && static_cast<std::size_t>(wanted.slave) >= slaves) {
@@ -106,6 +145,8 @@ Status complete(const PictureOptions& options, const ReplayedRun& run, ui::Recor
 int writePictureOf(const PictureOptions& options) {
   ui::RecordingPicture wanted;
   if (const auto wrong = understand(options, wanted); !wrong.isEmpty()) return told(wrong, cli::kUsage);
+  std::optional<Nanoseconds> offset;
+  if (const auto wrong = understandOverlay(options, wanted, offset); !wrong.isEmpty()) return told(wrong, cli::kUsage);
   ui::OpenedRecording recording;
   std::optional<Error> error;
   QEventLoop reading;
@@ -119,6 +160,11 @@ int writePictureOf(const PictureOptions& options) {
   if (error) return told(*error);
   recording.show();
   if (auto status = complete(options, recording.run(), wanted); !status) return told(status.error());
+  ui::RecordingOverlay overlay(recording);
+  if (!options.overlay.isEmpty()) {
+    if (const int code = layOver(options, offset, overlay); code != cli::kDone) return code;
+    wanted.overlay = {overlay.run().record.get(), overlay.shift(), overlay.ownName(), overlay.name()};
+  }
   if (auto status = ui::writeRecordingPicture(recording.run(), wanted, options.out); !status)
     return told(status.error());
   return cli::kDone;

@@ -190,6 +190,16 @@ Status RecordingReader::blocks(const std::function<Status(const Block&)>& take) 
               });
 }
 
+Result<std::vector<RecordingReader::Block>> RecordingReader::blocks() {
+  std::vector<Block> all;
+  const auto status = blocks([&all](const Block& block) -> Status {
+    all.push_back(block);
+    return {};
+  });
+  if (!status) return tl::unexpected(status.error());
+  return all;
+}
+
 bool RecordingReader::read_points(const SqlStatement& row, Points& out) {
   const auto count = static_cast<std::size_t>(std::max<std::int64_t>(row.integer(2), 0));
   std::vector<Nanoseconds> times;

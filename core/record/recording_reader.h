@@ -44,9 +44,20 @@ class RecordingReader {
   /// As open_recording(), and kFileNotReadable.
   [[nodiscard]] static Result<RecordingReader> open(const std::string& path);
 
+  [[nodiscard]] const std::string& path() const { return database_.path(); }
   [[nodiscard]] Result<RecordingInfo> info();
   /// All samples in their order, a block at a time, until `take` returns false.
   [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take);
+  /// A stretch of cycles as it was written, about a second.
+  struct Block {
+    std::int64_t number = 0, first_cycle = 0, last_cycle = 0, cycles = 0;
+    Nanoseconds begin = 0, end = 0;  // host clock, of its first and its last cycle
+    std::int64_t columns = 0;
+  };
+  /// All of them, in the order in which they were written.
+  [[nodiscard]] Result<std::vector<Block>> blocks();
+  /// The samples of one.
+  [[nodiscard]] Status samples(const Block& block, std::vector<CycleSample>& out) { return read_block(block, out); }
   /// A signal over the whole recording, a row a block that has any value of it; of a slave or a variable, or of the bus
   /// with -1.
   [[nodiscard]] Result<std::vector<BlockSummary>> overview(Signal signal, int slave = -1);
@@ -65,9 +76,6 @@ class RecordingReader {
 
  private:
   explicit RecordingReader(SqlDatabase database) : database_(std::move(database)) {}
-  struct Block {
-    std::int64_t number = 0, first_cycle = 0, last_cycle = 0, cycles = 0, begin = 0, end = 0, columns = 0;
-  };
   /// In the order in which they were written.
   Status blocks(const std::function<Status(const Block&)>& take);
   /// `points`: null where they are not wanted.

@@ -29,21 +29,6 @@ void restore_held(const RecordingReader::AllPoints& all, RunRecord& record) {
   }
 }
 
-/// Those that are there as values, in their order.
-std::vector<Event> events_of(const RecordingInfo& info, bool& only_words) {
-  std::vector<Event> events;
-  const auto slaves = static_cast<int>(info.about.slaves.size());
-  for (const auto& recorded : info.events) {
-    auto what = decode_event(recorded.details);
-    if (what && recorded.slave < slaves) {
-      events.push_back({recorded.time, recorded.slave, std::move(*what)});
-    } else {
-      only_words = true;
-    }
-  }
-  return events;
-}
-
 std::vector<Finding> findings_of(const RecordingInfo& info, bool& only_words) {
   std::vector<Finding> findings;
   for (const auto& recorded : info.findings) {
@@ -63,6 +48,20 @@ RunRecord made_for(NetworkConfig config, const RecordingInfo& info, std::size_t 
 }
 
 }  // namespace
+
+std::vector<Event> events_of(const RecordingInfo& info, bool& only_words) {
+  std::vector<Event> events;
+  const auto slaves = static_cast<int>(info.about.slaves.size());
+  for (const auto& recorded : info.events) {
+    auto what = decode_event(recorded.details);
+    if (what && recorded.slave < slaves) {
+      events.push_back({recorded.time, recorded.slave, std::move(*what)});
+    } else {
+      only_words = true;
+    }
+  }
+  return events;
+}
 
 Result<ReplayedRun> replay_run(RecordingReader& reader, NetworkConfig config, const ReplayOptions& options) {
   auto info = reader.info();
@@ -89,20 +88,22 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   }
   if (run.info.about.armed) record.arm_from(*run.info.about.armed);
   const auto events = events_of(run.info, run.only_words);
-  auto next = events.begin();
+  std::size_t next = 0;
   std::uint64_t done = 0;
+  std::size_t blocks = 0;
+  run.marks = OverviewMarks(run.info.blocks);
   bool cancelled = false;
   RecordingReader::AllPoints held;
   const auto add = [&](std::span<const CycleSample> samples) {
-    record.add(samples);
-    for (; next != events.end() && next->time <= samples.back().send_time; ++next) record.add(*next);
+    add_in_order(record, samples, events, next);
+    run.marks.pass(++blocks, next, record.overview_recorder());
     done += samples.size();
     cancelled = options.progress && !options.progress(done, run.info.cycles);
     return !cancelled;
   };
   const auto status = reader.samples(add, held);
   if (cancelled) return fail(ErrorCode::kCancelled);
-  for (; next != events.end(); ++next) record.add(*next);
+  for (; next < events.size(); ++next) record.add(events[next]);
   if (!status) return tl::unexpected(status.error());
   restore_held(held, record);
   record.restore(findings_of(run.info, run.only_words));

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "record/overview_marks.h"
 #include "record/recording_reader.h"
 #include "record/run_record.h"
 
@@ -19,6 +23,8 @@ struct ReplayedRun {
   RecordingInfo info;  // events, findings and notes in their words
   /// Of events and findings only the words are known: an older program, or a newer one, has recorded them.
   bool only_words = false;
+  /// For who shows a moment of it, see RunReplay.
+  OverviewMarks marks{};
 };
 
 struct ReplayOptions {
@@ -29,6 +35,27 @@ struct ReplayOptions {
 
   static constexpr std::size_t kMostCycles = 1U << 24;  // some 1.2 GB
 };
+
+/// The events that are there as values, in the order of their coming; `only_words`: of some only the words are known.
+[[nodiscard]] std::vector<Event> events_of(const RecordingInfo& info, bool& only_words);
+
+/// Samples, and events from `next` on, in the order of their times, as a run gives them: each event when the samples up
+/// to its time are in, those later than the last sample not yet. An event that came late comes late here, too.
+template <class Record>
+void add_in_order(Record& record, std::span<const CycleSample> samples, const std::vector<Event>& events,
+                  std::size_t& next) {
+  if (samples.empty()) return;
+  const auto last = samples.back().send_time;
+  for (; next < events.size() && events[next].time <= last; ++next) {
+    const auto later = std::ranges::find_if(
+        samples, [time = events[next].time](const CycleSample& sample) { return sample.send_time > time; });
+    const auto count = static_cast<std::size_t>(later - samples.begin());
+    if (count > 0) record.add(samples.first(count));
+    samples = samples.subspan(count);
+    record.add(events[next]);
+  }
+  if (!samples.empty()) record.add(samples);
+}
 
 /// `config`: the recording's own, read from its document "configuration" by who knows ENI files. kBadValue when it is
 /// another machine's, kFileNotReadable where the recording is damaged, kCancelled.

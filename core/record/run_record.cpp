@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "config/sync_grid.h"
@@ -25,6 +26,8 @@ SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_cap
   layout.cycle_time = std::max<Nanoseconds>(limits.cycle_time, 1);
   const auto suitable = std::clamp(static_cast<std::size_t>(kHistory / layout.cycle_time), kLeastCycles, kMostCycles);
   layout.cycle_capacity = cycle_capacity > 0 ? cycle_capacity : suitable;
+  // Of a recording all changes are kept, so that each of its moments has its own; there are no more than cycles.
+  layout.held_capacity = cycle_capacity;
   layout.speed_counter_start = speed_counter_start;
   layout.sync0 = sync0_slaves(config);
   layout.sync_grid = sync_grid(config).value_or(0);
@@ -114,12 +117,41 @@ void RunRecord::add(const Event& event) {
   events_.push_back(event);
 }
 
+void RunRecord::show_at(Nanoseconds time, const SyncOverview& overview) {
+  samples_.show_until(time);
+  // Behind the last cycle comes what was told when the run had ended.
+  show_events(samples_.next_cycle_time(time) ? time : std::numeric_limits<Nanoseconds>::max());
+  shown_overview_ = &overview;
+  shown_at_ = time;
+}
+
+void RunRecord::show_whole() {
+  samples_.show_until(std::numeric_limits<Nanoseconds>::max());
+  show_events(std::numeric_limits<Nanoseconds>::max());
+  shown_overview_ = nullptr;
+  shown_at_.reset();
+}
+
+/// In the order of their coming: one that came late hides nothing that came before it.
+void RunRecord::show_events(Nanoseconds until) {
+  if (!shown_at_ || until < *shown_at_) {
+    const auto first = std::ranges::find_if(events_, [until](const Event& event) { return event.time > until; });
+    const auto count = static_cast<std::size_t>(first - events_.begin());
+    for (; events_.size() > count; events_.pop_back()) hidden_events_.push_back(std::move(events_.back()));
+  }
+  for (; !hidden_events_.empty() && hidden_events_.back().time <= until; hidden_events_.pop_back())
+    events_.push_back(std::move(hidden_events_.back()));
+}
+
 std::string RunRecord::slave_name(std::size_t position) const {
   return position < config_.slaves.size() ? config_.slaves[position].name : fmt::format("{}", position);
 }
 
 std::vector<Finding> RunRecord::findings(Nanoseconds told_from) const {
-  if (restored_findings_) return *restored_findings_;
+  if (restored_findings_) {
+    const bool at_end = !shown_at_ || !samples_.next_cycle_time(*shown_at_);
+    return at_end ? *restored_findings_ : std::vector<Finding>{};
+  }
   auto run = report();
   run.told_from = told_from;
   return run.history.reached_op ? diagnose(run) : std::vector<Finding>{};

@@ -68,6 +68,13 @@ class RunRecord {
     samples_.restore(signal, slave, times, values, samples_.last_time());
   }
   void restore(std::vector<Finding> findings) { restored_findings_ = std::move(findings); }
+  /// Of a recording, which is complete: as it was at `time` (host clock). Samples, events and the overview are those of
+  /// that moment until another one is shown or show_whole(); what is found is told at its end alone. `overview`: that
+  /// of the moment (RunReplay makes it), which must outlive it. Nothing may be added meanwhile.
+  void show_at(Nanoseconds time, const SyncOverview& overview);
+  void show_whole();
+  /// The moment; nothing: all is shown.
+  [[nodiscard]] std::optional<Nanoseconds> shown_at() const { return shown_at_; }
   /// Figures and faults of the overview begin anew.
   void arm() { overview_.arm(); }
   /// Of a recording: see OverviewRecorder::arm_from().
@@ -91,14 +98,21 @@ class RunRecord {
   /// Another number when they have changed.
   [[nodiscard]] std::uint64_t notes_changed() const { return notes_changed_; }
   [[nodiscard]] RunReport report() const { return recorder_.finish(snapshot_); }
-  [[nodiscard]] const SyncOverview& overview() const { return overview_.overview(); }
+  [[nodiscard]] const SyncOverview& overview() const {
+    return shown_overview_ == nullptr ? overview_.overview() : *shown_overview_;
+  }
+  /// What makes the overview, as far as it has come.
+  [[nodiscard]] const OverviewRecorder& overview_recorder() const { return overview_; }
   /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished. Of a recording: what
-  /// was found while it ran. Moments count from the first sample on, as the axis of the plots does.
+  /// was found while it ran, which is known of its end. Moments count from the first sample on, as the axis of the
+  /// plots does.
   [[nodiscard]] std::vector<Finding> findings() const { return findings(overview().begin); }
   /// The same with moments that count from `told_from` on (host clock): for a recording that began later.
   [[nodiscard]] std::vector<Finding> findings(Nanoseconds told_from) const;
 
  private:
+  void show_events(Nanoseconds until);
+
   NetworkConfig config_;
   RunLimits limits_;
   SampleStore samples_;
@@ -107,6 +121,9 @@ class RunRecord {
   std::optional<std::vector<Finding>> restored_findings_;
   Snapshot snapshot_;
   std::deque<Event> events_;
+  std::vector<Event> hidden_events_;  // behind those, the next one last
+  std::optional<Nanoseconds> shown_at_;
+  const SyncOverview* shown_overview_ = nullptr;
   std::uint64_t forgotten_events_ = 0;
   std::vector<RunNote> notes_;
   std::uint64_t notes_changed_ = 0;

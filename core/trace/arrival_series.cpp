@@ -70,6 +70,14 @@ void ArrivalSeries::leave_gap(Nanoseconds time) {
   }
 }
 
+/// What was made reaches beyond the end only as far as nothing has to be added to it before that is shown again.
+void ArrivalSeries::show_until(Nanoseconds time) {
+  for (auto* series : {&turn_, &in_cycle_}) {
+    if (!series->empty()) series->front().show_until(time);
+  }
+  for (auto& [slave, made] : made_) made.series.show_until(time);
+}
+
 const MinMaxSeries& ArrivalSeries::phase(std::size_t slave, const MinMaxSeries& delays) {
   if (slave >= slaves_.size() || slaves_[slave].period <= 0 || turn_.empty()) return none_;
   auto& made = made_for(slave);

@@ -26,6 +26,8 @@ class ArrivalSeries {
   /// After the axis got the same times.
   void append(std::span<const CycleSample> samples, std::span<const Nanoseconds> times);
   void leave_gap(Nanoseconds time);
+  /// See MinMaxSeries::show_until().
+  void show_until(Nanoseconds time);
 
   /// Time since the SYNC0 that began the period into which the slave's outputs came, ns; empty where that is not known.
   /// `delays`: its propagation delay, held. Stays until kMostKept others were asked for.

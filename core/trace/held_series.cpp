@@ -41,6 +41,18 @@ void HeldSeries::clear() {
   series_.clear();
   heard_ = longest_ = 0;
   known_ = false;
+  shown_until_ = INT64_MAX;
+}
+
+void HeldSeries::show_until(Nanoseconds time) {
+  series_.show_until(time);
+  shown_until_ = time;
+}
+
+Nanoseconds HeldSeries::heard() const {
+  if (shown_until_ >= heard_) return heard_;
+  if (series_.empty()) return 0;
+  return series_.held_at(shown_until_) ? shown_until_ : series_.last_time();
 }
 
 std::optional<MinMaxSeries::Reading> HeldSeries::at(Nanoseconds time) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -27,17 +28,20 @@ class HeldSeries {
   /// kPatience.
   void expire(Nanoseconds now);
   void clear();
+  /// See MinMaxSeries::show_until().
+  void show_until(Nanoseconds time);
 
   /// Step series; after a gap (NaN) nothing holds.
   [[nodiscard]] const MinMaxSeries& series() const { return series_; }
   /// Until here its last value holds.
-  [[nodiscard]] Nanoseconds heard() const { return heard_; }
+  [[nodiscard]] Nanoseconds heard() const;
   /// What holds at `time`, and since when.
   [[nodiscard]] std::optional<MinMaxSeries::Reading> at(Nanoseconds time) const;
 
  private:
   MinMaxSeries series_;
   Nanoseconds heard_ = 0, longest_ = 0;
+  Nanoseconds shown_until_ = INT64_MAX;
   float value_ = 0;
   bool known_ = false;
 };

@@ -9,7 +9,7 @@ const std::vector<SeriesColumn>& KeptColumns::of(const MinMaxSeries& series, Nan
                                                  Nanoseconds width) {
   const auto stand = series.stand();
   const bool same = width_ == width && stand_.filling == stand.filling;
-  const auto last_time = stand_.last_time;
+  const auto last_time = std::min(stand_.last_time, stand.last_time);  // of a recording later ones may be hidden again
   const bool none_went = stand_.gone == stand.gone;
   stand_ = stand;
   width_ = width;

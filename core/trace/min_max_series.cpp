@@ -60,8 +60,23 @@ MinMaxSeries MinMaxSeries::beside(const MinMaxSeries& leader) {
 }
 
 void MinMaxSeries::clear() {
-  begin_ = end_ = 0;
+  begin_ = end_ = hidden_ = 0;
   filling_ = next_filling();
+}
+
+/// Buckets need no change: those that reach beyond the end are incomplete to whoever asks.
+void MinMaxSeries::show_until(Nanoseconds time) {
+  const auto all = end_ + hidden_;
+  end_ = time == INT64_MAX ? all : bisect(begin_, all, time + 1);
+  hidden_ = all - end_;
+}
+
+std::optional<Nanoseconds> MinMaxSeries::next_value(Nanoseconds time) const {
+  const auto all = end_ + hidden_;
+  for (auto i = bisect(begin_, all, time == INT64_MAX ? time : time + 1); i < all; ++i) {
+    if (!std::isnan(values_[slot(i)])) return time_of(i);
+  }
+  return std::nullopt;
 }
 
 Nanoseconds MinMaxSeries::first_time() const { return empty() ? 0 : time_of(begin_); }

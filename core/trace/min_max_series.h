@@ -42,6 +42,11 @@ class MinMaxSeries {
   /// Room for so many, where their number is known: they are not moved while it grows.
   void reserve(std::size_t samples);
   void clear();
+  /// Of a series that is complete: what is later than `time` is not there for those who read, until the next call;
+  /// INT64_MAX: all is. Nothing may be appended while something is hidden.
+  void show_until(Nanoseconds time);
+  /// The first value later than `time`, also a hidden one; nothing behind the last.
+  [[nodiscard]] std::optional<Nanoseconds> next_value(Nanoseconds time) const;
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   [[nodiscard]] bool empty() const { return end_ == begin_; }
@@ -118,6 +123,7 @@ class MinMaxSeries {
   std::uint64_t capacity_;             // a power of two
   std::uint64_t begin_ = 0, end_ = 0;  // absolute indices of the samples that are kept
   std::uint64_t filling_ = next_filling();
+  std::uint64_t hidden_ = 0;  // further ones behind the end
   std::shared_ptr<std::vector<Nanoseconds>> times_;
   bool leads_ = true;  // writes the times
   std::vector<float> values_;

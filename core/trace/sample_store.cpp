@@ -51,7 +51,7 @@ SampleStore::SampleStore(const Layout& layout)
       case Form::kHeld:
         first = of_held_.size();
         (of_slaves ? held_by_slave_ : held_).push_back(&signal);
-        for (std::size_t i = 0; i < count; ++i) of_held_.emplace_back(kLeastReadings);
+        for (std::size_t i = 0; i < count; ++i) of_held_.emplace_back(std::max(layout.held_capacity, kLeastReadings));
         break;
     }
   }
@@ -116,8 +116,30 @@ std::optional<MinMaxSeries::Reading> SampleStore::value(Signal signal, std::size
 std::optional<std::uint64_t> SampleStore::cycle_at(Nanoseconds time) const {
   if (empty() || time < first_time()) return std::nullopt;
   const auto found = std::ranges::lower_bound(stretches_, time, {}, &StretchEnd::time);
-  const auto& end = found == stretches_.end() ? newest_ : *found;
+  const auto& newest = shown_newest_ ? *shown_newest_ : newest_;
+  const auto& end = found == stretches_.end() || found->time > newest.time ? newest : *found;
   return time >= end.time ? end.cycle : end.cycle - axis().count(time + 1, end.time + 1);
+}
+
+std::optional<Nanoseconds> SampleStore::cycle_time_at(Nanoseconds time) const {
+  const auto reading = axis().at(time);
+  return reading ? std::optional(reading->time) : std::nullopt;
+}
+
+void SampleStore::show_until(Nanoseconds time) {
+  const auto show = [this](Nanoseconds until) {
+    for (auto& series : of_cycles_) series.show_until(until);
+    for (auto& series : of_readings_) series.show_until(until);
+    for (auto& series : of_variables_) series.show_until(until);
+    for (auto& held : of_held_) held.show_until(until);
+    arrivals_->show_until(until);
+  };
+  show(INT64_MAX);
+  shown_newest_.reset();
+  if (empty() || time >= last_time()) return;
+  // Its number is counted from the end of its stretch, which is about to be hidden.
+  if (const auto cycle = cycle_at(time)) shown_newest_ = StretchEnd{cycle_time_at(time).value_or(time), *cycle};
+  show(time);
 }
 
 std::size_t SampleStore::memory_bytes() const {

@@ -27,6 +27,7 @@ class SampleStore {
     std::size_t slaves = 0;
     Nanoseconds cycle_time = kMillisecond;
     std::size_t cycle_capacity = 1U << 20;       // cycles that are kept
+    std::size_t held_capacity = 0;               // changes of a count or a state that are kept, at least 8192
     std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
     std::vector<Sync0Slave> sync0{};             // by position; what is not there has no arrival phase and no slips
     Nanoseconds sync_grid = 0;                   // see sync_grid(); 0: not known
@@ -48,6 +49,15 @@ class SampleStore {
   /// known from then on, and until when the last one holds.
   void restore(Signal signal, std::size_t slave, std::span<const Nanoseconds> times, std::span<const float> values,
                Nanoseconds until);
+
+  /// Of a run that is complete, as it was at a moment: what is later is there for nobody, until the next call;
+  /// INT64_MAX: all is. Nothing may be appended while something is hidden. In time that does not depend on how much
+  /// that is.
+  void show_until(Nanoseconds time);
+  /// The first cycle later than `time`, also a hidden one; nothing behind the last.
+  [[nodiscard]] std::optional<Nanoseconds> next_cycle_time(Nanoseconds time) const { return axis().next_value(time); }
+  /// The latest cycle at or before `time`; nothing before the first.
+  [[nodiscard]] std::optional<Nanoseconds> cycle_time_at(Nanoseconds time) const;
 
   /// Of a signal that is drawn (not SignalInfo::Form::kCell), of the bus, of one slave or of one variable, by their
   /// numbers. Of variables they are exact up to 2^24, above that to seven digits, and stay where they are. What is
@@ -109,6 +119,7 @@ class SampleStore {
   };
   std::deque<StretchEnd> stretches_;
   StretchEnd newest_;
+  std::optional<StretchEnd> shown_newest_;  // while something is hidden: the last cycle that is not
   std::uint64_t next_cycle_ = 0;
   Nanoseconds next_look_ = 0;
   std::uint32_t lost_in_a_row_ = 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 #include "trace/signals.h"
 #include "trace/untold.h"
@@ -69,8 +70,12 @@ void OverviewRecorder::add(const CycleSample& sample) {
   any_ = true;
   overview_.end = sample.send_time;
   overview_.state = static_cast<AlState>(sample.master_state);
-  if (!overview_.armed && is_to_be_armed(sample)) {
-    arm_at(armed_from_ ? std::max(*armed_from_, overview_.begin) : sample.send_time);
+  if (armed_from_ && sample.send_time >= *armed_from_) {
+    const auto time = std::max(*armed_from_, overview_.begin);
+    armed_from_.reset();
+    if (overview_.armed != time) arm_at(time);
+  } else if (!overview_.armed && is_to_be_armed(sample)) {
+    arm_at(sample.send_time);
   }
   follow(overview_.slaves, sample.slaves_sync, sample.send_time, overview_.armed.has_value());
   follow(overview_.master, sample.master_sync, sample.send_time, overview_.armed.has_value());
@@ -104,7 +109,7 @@ void OverviewRecorder::add(const Event& event) {
 }
 
 bool OverviewRecorder::is_to_be_armed(const CycleSample& sample) const {
-  if (armed_from_) return sample.send_time >= *armed_from_;
+  if (armed_from_ == std::numeric_limits<Nanoseconds>::max()) return false;
   return sample.send_time > disarmed_ && is_run_in_op(sample) && is_ready(sample.slaves_sync) &&
          is_ready(sample.master_sync);
 }

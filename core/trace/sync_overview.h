@@ -69,8 +69,8 @@ class OverviewRecorder {
   void add(const Event& event);
   /// Figures, losses and faults begin anew behind the newest sample.
   void arm();
-  /// Of a recording: armed is its run since `time` (host clock). Whatever the samples say, it is armed at the first one
-  /// from then on.
+  /// Of a recording: its run was armed last at `time` (host clock). Whatever the samples say, it is armed so at the
+  /// first one from then on; before it arms itself, as the run did. INT64_MAX: it was not armed at the end, and is not.
   void arm_from(Nanoseconds time) { armed_from_ = time; }
   /// The machine is held against something else since `time` (host clock): armed anew when it is in sync with that.
   void disarm(Nanoseconds time);

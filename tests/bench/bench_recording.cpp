@@ -6,14 +6,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "bench/ratio_report.h"
 #include "findings/error_text.h"
 #include "record/recording_writer.h"
 #include "record/replay_run.h"
+#include "record/run_replay.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -54,6 +57,27 @@ bool open_whole(const std::string& path) {
   if (!reader) return false;
   const auto run = replay_run(*reader, three_slaves());
   return run && run->info.cycles == kCycles && run->record->overview().deviation.now;
+}
+
+/// The longest that one of many moments, here and there, takes to be shown.
+std::optional<double> worst_moment_ns(const std::string& path) {
+  auto reader = RecordingReader::open(path);
+  if (!reader) return std::nullopt;
+  auto run = replay_run(*reader, three_slaves());
+  if (!run) return std::nullopt;
+  auto replay = RunReplay::open(std::move(*reader), *run);
+  if (!replay) return std::nullopt;
+  constexpr std::uint64_t kMoments = 200;
+  double worst = 0;
+  for (std::uint64_t i = 0; i < kMoments; ++i) {
+    const auto part = static_cast<Nanoseconds>(i * 7919 % kMoments);
+    const auto moment = replay->begin() + (replay->end() - replay->begin()) / static_cast<Nanoseconds>(kMoments) * part;
+    const auto begin = processor_seconds();
+    if (!replay->show(moment)) return std::nullopt;
+    worst = std::max(worst, (processor_seconds() - begin) * 1e9);
+  }
+  replay->leave();
+  return worst;
 }
 
 struct Taken {
@@ -100,6 +124,9 @@ void bench_open(RatioReport& report) {
   const auto opened = measure([&] { return open_whole(path); });
   if (!bytes.done || !opened.done) return report.add_failure("open", "it could not be read");
   report.add("open 10 million cycles", opened.ns, fmt::format("reading its {:.0f} MiB", mib), bytes.ns, 0);
+  const auto moment = worst_moment_ns(path);
+  if (!moment) return report.add_failure("a moment", "it could not be shown");
+  report.add("any moment of it, the slowest", *moment, "a picture, 30 a second", 33e6, 1);
   report.add_count("memory of it, open", opened.mib, "MiB", mib, "MiB of the file", 3);
 }
 

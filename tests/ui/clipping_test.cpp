@@ -4,18 +4,22 @@
 #include <gtest/gtest.h>
 
 #include <QDir>
+#include <QFile>
 #include <QTabWidget>
+#include <QTemporaryDir>
 
 #include "support/cut_texts.h"
 #include "support/speak.h"
 #include "support/ui_test_support.h"
 #include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/session/workspace.h"
+#include "ui/window_overlay.h"
 
 namespace syncline::ui {
 namespace {
@@ -114,6 +118,45 @@ TEST_P(Clipping, NoTextIsCut) {
     for (std::size_t i = 0; i < slaves.size(); ++i) {
       if (seen.insert(slaves[i].device.identity.product_code).second) lookAtPages(static_cast<int>(i));
     }
+  }
+}
+
+/// A recording that is played, with another one over it.
+TEST_P(Clipping, NoTextOfARecordingIsCut) {
+  const QTemporaryDir folder;
+  const auto path = folder.filePath(QStringLiteral("run.slrec")),
+             other = folder.filePath(QStringLiteral("other.slrec"));
+  startDemo();
+  ASSERT_FALSE(HasFatalFailure());
+  bool ended = false;
+  const auto told = QObject::connect(&workspace_.disk(), &DiskRecording::ended, &window_, [&ended] { ended = true; });
+  ASSERT_TRUE(workspace_.disk().start(path));
+  for (int i = 0; i < 40; ++i) workspace_.live().advance(100 * kMillisecond);
+  workspace_.document().undoStack().setClean();
+  workspace_.runs().shutDown();
+  ASSERT_TRUE(test::waitFor([&ended] { return ended; }));
+  QObject::disconnect(told);
+  ASSERT_TRUE(QFile::copy(path, other));
+  window_.files().openAny(path);
+  ASSERT_TRUE(test::waitFor([this] { return workspace_.recording().isOpen(); }));
+  for (const auto size : kSizes) {
+    told_.clear();
+    window_.resize(size);
+    settle();
+    settle();
+    look(QStringLiteral("recording"));
+    workspace_.replay().seek(workspace_.replay().begin() + 3 * kSecond);
+    look(QStringLiteral("replay"));
+    EXPECT_LE(window_.height(), size.height()) << "it does not become so small";
+    window_.overlay().open(other);
+    ASSERT_TRUE(test::waitFor([this] { return workspace_.overlay().isOpen(); }));
+    for (int round = 0; round < 3; ++round) window_.liveStrip().refresh();
+    settle();
+    window_.resize(size);
+    look(QStringLiteral("overlay"));
+    EXPECT_LE(window_.height(), size.height()) << "it does not become so small";
+    workspace_.overlay().close();
+    workspace_.replay().leave();
   }
 }
 

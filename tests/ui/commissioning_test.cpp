@@ -52,7 +52,7 @@ TEST_F(Commissioning, JudgesTheRunThatIsShownAndWritesThePage) {
   field<QDoubleSpinBox>("commissioningMinutes").setValue(5);
   EXPECT_EQ(verdict(), QStringLiteral("Not accepted"));
   EXPECT_EQ(cell(reports::Criterion::Kind::kWatchedFor, 0), QStringLiteral("NOT KEPT"));
-  EXPECT_EQ(cell(reports::Criterion::Kind::kWatchedFor, 2), QStringLiteral("300 s"));
+  EXPECT_EQ(cell(reports::Criterion::Kind::kWatchedFor, 2), QStringLiteral("300.000\u00a0s"));
   field<QDoubleSpinBox>("commissioningMinutes").setValue(0);
   field<QLineEdit>("commissioningMachine").setText(QStringLiteral("Press <7>"));
   QTemporaryDir folder;
@@ -98,7 +98,7 @@ TEST_F(Memory, IsChosenInMiBAndTellsItsTime) {
   field<QPushButton>("memoryAccept").click();
   EXPECT_EQ(disk.memoryMib(), 512);
   EXPECT_NEAR(static_cast<double>(disk.memoryReach()), 2 * static_cast<double>(usual), static_cast<double>(usual) / 10);
-  EXPECT_EQ(workspace_.memory().value(QStringLiteral("recording/memoryMib")).toInt(), 512);
+  EXPECT_EQ(workspace_.runs().memoryMib(), 512);
 }
 
 /// The window's words say what those of the page say.

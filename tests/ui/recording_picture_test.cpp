@@ -263,6 +263,10 @@ TEST_F(PictureProgram, WritesAPictureWithoutADisplay) {
   EXPECT_EQ(err, "");
   EXPECT_GT(QFileInfo(QString::fromStdString(path("a.svg"))).size(), 10'000);
   EXPECT_EQ(start({path("run.slrec"), "--picture", path("b.pdf"), "--view", "cycle", "--slave", "3"}), 0) << err;
+  EXPECT_EQ(start({path("run.slrec"), "--picture", path("d.svg"), "--overlay", path("run.slrec"), "--align", "armed",
+                   "--offset", "-20ms"}),
+            0)
+      << err;
   EXPECT_EQ(start({path("run.slrec"), "--picture", path("c.png"), "--view", "overview", "--language", "de"}), 0) << err;
   EXPECT_FALSE(QImage(QString::fromStdString(path("c.png"))).isNull());
 }
@@ -277,6 +281,11 @@ TEST_F(PictureProgram, SaysWhatItCannotDo) {
   refused({file, "--picture", path("out.bmp")}, 2, ".png, .svg or .pdf");
   refused({file, "--picture", out, "--from", "1h"}, 2, "it holds nothing of the recording");
   refused({file, "--picture", out, "--from", "soon"}, 2, "use a duration");
+  refused({file, "--picture", out, "--offset", "3s"}, 2, "--overlay");
+  refused({file, "--picture", out, "--overlay", file, "--align", "moon"}, 2, "begin, armed");
+  refused({file, "--picture", out, "--overlay", file, "--offset", "soon"}, 2, "1.5s");
+  refused({file, "--picture", out, "--overlay", file, "--view", "slaves"}, 2, "plots");
+  refused({file, "--picture", out, "--overlay", path("none.slrec")}, 3, "none.slrec");
   refused({file, "--picture", out, "--signal", "dcm_error_ns"}, 2, "distribution and stability");
   refused({file, "--picture", out, "--view", "distribution", "--signal", "poem"}, 2, "dcm_error_ns");
   refused({file, "--picture", out, "--size", "9x9"}, 2, "--size 9x9");

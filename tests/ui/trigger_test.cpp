@@ -156,7 +156,7 @@ TEST(TriggerPanel, TakesWhatItsFieldsSay) {
   EXPECT_EQ(monitor.trigger().level, 12'345);
   EXPECT_EQ(monitor.trigger().pre, 2'500'000);
   EXPECT_EQ(monitor.trigger().post, before.post);
-  source->setCurrentIndex(source->count() - 1);
+  source->setCurrentIndex(source->findText(QStringLiteral("An event")));
   Q_EMIT source->activated(source->currentIndex());
   EXPECT_EQ(monitor.trigger().kind, Trigger::Kind::kEvent);
   EXPECT_FALSE(panel.findChild<QDoubleSpinBox*>(QStringLiteral("triggerLevel"))->isVisibleTo(&panel));

@@ -53,6 +53,24 @@ void MessageModel::showOther(std::vector<Message> log) {
   endInsertRows();
 }
 
+void MessageModel::showOtherUntil(const std::vector<Message>& log, std::size_t count) {
+  if (!own_) return;
+  const auto skipped = log.size() - std::min(log.size(), kMaximum);
+  const auto wanted = std::min(count, log.size()) - std::min({count, log.size(), skipped});
+  const int top = static_cast<int>(findings_.size());
+  if (wanted < log_.size()) {
+    const auto gone = static_cast<std::ptrdiff_t>(log_.size() - wanted);
+    beginRemoveRows({}, top, top + static_cast<int>(gone) - 1);
+    log_.erase(log_.begin(), log_.begin() + gone);
+    endRemoveRows();
+  } else if (wanted > log_.size()) {
+    const auto first = skipped + log_.size();
+    beginInsertRows({}, top, top + static_cast<int>(wanted - log_.size()) - 1);
+    for (auto i = first; i < skipped + wanted; ++i) log_.push_front(log[i]);
+    endInsertRows();
+  }
+}
+
 void MessageModel::showOwn() {
   if (!own_) return;
   auto own = std::move(*own_);

@@ -28,6 +28,8 @@ class MessageModel final : public QAbstractTableModel {
   void setFindings(std::vector<Message> findings);
   /// Shows this log, newest last, in place of the own one, which goes on behind it; until showOwn().
   void showOther(std::vector<Message> log);
+  /// Of that log only the first `count`: the later ones are not there yet. In steps, so that what is marked stays so.
+  void showOtherUntil(const std::vector<Message>& log, std::size_t count);
   void showOwn();
   /// Empties the log; findings stay as long as they are true.
   void clearLog();

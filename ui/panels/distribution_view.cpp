@@ -26,6 +26,7 @@ namespace {
 
 constexpr std::size_t kPortion = 1'000'000;  // samples a tick, of all signals together: some milliseconds
 constexpr std::size_t kBins = 80, kMomentsShown = 500;
+constexpr int kOtherAlpha = 130;  // muted
 constexpr std::array kFractions{0.5, 0.99, 0.999, 0.9999};
 
 QTableWidget* makeTable(const char* object_name, const QString& accessible_name) {
@@ -113,6 +114,21 @@ void DistributionView::setRecord(const RunRecord* record, bool recorded) {
   moments_->hide();
 }
 
+void DistributionView::setOverlay(const TracePanel::Overlay& overlay) {
+  if (overlay.record != overlay_.record) {
+    others_.clear();
+    if (overlay.record != nullptr) others_.resize(kMost);
+    figures_->setColumnCount(0);
+  }
+  overlay_ = overlay;
+}
+
+/// A variable's number is that of its run: of another one nothing says that it is the same.
+const MinMaxSeries* DistributionView::otherSeries(const Source& source) const {
+  if (others_.empty() || source.signal == Signal::kVariable || !isThere(*overlay_.record, source)) return nullptr;
+  return &seriesOf(*overlay_.record, source);
+}
+
 /// Of the first signal that has one.
 double DistributionView::limit() const {
   for (const auto& source : sources()) {
@@ -127,6 +143,13 @@ BinGrid DistributionView::gridFor(Nanoseconds begin, Nanoseconds end) const {
   double high = 0;
   for (const auto& source : sources()) {
     const auto extent = seriesOf(*record_, source).extent(begin, end);
+    if (!extent) continue;
+    low = std::min(low, static_cast<double>(extent->min));
+    high = std::max(high, static_cast<double>(extent->max));
+  }
+  for (const auto& source : sources()) {
+    const auto* series = otherSeries(source);
+    const auto extent = series == nullptr ? std::nullopt : series->extent(begin - overlay_.shift, end - overlay_.shift);
     if (!extent) continue;
     low = std::min(low, static_cast<double>(extent->min));
     high = std::max(high, static_cast<double>(extent->max));
@@ -155,7 +178,10 @@ BinGrid DistributionView::gridFor(Nanoseconds begin, Nanoseconds end) const {
 }
 
 bool DistributionView::complete() const {
-  return std::all_of(counts_.begin(), counts_.end(), [](const Distribution& count) { return count.complete(); });
+  const auto all = [](const auto& counts) {
+    return std::all_of(counts.begin(), counts.end(), [](const Distribution& count) { return count.complete(); });
+  };
+  return all(counts_) && all(others_);
 }
 
 void DistributionView::refresh() {
@@ -170,17 +196,35 @@ void DistributionView::refresh() {
     counts_[i].aim(&seriesOf(*record_, sources()[i]), begin, end, grid_);
     counts_[i].work(kPortion / sources().size());
   }
-  std::vector<HistogramPlot::Steps> steps;
-  for (std::size_t i = 0; i < sources().size(); ++i) {
-    steps.push_back({nameOf(*record_, sources()[i]),
-                     plot_colors::trace(palette(), static_cast<int>(i)),
-                     {counts_[i].bins().begin(), counts_[i].bins().end()},
-                     counts_[i].below(),
-                     counts_[i].above()});
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    const auto* series = i < sources().size() ? otherSeries(sources()[i]) : nullptr;
+    others_[i].aim(series, begin - overlay_.shift, end - overlay_.shift, grid_);
+    others_[i].work(kPortion / std::max<std::size_t>(sources().size(), 1));
   }
+  std::vector<HistogramPlot::Steps> steps;
+  const auto add = [&steps](const QString& name, const QColor& color, const Distribution& count) {
+    steps.push_back({name, color, {count.bins().begin(), count.bins().end()}, count.below(), count.above()});
+  };
+  for (const auto& column : columns()) add(column.name, column.color, *column.count);
   const auto unit = sources().empty() ? QString() : fromView(info(sources().front().signal).unit);
   plot_->setData(grid_, std::move(steps), limit(), unit);
   showFigures();
+}
+
+/// Each signal, and behind it the same of the other recording.
+std::vector<DistributionView::Column> DistributionView::columns() const {
+  std::vector<Column> all;
+  for (std::size_t i = 0; i < sources().size(); ++i) {
+    const auto& source = sources()[i];
+    const auto name = nameOf(*record_, source);
+    auto color = plot_colors::trace(palette(), static_cast<int>(i));
+    const bool both = otherSeries(source) != nullptr;
+    all.push_back({both ? tr("%1 (%2)").arg(name, overlay_.own) : name, color, source, &counts_[i]});
+    if (!both) continue;
+    color.setAlpha(kOtherAlpha);
+    all.push_back({tr("%1 (%2)").arg(name, overlay_.other), color, source, &others_[i]});
+  }
+  return all;
 }
 
 void DistributionView::showFigures() {
@@ -190,28 +234,28 @@ void DistributionView::showFigures() {
     if (source.signal == Signal::kVariable) return numberText(value);
     return locale.toString(value, 'f', value == std::floor(value) ? 0 : 2) + u' ' + unit(source);
   };
-  const int columns = static_cast<int>(sources().size());
-  if (figures_->columnCount() != columns) figures_->setColumnCount(columns);
+  const auto shown = columns();
+  const int count_of_columns = static_cast<int>(shown.size());
+  if (figures_->columnCount() != count_of_columns) figures_->setColumnCount(count_of_columns);
   QStringList spoken;
-  for (int column = 0; column < columns; ++column) {
-    const auto& source = sources()[static_cast<std::size_t>(column)];
-    const auto& count = counts_[static_cast<std::size_t>(column)];
+  for (int column = 0; column < count_of_columns; ++column) {
+    const auto& [name, color, source, count] = shown[static_cast<std::size_t>(column)];
     auto* header = figures_->horizontalHeaderItem(column);
     if (header == nullptr) figures_->setHorizontalHeaderItem(column, header = new QTableWidgetItem);
-    header->setText(nameOf(*record_, source));
-    header->setForeground(plot_colors::trace(palette(), column));
+    header->setText(name);
+    header->setForeground(color);
     int row = 0;
     for (const double fraction : kFractions) {
-      const auto value = count.quantile(fraction);
+      const auto value = count->quantile(fraction);
       put(*figures_, row++, column, value ? number(*value, source) : noText());
     }
-    const auto extent = count.extent();
+    const auto extent = count->extent();
     put(*figures_, row++, column, extent ? number(static_cast<double>(extent->max), source) : noText());
-    put(*figures_, row, column, countText(count.count()));
-    spoken << nameOf(*record_, source) + QStringLiteral(": 99.9 % ") + figures_->item(2, column)->text();
+    put(*figures_, row, column, countText(count->count()));
+    spoken << name + QStringLiteral(": 99.9 % ") + figures_->item(2, column)->text();
   }
   int wide = figures_->verticalHeader()->sizeHint().width() + 4;
-  for (int column = 0; column < columns; ++column) {
+  for (int column = 0; column < count_of_columns; ++column) {
     const int header =
         figures_->horizontalHeader()->fontMetrics().horizontalAdvance(figures_->horizontalHeaderItem(column)->text());
     figures_->setColumnWidth(column, std::clamp(header + 16, 80, 160));
@@ -221,6 +265,7 @@ void DistributionView::showFigures() {
   plot_->setAccessibleDescription(joinedClauses(spoken));
   double least = 1;
   for (const auto& count : counts_) least = std::min(least, count.progress());
+  for (const auto& count : others_) least = std::min(least, count.progress());
   auto text = range_->lack(*record_);
   if (text.isEmpty() && !complete()) text = tr("Computing, %1 %").arg(static_cast<int>(100 * least));
   state_->setText(text);
@@ -262,10 +307,14 @@ std::string DistributionView::csv() const {
   std::string text = "from,to";
   for (const auto& source : sources())
     text += ',' + (record_ == nullptr ? std::string(info(source.signal).key) : csv_field(keyOf(*record_, source)));
+  for (std::size_t i = 0; i < sources().size() && !others_.empty(); ++i)
+    text += ',' + csv_field(keyOf(*record_, sources()[i]) + " (" + overlay_.other.toStdString() + ')');
   const auto line = [&](const std::string& from, const std::string& to, auto count) {
     text += '\n' + from + ',' + to;
     for (std::size_t i = 0; i < sources().size(); ++i)
       fmt::format_to(std::back_inserter(text), ",{}", count(counts_[i]));
+    for (std::size_t i = 0; i < sources().size() && !others_.empty(); ++i)
+      fmt::format_to(std::back_inserter(text), ",{}", count(others_[i]));
   };
   const auto edge = [&](std::size_t bin) {
     return fmt::format("{:.9g}", grid.low + static_cast<double>(bin) * grid.width());

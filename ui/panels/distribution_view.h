@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QColor>
 #include <QWidget>
 #include <array>
 #include <string>
@@ -12,6 +13,7 @@
 #include "ui/panels/sample_range.h"
 #include "ui/panels/signal_chooser.h"
 #include "ui/plots/histogram_plot.h"
+#include "ui/plots/trace_panel.h"
 
 class QComboBox;
 class QLabel;
@@ -32,6 +34,8 @@ class DistributionView final : public QWidget {
   DistributionView(const TimeView* view, const CursorSet* cursors, QWidget* parent = nullptr);
   /// Null: nothing. It must outlive the view or be replaced.
   void setRecord(const RunRecord* record, bool recorded = false);
+  /// The same signals of another recording beside them, as far as it tells them; see TracePanel.
+  void setOverlay(const TracePanel::Overlay& overlay);
   void setSources(std::vector<Source> sources) { signals_->setSources(std::move(sources)); }
   [[nodiscard]] const std::vector<Source>& sources() const { return signals_->sources(); }
   /// Counts a portion and draws what there is; once a tick while it is seen.
@@ -50,13 +54,24 @@ class DistributionView final : public QWidget {
 
  private:
   [[nodiscard]] double limit() const;
+  /// The series of a source in the other recording; null: it has none.
+  [[nodiscard]] const MinMaxSeries* otherSeries(const Source& source) const;
   [[nodiscard]] BinGrid gridFor(Nanoseconds begin, Nanoseconds end) const;
+  struct Column {
+    QString name;
+    QColor color;
+    Source source;
+    const Distribution* count;
+  };
+  [[nodiscard]] std::vector<Column> columns() const;
   void showFigures();
   void listBin(qint64 bin);
 
   const TimeView* view_;
   const RunRecord* record_ = nullptr;
   std::array<Distribution, kMost> counts_;
+  TracePanel::Overlay overlay_;
+  std::vector<Distribution> others_;  // of the overlay, by source; empty: there is none
   BinGrid grid_;
   SignalChooser* signals_;
   SampleRange* range_;

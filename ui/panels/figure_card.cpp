@@ -2,6 +2,7 @@
 #include "ui/panels/figure_card.h"
 
 #include "ui/text/joined_text.h"
+#include "ui/widgets/value_label.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -27,13 +28,15 @@ void setTextOf(QLabel& label, const QString& text) {
 }  // namespace
 
 FigureCard::FigureCard(const char* name, const QString& title, const QString& tool_tip, QWidget* parent)
-    : QFrame(parent), title_(new QLabel(title)), main_(new QLabel), note_(new QLabel), grid_(new QGridLayout) {
+    : QFrame(parent), title_(new ValueLabel), main_(new QLabel), note_(new QLabel), grid_(new QGridLayout) {
   setObjectName(QLatin1String(name));
   setAccessibleName(title);
   setToolTip(tool_tip);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   auto bold = font();
   bold.setWeight(QFont::DemiBold);
+  // Where a language needs more room than there is, pointing at it tells the rest.
+  title_->setText(title);
   title_->setFont(bold);
   auto big = font();
   big.setPointSizeF(big.pointSizeF() * 1.7);

@@ -55,17 +55,24 @@ FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(par
     if (const auto from = index.data(FindingModel::kFromRole).toLongLong(); from != 0) Q_EMIT momentActivated(from);
     Q_EMIT placeActivated(index.data(FindingModel::kSlaveRole).toInt(), index.data(FindingModel::kKeyRole).toString());
   });
-  nothing_ = new QLabel(
-      tr("Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do."));
+  nothing_ = new QLabel;
   nothing_->setObjectName(QStringLiteral("noFindings"));
   nothing_->setAlignment(Qt::AlignCenter);
   nothing_->setWordWrap(true);
   nothing_->setEnabled(false);
+  setUntold(false);
   layout->addWidget(table_, 1);
   layout->addWidget(nothing_, 1);
   connect(&model_, &QAbstractItemModel::rowsInserted, this, &FindingsPanel::showState);
   connect(&model_, &QAbstractItemModel::rowsRemoved, this, &FindingsPanel::showState);
   showState();
+}
+
+void FindingsPanel::setUntold(bool untold) {
+  nothing_->setText(untold
+                        ? tr("A moment of a recording is shown. Findings are of the whole run: they stand at its end.")
+                        : tr("Nothing found. What the running bus shows to be wrong stands here, with its cause and "
+                             "what to do."));
 }
 
 void FindingsPanel::selectMoment(qint64 moment) {

@@ -18,6 +18,8 @@ class FindingsPanel final : public QWidget {
   explicit FindingsPanel(FindingModel& model, QWidget* parent = nullptr);
   /// Selects what was found of a moment of the run, if anything was.
   void selectMoment(qint64 moment);
+  /// Nothing can be known yet: a moment of a recording is shown, whose findings are those of its end.
+  void setUntold(bool untold);
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:

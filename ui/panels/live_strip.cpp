@@ -8,13 +8,16 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <utility>
 
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip_panels.h"
 #include "ui/panels/live_strip_toolbar.h"
+#include "ui/panels/overlay_figures.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/panels/variables_row.h"
@@ -25,7 +28,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kTickMs = 33;
-constexpr int kLeastHeight = 160, kLeastWithVariables = 270;
+constexpr int kLeastHeight = 160, kLeastWithVariables = 270, kLeastGiven = 30;
 constexpr unsigned kTextEvery = 6;         // ticks between updates of numbers: faster cannot be read
 constexpr unsigned kPointedTextEvery = 2;  // the same while a cursor moves
 constexpr unsigned kChooseEvery = 30;      // ticks between choices of the worst slaves
@@ -46,12 +49,15 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   variables_ = new VariablesRow(&view_, &cursors_);
   rows->addLayout(row, 1);
   rows->addWidget(variables_, 1);
+  overlay_figures_ = new OverlayFigures(&view_);
+  rows->addWidget(overlay_figures_);
   all_panels_.assign(panels_.begin(), panels_.end());
   all_panels_.insert(all_panels_.end(), variables_->panels().begin(), variables_->panels().end());
   for (auto* panel : all_panels_) {
     connect(panel->plot(), &TracePlot::menuRequested, this, &LiveStrip::openMenu);
     connect(panel->plot(), &TracePlot::triggerLevelDragged, this, &LiveStrip::triggerLevelDragged);
     connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::showEventAt);
+    connect(panel->plot(), &TracePlot::overlayDragged, this, &LiveStrip::overlayMoved);
     panel->plot()->marks().setMarks(&marks_);
   }
   empty_ = named(new QLabel(tr("No data: go online")), "liveEmptyLabel", tr("Live plots"));
@@ -74,9 +80,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   layout->addWidget(toolbar_);
   layout->addWidget(body, 1);
 
-  // Two rows of plots need more room than one.
-  connect(variables_, &VariablesRow::changed, this,
-          [this] { setMinimumHeight(variables_->isHidden() ? kLeastHeight : kLeastWithVariables); });
+  connect(variables_, &VariablesRow::changed, this, [this] { setMinimumHeight(leastHeight()); });
   connect(toolbar_, &LiveStripToolbar::fitRequested, this, [this] {
     for (auto* panel : all_panels_) panel->plot()->fitValues();
   });
@@ -123,21 +127,66 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   marks_.clear();
   marked_ = 0;
   noted_ = 0;
+  recorded_ = recorded;
+  setOverlay({});
   for (auto* panel : panels_) panel->setSource(record_);
   variables_->setRecord(record_, recorded);
-  distribution_->setRecord(record_, recorded);
-  stability_->setRecord(record_, recorded);
-  slaves_->setRecord(record_);
-  cycle_->setRecord(record_);
+  attachViews();
   cursors_.clear();
   view_.reset();
   view_.setFollowable(!recorded);
+  toolbar_->setReplayed(false);
   if (recorded && hasSamples()) {
     followRecord();
     view_.showAll();
     for (auto* panel : all_panels_) panel->refreshText(true);
   }
   showState();
+}
+
+/// What counts samples as they come begins anew.
+void LiveStrip::attachViews() {
+  distribution_->setRecord(record_, recorded_);
+  stability_->setRecord(record_, recorded_);
+  slaves_->setRecord(record_);
+  cycle_->setRecord(record_);
+}
+
+/// Two rows of plots need more room than one; of what the bar of an overlay takes they give some.
+int LiveStrip::leastHeight() const {
+  const bool overlaid = panels_.front()->overlay().record != nullptr;
+  return (variables_->isHidden() ? kLeastHeight : kLeastWithVariables) - (overlaid ? kLeastGiven : 0);
+}
+
+void LiveStrip::setOverlay(const TracePanel::Overlay& overlay) {
+  const bool other = overlay.record != panels_.front()->overlay().record;
+  for (auto* panel : panels_) panel->setOverlay(overlay);
+  overlay_figures_->setSources(record_, overlay);
+  distribution_->setOverlay(overlay);
+  if (other) setMinimumHeight(leastHeight());
+}
+
+void LiveStrip::showMoment(bool back) {
+  if (record_ == nullptr || !recorded_) return;
+  const bool replayed = record_->shown_at().has_value();
+  if (replayed != view_.isFollowable()) {
+    // A close look stays as close; all of it would not be left to be looked at.
+    const auto span = view_.span();
+    const bool all = span >= view_.last() - view_.first();
+    view_.setFollowable(replayed);
+    if (replayed && !all) view_.setSpan(span);
+    toolbar_->setReplayed(replayed);
+    followRecord();
+    if (!replayed) view_.showAll();
+  }
+  if (back) {
+    const int slave = cycle_->slave();
+    attachViews();
+    if (slave >= 0) cycle_->select(slave);
+  }
+  for (auto* panel : all_panels_) panel->plot()->markDirty();
+  slaves_->plot()->markDirty();
+  refresh();
 }
 
 void LiveStrip::setPickedSlave(int position) {
@@ -189,6 +238,11 @@ void LiveStrip::collectMarks() {
   const auto& told = record_->events();
   const auto all = record_->forgotten_events() + told.size();
   if (all == marked_) return;
+  if (all < marked_) {
+    // A recording that was set back.
+    marks_.clear();
+    marked_ = noted_ = 0;
+  }
   const auto fresh = std::min<std::uint64_t>(all - marked_, told.size());
   for (auto event = told.end() - static_cast<std::ptrdiff_t>(fresh); event != told.end(); ++event) {
     const auto meaning = meaning_of(*event);
@@ -205,9 +259,15 @@ void LiveStrip::collectMarks() {
 }
 
 void LiveStrip::collectNotes() {
-  if (record_ == nullptr || std::exchange(noted_, record_->notes_changed()) == record_->notes_changed()) return;
+  if (record_ == nullptr) return;
+  const auto& all = record_->notes();
+  const auto later = std::ranges::upper_bound(all, record_->shown_at().value_or(INT64_MAX), {}, &RunNote::time);
+  const auto count = static_cast<std::size_t>(later - all.begin());
+  if (noted_ == record_->notes_changed() && notes_marked_ == count) return;
+  noted_ = record_->notes_changed();
+  notes_marked_ = count;
   std::erase_if(marks_, [](const EventMark& mark) { return mark.note; });
-  for (const auto& note : record_->notes()) {
+  for (const auto& note : std::span(all).first(count)) {
     const EventMark mark{note.time, false, -1, true};
     marks_.insert(std::ranges::upper_bound(marks_, mark.time, {}, &EventMark::time), mark);
   }
@@ -257,6 +317,7 @@ void LiveStrip::tick() {
   if (body_ == Body::kSlaves && isVisible()) return slaves_->refresh();
   if (body_ == Body::kCycle && isVisible()) return cycle_->refresh();
   for (auto* panel : all_panels_) panel->plot()->refresh();
+  overlay_figures_->refresh();
 }
 
 void LiveStrip::showState() {
@@ -311,11 +372,13 @@ void LiveStrip::zoomAtMiddle(double factor) { view_.zoom(factor, view_.begin() +
 void LiveStrip::keyPressEvent(QKeyEvent* event) {
   const bool far = event->modifiers().testFlag(Qt::ShiftModifier);
   const auto page = view_.span() / (far ? 1 : 10);
+  const bool moves_overlay = event->modifiers().testFlag(Qt::ControlModifier);
+  const auto step = std::max<Nanoseconds>(view_.span() / (far ? 20 : 200), 1);
   switch (event->key()) {
     case Qt::Key_Left:
-      return view_.pan(-page);
+      return moves_overlay ? Q_EMIT overlayMoved(-step) : view_.pan(-page);
     case Qt::Key_Right:
-      return view_.pan(page);
+      return moves_overlay ? Q_EMIT overlayMoved(step) : view_.pan(page);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
       return zoomAtMiddle(0.5);
@@ -339,6 +402,7 @@ void LiveStrip::keyPressEvent(QKeyEvent* event) {
       return;
     case Qt::Key_Escape:
       if (cursors_.any()) return cursors_.clear();
+      Q_EMIT escaped();
       break;
     default:
       break;

@@ -22,6 +22,7 @@ namespace syncline::ui {
 class CycleView;
 class DistributionView;
 class LiveStripToolbar;
+class OverlayFigures;
 class SlavesView;
 class StabilityView;
 class VariablesRow;
@@ -39,6 +40,12 @@ class LiveStrip : public QWidget {
   /// What is drawn; null: nothing. It must outlive the strip or be replaced.
   /// Of a recording all is shown at first, and nothing is followed.
   void setRecord(const RunRecord* record, bool recorded = false);
+  /// The recording is shown at another moment, or whole: RunRecord::shown_at(). A moment is followed as the newest
+  /// sample of a run is. `back`: samples that were there may be there no more.
+  void showMoment(bool back);
+  /// Another recording over what is shown, in the three plots, with the figures of both below them; see TracePanel.
+  void setOverlay(const TracePanel::Overlay& overlay);
+  [[nodiscard]] OverlayFigures* overlayFigures() const { return overlay_figures_; }
   /// Colours from the palette that is set now; palette changes call it by themselves.
   void applyTheme();
   /// The slave that the deviation and SM2 plots draw in any case; -1 = only the worst.
@@ -83,6 +90,12 @@ class LiveStrip : public QWidget {
  Q_SIGNALS:
   /// A note is to be written at this moment, or the one that is there to be changed.
   void noteWanted(syncline::Nanoseconds time);
+  /// What lies over the plots is to be later by so many ns.
+  void overlayMoved(syncline::Nanoseconds by);
+  /// Of a recording: this moment is to be shown, as now.
+  void momentWanted(syncline::Nanoseconds time);
+  /// Esc, where there was nothing else to give up.
+  void escaped();
   /// The mark of an event was clicked.
   void eventClicked(syncline::Nanoseconds time);
   void triggerWanted();
@@ -107,6 +120,8 @@ class LiveStrip : public QWidget {
   void showTriggerLevel();
   void collectMarks();
   void collectNotes();
+  void attachViews();
+  [[nodiscard]] int leastHeight() const;
   [[nodiscard]] Nanoseconds notePlace(Nanoseconds time) const;
   void followRecord();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
@@ -120,6 +135,7 @@ class LiveStrip : public QWidget {
   TimeView view_;
   CursorSet cursors_;
   const RunRecord* record_ = nullptr;
+  bool recorded_ = false;
   LiveStripToolbar* toolbar_;
   QStackedLayout* stack_;
   QLabel* empty_;
@@ -130,12 +146,14 @@ class LiveStrip : public QWidget {
   CycleView* cycle_;
   std::array<TracePanel*, 3> panels_{};
   VariablesRow* variables_;
+  OverlayFigures* overlay_figures_;
   std::vector<TracePanel*> all_panels_;  // those of the variables, too
   QTimer tick_;
   unsigned ticks_ = 0;
   std::vector<EventMark> marks_;  // of the record's events, by time
   std::uint64_t marked_ = 0;      // events that were looked at
   std::uint64_t noted_ = 0;       // RunRecord::notes_changed() when the notes were looked at
+  std::size_t notes_marked_ = 0;
   TriggerLevel level_;
   Body body_ = Body::kPlots;
   bool text_wanted_ = false;

@@ -106,6 +106,18 @@ void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
   auto* note = menu->addAction(tr("Note here…"), this, [this, time] { Q_EMIT noteWanted(notePlace(time)); });
   note->setObjectName(QStringLiteral("actionNoteHere"));
   note->setEnabled(hasSamples());
+  if (const auto& overlay = panels_.front()->overlay(); overlay.record != nullptr) {
+    const auto cursor = cursors_.at(CursorSet::kA);
+    auto* lay = menu->addAction(tr("Lay this moment of %1 on cursor A").arg(overlay.other), this,
+                                [this, by = cursor.value_or(time) - time] { Q_EMIT overlayMoved(by); });
+    lay->setObjectName(QStringLiteral("actionOverlayOnCursor"));
+    lay->setEnabled(cursor.has_value());
+  }
+  if (recorded_) {
+    auto* moment = menu->addAction(tr("Replay from here"), this, [this, time] { Q_EMIT momentWanted(time); });
+    moment->setObjectName(QStringLiteral("actionReplayHere"));
+    moment->setEnabled(hasSamples());
+  }
   menu->addSeparator();
   menu->addAction(tr("Show everything"), this, [this] { view_.showAll(); });
   menu->addAction(tr("Fit values"), this, [this] {

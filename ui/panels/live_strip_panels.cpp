@@ -46,7 +46,10 @@ DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* pare
          "readings. Lines: signed values of single slaves."));
   for (std::size_t i = 0; i < kDeviationsShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
   hideAll(slaves_);
+  other_ = addOverlayItem(SeriesItem::Shape::kEnvelope);
 }
+
+void DeviationPanel::attachOverlay() { drawOverlay(*other_, Signal::kDeviation); }
 
 void DeviationPanel::attach() {
   slots_.clear();
@@ -87,6 +90,13 @@ std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
   if (const auto reading = store().value(Signal::kDeviation, time)) {
     result.front().value = timeText(rounded(static_cast<double>(reading->value)));
   }
+  nameOwn(result.front());
+  if (other_->isVisible()) {
+    result.push_back(overlayEntry(*other_, largest_->title().text(), time));
+    // A magnitude has no sign.
+    if (const auto reading = other_->valueAt(time))
+      result.back().value = timeText(rounded(static_cast<double>(reading->value)));
+  }
   for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
     result.push_back(slaveEntry(*slaves_[i], slots_.slots()[i].slave, time));
   }
@@ -111,6 +121,13 @@ Sm2Panel::Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent)
   plot()->setToolTip(tr("SM event missed counter, object 0x1C32:0B or 0x1C32:0C of the slaves that have one."));
   for (std::size_t i = 0; i < kCountersShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kStep));
   hideAll(slaves_);
+  for (std::size_t i = 0; i < kCountersShown; ++i) others_.push_back(addOverlayItem(SeriesItem::Shape::kStep));
+}
+
+void Sm2Panel::attachOverlay() {
+  hideAll(others_);
+  for (std::size_t i = 0; i < slots_.slots().size(); ++i)
+    drawOverlay(*others_[i], Signal::kSm2Missed, static_cast<std::size_t>(slots_.slots()[i].slave));
 }
 
 void Sm2Panel::attach() {
@@ -133,6 +150,7 @@ void Sm2Panel::choose() {
     slaves_[i]->setTitle(slaveName(slave));
     slaves_[i]->setVisible(true);
   }
+  attachOverlay();
   colorItems();
   plot()->markDirty();
 }
@@ -153,7 +171,13 @@ double Sm2Panel::rate(const MinMaxSeries& series, Nanoseconds until) const {
 std::vector<LegendBar::Entry> Sm2Panel::entries(Nanoseconds time) const {
   std::vector<LegendBar::Entry> result;
   for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
-    result.push_back(slaveEntry(*slaves_[i], slots_.slots()[i].slave, time));
+    const auto slave = slots_.slots()[i].slave;
+    result.push_back(slaveEntry(*slaves_[i], slave, time));
+    nameOwn(result.back());
+    if (!others_[i]->isVisible()) continue;
+    const auto number = u'#' + QString::number(slave);
+    result.push_back(overlayEntry(*others_[i], number, time));
+    result.back().short_name = result.back().name;
   }
   return result;
 }
@@ -189,7 +213,8 @@ QString Sm2Panel::valueText(double value) const {
 DcmPanel::DcmPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
     : TracePanel(tr("DCM error"), {tr("Error"), TracePlot::Quantity::kTime, 20, false}, view, cursors, parent),
       raw_(plot()->addItem(tr("raw"), SeriesItem::Shape::kEnvelope)),
-      filtered_(plot()->addItem(tr("filtered"), SeriesItem::Shape::kLine)) {
+      filtered_(plot()->addItem(tr("filtered"), SeriesItem::Shape::kLine)),
+      other_(addOverlayItem(SeriesItem::Shape::kEnvelope)) {
   setObjectName(QStringLiteral("dcmPanel"));
   plot()->setObjectName(QStringLiteral("dcmPlot"));
   plot()->setToolTip(tr("Time of the frame at the reference clock minus its wanted time in the cycle."));
@@ -203,13 +228,19 @@ void DcmPanel::attach() {
   draw(*filtered_, Signal::kDcmErrorFiltered);
 }
 
+void DcmPanel::attachOverlay() { drawOverlay(*other_, Signal::kDcmError); }
+
 void DcmPanel::colorItems() {
   raw_->setColor(plot_colors::envelope(palette()));
   filtered_->setColor(plot_colors::trace(palette(), 1));
 }
 
 std::vector<LegendBar::Entry> DcmPanel::entries(Nanoseconds time) const {
-  return {entry(*raw_, time), entry(*filtered_, time)};
+  std::vector<LegendBar::Entry> result{entry(*raw_, time)};
+  nameOwn(result.front());
+  if (other_->isVisible()) result.push_back(overlayEntry(*other_, raw_->title().text(), time));
+  result.push_back(entry(*filtered_, time));
+  return result;
 }
 
 QString DcmPanel::summary(Nanoseconds time) const {

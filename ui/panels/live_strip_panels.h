@@ -17,16 +17,19 @@ class DeviationPanel final : public TracePanel {
 
  protected:
   void attach() override;
+  void attachOverlay() override;
   void choose() override;
   void colorItems() override;
   [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
   [[nodiscard]] QString summary(Nanoseconds time) const override;
   [[nodiscard]] const SeriesItem* primary() const override { return largest_; }
+  [[nodiscard]] const SeriesItem* primaryOfOverlay() const override { return other_; }
   [[nodiscard]] QString valueText(double value) const override;
 
  private:
   SeriesItem* largest_;
   std::vector<SeriesItem*> slaves_;
+  SeriesItem* other_;  // of the overlay
   SlaveSlots slots_;
 };
 
@@ -39,6 +42,7 @@ class Sm2Panel final : public TracePanel {
 
  protected:
   void attach() override;
+  void attachOverlay() override;
   void choose() override;
   void colorItems() override;
   [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
@@ -51,6 +55,7 @@ class Sm2Panel final : public TracePanel {
   [[nodiscard]] double rate(const MinMaxSeries& series, Nanoseconds until) const;
 
   std::vector<SeriesItem*> slaves_;
+  std::vector<SeriesItem*> others_;  // of the overlay, the same slaves
   SlaveSlots slots_;
 };
 
@@ -63,14 +68,16 @@ class DcmPanel final : public TracePanel {
 
  protected:
   void attach() override;
+  void attachOverlay() override;
   void colorItems() override;
   [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
   [[nodiscard]] QString summary(Nanoseconds time) const override;
   [[nodiscard]] const SeriesItem* primary() const override { return raw_; }
+  [[nodiscard]] const SeriesItem* primaryOfOverlay() const override { return other_; }
   [[nodiscard]] QString valueText(double value) const override;
 
  private:
-  SeriesItem *raw_, *filtered_;
+  SeriesItem *raw_, *filtered_, *other_;
 };
 
 }  // namespace syncline::ui

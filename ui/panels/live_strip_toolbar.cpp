@@ -156,6 +156,13 @@ void LiveStripToolbar::setWanted(bool distribution, bool stability, bool slaves,
   showViews();
 }
 
+void LiveStripToolbar::setReplayed(bool replayed) {
+  replayed_ = replayed;
+  live_->setText(replayed ? tr("Now") : tr("Live"));
+  live_->setAccessibleName(live_->text());
+  showState();
+}
+
 void LiveStripToolbar::showState() {
   using Mode = TimeView::Mode;
   for (const auto& length : lengths_) length.button->setChecked(view_->span() == length.span);
@@ -163,8 +170,12 @@ void LiveStripToolbar::showState() {
   freeze_->setChecked(view_->mode() == Mode::kFrozen);
   const bool follows = view_->isFollowable();
   for (auto* button : {live_, freeze_}) button->setEnabled(follows);
-  live_->setToolTip(follows ? tr("Follow the newest sample (End)") : tr("A recording has no newest sample to follow"));
-  freeze_->setToolTip(follows ? tr("Stop the picture, not the acquisition (Space)") : tr("A recording stands still"));
+  live_->setToolTip(replayed_ ? tr("Follow the moment of the replay (End)")
+                    : follows ? tr("Follow the newest sample (End)")
+                              : tr("A recording has no newest sample to follow"));
+  freeze_->setToolTip(replayed_ ? tr("Stop the picture, not the replay (Space)")
+                      : follows ? tr("Stop the picture, not the acquisition (Space)")
+                                : tr("A recording stands still"));
   measure_->setChecked(cursors_->any());
   QString text;
   auto tone = theme::Tone::kNeutral;
@@ -175,6 +186,9 @@ void LiveStripToolbar::showState() {
         timeText(std::max<Nanoseconds>(view_->behind(), 0) / (100 * kMillisecond) * (100 * kMillisecond));
     text = (view_->mode() == Mode::kFrozen ? tr("Frozen, %1 behind") : tr("History, %1 behind")).arg(behind);
     tone = theme::Tone::kWarning;
+  } else if (replayed_) {
+    text = tr("Replay");
+    tone = theme::Tone::kBusy;
   }
   auto colors = state_->palette();
   colors.setColor(QPalette::WindowText, theme::toneColor(palette(), tone));

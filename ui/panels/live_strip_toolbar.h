@@ -24,6 +24,8 @@ class LiveStripToolbar final : public QWidget {
   /// Writes the state in words; a few times a second.
   void showState();
 
+  /// What is followed is no machine but a moment of a recording.
+  void setReplayed(bool replayed);
   /// What stands in place of the plots: one of them at most.
   void setWanted(bool distribution, bool stability, bool slaves, bool cycle);
   [[nodiscard]] QSize minimumSizeHint() const override;
@@ -56,6 +58,7 @@ class LiveStripToolbar final : public QWidget {
   };
   std::vector<Length> lengths_;
   QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_, *slaves_, *cycle_, *views_;
+  bool replayed_ = false;
   bool narrow_ = false;  // the views stand in one menu
   ValueLabel *state_, *delta_;
 };

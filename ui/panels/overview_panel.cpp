@@ -140,6 +140,9 @@ void OverviewPanel::setLive(bool live) {
   refresh();
 }
 
+/// Now is the running machine's, or that of the moment of a recording that is shown.
+bool OverviewPanel::hasNow() const { return live_ || (record_ != nullptr && record_->shown_at()); }
+
 void OverviewPanel::showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp) {
   const bool any = record_ != nullptr && !record_->samples().empty();
   if (!any) {
@@ -149,7 +152,7 @@ void OverviewPanel::showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp) {
   const auto state = syncStateText(lamp.state);
   // What has ended says nothing about now.
   pill.setState(live_ || recorded_ ? syncTone(lamp.state) : theme::Tone::kNeutral,
-                live_ ? state : tr("At the end: %1").arg(state));
+                hasNow() ? state : tr("At the end: %1").arg(state));
   text.setText(lampText(lamp, record_->overview()));
 }
 
@@ -161,7 +164,7 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, c
     return is_signed ? signedTimeText(wholeNs(value)) : timeText(wholeNs(value));
   };
   const auto last = record_->samples().last_time();
-  const bool fresh = live_ && figure.now && last - figure.now->time <= record_->samples().longest_gap(signal);
+  const bool fresh = hasNow() && figure.now && last - figure.now->time <= record_->samples().longest_gap(signal);
   card.setMain(fresh ? text(static_cast<double>(figure.now->value)) : noText());
   const bool any = figure.statistics.count() > 0;
   card.setFigure(kMean, any ? text(figure.statistics.mean()) : noText());

@@ -53,6 +53,7 @@ class OverviewPanel final : public QWidget {
  private:
   void openMenu(const QPoint& global);
   void buildVerdict(QWidget& card);
+  [[nodiscard]] bool hasNow() const;
   void showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp);
   void showFigure(FigureCard& card, const OverviewFigure& figure, const OverviewFigure& judged, std::int64_t limit,
                   Signal signal);

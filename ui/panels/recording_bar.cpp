@@ -4,31 +4,37 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QPushButton>
+#include <QToolButton>
 
 #include "ui/session/opened_recording.h"
 #include "ui/text/recorded_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
 
-RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* parent) : QFrame(parent), recording_(recording) {
+RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* transport, QWidget* parent)
+    : QFrame(parent), recording_(recording) {
   setObjectName(QStringLiteral("recordingBar"));
   setAccessibleName(tr("Recording that is shown"));
+  // One row, for height is what a small screen lacks: what it has no room for is told by pointing at it, and the title
+  // of the window names the file.
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(14, 5, 10, 5);
-  layout->setSpacing(8);
-  text_ = named(new QLabel, "recordingBarText", tr("Recording that is shown"));
-  text_->setWordWrap(true);
-  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layout->setContentsMargins(10, 3, 10, 3);
+  layout->setSpacing(2);
+  layout->addWidget(transport, 4);
+  text_ = named(new ValueLabel, "recordingBarText", tr("Recording that is shown"));
+  // Its length is no reason to take room from the slider.
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->addSpacing(8);
   layout->addWidget(text_, 1);
-  auto* close = named(new QPushButton(tr("Close")), "recordingBarClose", tr("Close the recording"));
+  auto* close = named(new QToolButton, "recordingBarClose", tr("Close the recording"));
+  close->setText(tr("Close"));
   close->setToolTip(tr("Shows the project and its machine again"));
-  close->setAutoDefault(false);
-  connect(close, &QPushButton::clicked, &recording_, &OpenedRecording::close);
+  close->setFocusPolicy(Qt::StrongFocus);
+  connect(close, &QToolButton::clicked, &recording_, &OpenedRecording::close);
   layout->addWidget(close);
   connect(&recording_, &OpenedRecording::changed, this, &RecordingBar::refresh);
   refresh();
@@ -37,9 +43,8 @@ RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* parent) : QFrame
 void RecordingBar::refresh() {
   setVisible(recording_.isOpen());
   if (!recording_.isOpen()) return;
-  text_->setText(tr("<b>Recording %1</b> – %2. Nothing here is live.")
-                     .arg(QFileInfo(recording_.path()).fileName().toHtmlEscaped(),
-                          recordingText(recording_.run()).toHtmlEscaped()));
+  text_->setText(
+      tr("Recording %1 (not live): %2").arg(QFileInfo(recording_.path()).fileName(), recordingText(recording_.run())));
   text_->setToolTip(recording_.path());
 }
 

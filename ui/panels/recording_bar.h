@@ -3,18 +3,19 @@
 
 #include <QFrame>
 
-class QLabel;
-
 namespace syncline::ui {
 
 class OpenedRecording;
+class ValueLabel;
 
-/// Stands above everything while a recording is shown: that it is one, of what, when, how long, and the way back.
+/// Stands above everything while a recording is shown: that it is one, of what, when, how long, its transport, and the
+/// way back.
 class RecordingBar final : public QFrame {
   Q_OBJECT
 
  public:
-  explicit RecordingBar(OpenedRecording& recording, QWidget* parent = nullptr);
+  /// Takes the transport.
+  RecordingBar(OpenedRecording& recording, QWidget* transport, QWidget* parent = nullptr);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -24,7 +25,7 @@ class RecordingBar final : public QFrame {
   void refresh();
 
   OpenedRecording& recording_;
-  QLabel* text_;
+  ValueLabel* text_;
 };
 
 }  // namespace syncline::ui

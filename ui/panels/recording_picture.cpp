@@ -15,6 +15,7 @@
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/live_strip_toolbar.h"
+#include "ui/panels/overlay_figures.h"
 #include "ui/panels/overview_panel.h"
 #include "ui/panels/picture_file.h"
 #include "ui/panels/slaves_view.h"
@@ -103,6 +104,8 @@ bool isComplete(const LiveStrip& strip, PictureView view) {
       return strip.stability()->complete();
     case PictureView::kSlaves:
       return strip.slaves()->complete();
+    case PictureView::kPlots:
+      return strip.overlayFigures()->complete();
     default:
       return true;
   }
@@ -126,6 +129,7 @@ Status writeOverview(const ReplayedRun& run, const RecordingPicture& wanted, con
 Status prepare(LiveStrip& strip, const RunRecord& record, const RecordingPicture& wanted) {
   strip.setRecord(&record, true);
   if (wanted.slave >= 0) strip.setPickedSlave(wanted.slave);
+  strip.setOverlay(wanted.overlay);
   if (!wanted.sources.empty()) {
     strip.distribution()->setSources(wanted.sources);
     strip.stability()->setSources(wanted.sources);

@@ -10,6 +10,7 @@
 #include "record/replay_run.h"
 #include "ui/panels/stability_view.h"
 #include "ui/plots/signal_source.h"
+#include "ui/plots/trace_panel.h"
 
 namespace syncline::ui {
 
@@ -26,8 +27,9 @@ struct RecordingPicture {
   std::optional<Range> range{};
   std::vector<SignalSource> sources{};  // of distribution and stability
   std::optional<StabilityView::Figure> figure{};
-  int slave = -1;  // whose curves the plots draw in any case, whose cycle it is
-  QSize size{};    // of the picture in pixels of a screen; empty: what suits the view
+  int slave = -1;                 // whose curves the plots draw in any case, whose cycle it is
+  TracePanel::Overlay overlay{};  // of the view kPlots: what lies over it
+  QSize size{};                   // of the picture in pixels of a screen; empty: what suits the view
 };
 
 /// "overview", "plots", "distribution", "stability", "cycle", "slaves".

@@ -31,6 +31,7 @@ QColor trace(const QPalette& palette, int slot) {
 }
 
 QColor envelope(const QPalette& palette) { return pick(palette, 0xFF8793A0, 0xFF7A8794); }
+QColor overlay(const QPalette& palette) { return pick(palette, 0x9E7B4FA8, 0x9EC39BEA); }
 QColor grid(const QPalette& palette) { return pick(palette, 0xFFE6EAEE, 0xFF2A323B); }
 QColor limitLine(const QPalette& palette) { return theme::toneColor(palette, theme::Tone::kBad); }
 QColor limitFill(const QPalette& palette) { return pick(palette, 0x1400845F, 0x182BBF94); }

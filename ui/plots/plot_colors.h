@@ -14,6 +14,8 @@ inline constexpr int kTraceCount = 6;
 [[nodiscard]] QColor trace(const QPalette& palette, int slot);
 /// For the quantity that bounds or surrounds the others: neutral.
 [[nodiscard]] QColor envelope(const QPalette& palette);
+/// Of another recording over the one that is shown: muted, what lies below shines through.
+[[nodiscard]] QColor overlay(const QPalette& palette);
 [[nodiscard]] QColor grid(const QPalette& palette);
 [[nodiscard]] QColor limitLine(const QPalette& palette);
 [[nodiscard]] QColor limitFill(const QPalette& palette);

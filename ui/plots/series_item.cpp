@@ -73,24 +73,26 @@ void SeriesItem::setSeries(const MinMaxSeries* series) {
 
 std::optional<MinMaxSeries::Reading> SeriesItem::valueAt(Nanoseconds time) const {
   if (series_ == nullptr) return std::nullopt;
-  if (shape_ == Shape::kStep) return series_->held_at(time);
-  auto reading = series_->at(time);
-  if (reading && time - reading->time > max_gap_) reading.reset();
+  const auto own = time - shift_;
+  auto reading = shape_ == Shape::kStep ? series_->held_at(own) : series_->at(own);
+  if (reading && shape_ != Shape::kStep && own - reading->time > max_gap_) reading.reset();
+  if (reading) reading->time += shift_;
   return reading;
 }
 
 void SeriesItem::prepare(const ColumnGrid& grid) {
   grid_ = grid;
+  grid_.origin -= shift_;
   points_.clear();
   extent_.reset();
   if (series_ == nullptr || series_->empty()) return columns_.clear();
   if (held_ != nullptr) hold_until_ = held_->heard();
-  const auto count = series_->count(grid.origin, grid.end());
-  if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid.columns)) {
-    extent_ = extentOf(columns_.of(*series_, grid.origin, grid.end(), grid.width));
+  const auto count = series_->count(grid_.origin, grid_.end());
+  if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid_.columns)) {
+    extent_ = extentOf(columns_.of(*series_, grid_.origin, grid_.end(), grid_.width));
   } else {
     columns_.clear();
-    extent_ = series_->extent(grid.origin, grid.end());
+    extent_ = series_->extent(grid_.origin, grid_.end());
     preparePoints();
   }
 }
@@ -160,7 +162,8 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
     }
     const double top = clampedY(y, high, canvas);
     const double bottom = clampedY(y, low, canvas);
-    const QRectF bar(map(static_cast<double>(i)), top, map.width, std::max(bottom - top, line));
+    // Moved by less than a column, it lies between two of the plot.
+    const QRectF bar(map(grid_.column_of(column.start)), top, map.width, std::max(bottom - top, line));
     if (is_vector) {
       whole.addRect(bar);
     } else {

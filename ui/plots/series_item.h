@@ -52,6 +52,10 @@ class SeriesItem final : public QwtPlotItem {
   void setMaxGap(Nanoseconds gap) { max_gap_ = gap; }
   /// Steps hold their last value as long as this has heard of it; null: until setHoldUntil().
   void setHeldBy(const HeldSeries* held) { held_ = held; }
+  /// By how much its samples are drawn later than they were, ns; of another recording. Every time here is that of the
+  /// plot.
+  void setShift(Nanoseconds shift) { shift_ = shift; }
+  [[nodiscard]] Nanoseconds shift() const { return shift_; }
   /// What is shown as the value at `time`: the reading before it, as long as it is not too old for that.
   [[nodiscard]] std::optional<MinMaxSeries::Reading> valueAt(Nanoseconds time) const;
   /// Steps hold their last value until here.
@@ -80,7 +84,8 @@ class SeriesItem final : public QwtPlotItem {
   QColor color_ = Qt::black;
   Nanoseconds max_gap_ = 100 * kMillisecond;
   Nanoseconds hold_until_ = 0;
-  ColumnGrid grid_;
+  Nanoseconds shift_ = 0;
+  ColumnGrid grid_;  // in the time of the series
   KeptColumns columns_;
   std::vector<QPointF> points_;
   std::optional<MinMaxSeries::Extent> extent_;

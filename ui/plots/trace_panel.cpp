@@ -11,6 +11,7 @@
 
 #include "trace/statistics.h"
 #include "trace/untold.h"
+#include "ui/plots/plot_colors.h"
 #include "ui/plots/signal_source.h"
 #include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
@@ -67,6 +68,47 @@ void TracePanel::setSource(const RunRecord* source) {
   refreshText(true);
 }
 
+void TracePanel::setOverlay(const Overlay& overlay) {
+  const bool other = overlay.record != overlay_.record;
+  overlay_ = overlay;
+  for (auto* item : overlay_items_) item->setShift(overlay_.shift);
+  attachOverlay();
+  if (other) plot_->fitValues();
+  plot_->markDirty();
+  refreshText(false);
+}
+
+SeriesItem* TracePanel::addOverlayItem(SeriesItem::Shape shape) {
+  auto* item = plot_->addItem({}, shape);
+  item->setVisible(false);
+  overlay_items_.push_back(item);
+  return item;
+}
+
+void TracePanel::drawOverlay(SeriesItem& item, Signal signal, std::size_t slave) const {
+  const auto* record = overlay_.record;
+  const bool drawn =
+      record != nullptr && isThere(*record, {signal, slave}) && !record->samples().series(signal, slave).empty();
+  item.setSeries(drawn ? &record->samples().series(signal, slave) : nullptr);
+  item.setVisible(drawn);
+  if (!drawn) return;
+  item.setHeldBy(record->samples().held(signal, slave));
+  item.setMaxGap(record->samples().longest_gap(signal));
+}
+
+LegendBar::Entry TracePanel::overlayEntry(const SeriesItem& item, const QString& name, Nanoseconds time) const {
+  auto result = entry(item, time);
+  result.name = tr("%1 (%2)").arg(name, overlay_.other);
+  result.short_name = overlay_.other;
+  return result;
+}
+
+void TracePanel::nameOwn(LegendBar::Entry& entry) const {
+  if (overlay_.record == nullptr) return;
+  entry.name = tr("%1 (%2)").arg(entry.name, overlay_.own);
+  if (entry.short_name.isEmpty()) entry.short_name = overlay_.own;
+}
+
 void TracePanel::setPickedSlave(int position) {
   picked_ = position;
   refreshText(true);
@@ -96,17 +138,26 @@ QString TracePanel::betweenCursors() {
   if (item == nullptr || item->series() == nullptr) return {};
   const auto begin = std::min(*cursors_->at(CursorSet::kA), *cursors_->at(CursorSet::kB));
   // Every sample between the cursors is visited: only again when that can change something.
-  const Measured key{item->series(), begin, cursors_->delta(),
-                     item->series()->count(begin, begin + std::llabs(cursors_->delta()) + 1)};
+  const auto* other = primaryOfOverlay();
+  if (other != nullptr && other->series() == nullptr) other = nullptr;
+  const Measured key{item->series(),
+                     begin,
+                     cursors_->delta(),
+                     item->series()->count(begin, begin + std::llabs(cursors_->delta()) + 1),
+                     other == nullptr ? nullptr : other->series(),
+                     overlay_.shift};
   if (key == measured_) return measured_text_;
   measured_ = key;
   measured_text_ = measure(*item, begin);
+  if (other != nullptr)
+    measured_text_ = tr("%1: %2   %3: %4").arg(overlay_.own, measured_text_, overlay_.other, measure(*other, begin));
   return measured_text_;
 }
 
 QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
   Statistics statistics;
-  item.series()->for_each(begin, begin + std::llabs(cursors_->delta()) + 1, [&](Nanoseconds, float value) {
+  const auto own = begin - item.shift();
+  item.series()->for_each(own, own + std::llabs(cursors_->delta()) + 1, [&](Nanoseconds, float value) {
     if (!std::isnan(value)) statistics.add(static_cast<double>(value));
   });
   const auto a = item.valueAt(*cursors_->at(CursorSet::kA));
@@ -157,6 +208,7 @@ void TracePanel::applyTheme() {
   readout_->setPalette(palette);
   plot_->applyTheme();
   if (source_ != nullptr) colorItems();
+  for (auto* item : overlay_items_) item->setColor(plot_colors::overlay(this->palette()));
   refreshText(false);
   legend_->update();
 }

@@ -23,6 +23,15 @@ class TracePanel : public QWidget {
 
   /// The source must outlive the panel or be replaced.
   void setSource(const RunRecord* source);
+  /// Another recording over what is shown, later by `shift` ns than it was; null: none. It must outlive the panel or be
+  /// replaced. The names tell whose curve is whose.
+  struct Overlay {
+    const RunRecord* record = nullptr;
+    Nanoseconds shift = 0;
+    QString own, other;
+  };
+  void setOverlay(const Overlay& overlay);
+  [[nodiscard]] const Overlay& overlay() const { return overlay_; }
   /// The slave that is drawn whatever its values are; -1 = none.
   void setPickedSlave(int position);
   [[nodiscard]] int pickedSlave() const { return picked_; }
@@ -40,6 +49,8 @@ class TracePanel : public QWidget {
  protected:
   /// The source is new, or gone: tell the items their series.
   virtual void attach() = 0;
+  /// Another overlay, or none; nothing to do by default.
+  virtual void attachOverlay() {}
   /// Picks slaves anew; nothing to do by default.
   virtual void choose() {}
   virtual void colorItems() = 0;
@@ -49,6 +60,8 @@ class TracePanel : public QWidget {
   [[nodiscard]] virtual QString summary(Nanoseconds time) const = 0;
   /// What the figures between the cursors are of.
   [[nodiscard]] virtual const SeriesItem* primary() const = 0;
+  /// The same of the overlay; null: none.
+  [[nodiscard]] virtual const SeriesItem* primaryOfOverlay() const { return nullptr; }
   [[nodiscard]] virtual QString valueText(double value) const = 0;
 
   void setTitle(const QString& title);
@@ -60,6 +73,14 @@ class TracePanel : public QWidget {
   [[nodiscard]] const TimeView& view() const { return *view_; }
   [[nodiscard]] LegendBar::Entry entry(const SeriesItem& item, Nanoseconds time) const;
   /// The same for a slave's item, with its number as the short name.
+  /// An item that draws the overlay, above the others and in its colour; nothing is drawn yet.
+  [[nodiscard]] SeriesItem* addOverlayItem(SeriesItem::Shape shape);
+  /// The item draws that signal of the overlay; nothing where there is none, or it does not tell it.
+  void drawOverlay(SeriesItem& item, Signal signal, std::size_t slave = 0) const;
+  /// Of an item of the overlay, with its file's name.
+  [[nodiscard]] LegendBar::Entry overlayEntry(const SeriesItem& item, const QString& name, Nanoseconds time) const;
+  /// Adds the file's name to an entry, while there is an overlay to tell it from.
+  void nameOwn(LegendBar::Entry& entry) const;
   [[nodiscard]] LegendBar::Entry slaveEntry(const SeriesItem& item, int position, Nanoseconds time) const;
   [[nodiscard]] QString slaveName(int position) const;
 
@@ -68,6 +89,8 @@ class TracePanel : public QWidget {
     const MinMaxSeries* series = nullptr;
     Nanoseconds begin = 0, delta = 0;
     std::size_t samples = 0;
+    const MinMaxSeries* overlay = nullptr;
+    Nanoseconds shift = 0;
     bool operator==(const Measured&) const = default;
   };
   [[nodiscard]] QString betweenCursors();
@@ -80,6 +103,8 @@ class TracePanel : public QWidget {
   TracePlot* plot_;
   const RunRecord* source_ = nullptr;
   int picked_ = -1;
+  Overlay overlay_;
+  std::vector<SeriesItem*> overlay_items_;
   Measured measured_;
   QString measured_text_;
 };

@@ -263,7 +263,7 @@ bool TracePlot::mouseEvent(QEvent* event) {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       if (mouse->button() != Qt::LeftButton) return false;
       setFocus(Qt::MouseFocusReason);
-      grab(mouse->position());
+      grab(mouse->position(), mouse->modifiers().testFlag(Qt::ControlModifier));
       return true;
     }
     case QEvent::MouseMove:
@@ -308,8 +308,13 @@ bool TracePlot::onLevel(double y) const {
   return level_->level() && std::abs(transform(QwtPlot::yLeft, *level_->level()) - y) <= kGrabDistance;
 }
 
-void TracePlot::grab(const QPointF& place) {
+void TracePlot::grab(const QPointF& place, bool overlay) {
   const double x = place.x();
+  if (overlay) {
+    drag_ = Drag::kOverlay;
+    drag_x_ = grab_x_ = x;
+    return canvas()->setCursor(Qt::SizeHorCursor);
+  }
   drag_ = onLevel(place.y()) ? Drag::kLevel : Drag::kPan;
   drag_x_ = grab_x_ = x;
   const auto reach =
@@ -338,10 +343,11 @@ void TracePlot::drag(const QPointF& place) {
   if (drag_ == Drag::kLevel) Q_EMIT triggerLevelDragged(std::round(invTransform(QwtPlot::yLeft, place.y())));
   if (drag_ == Drag::kCursorA) cursors_->set(CursorSet::kA, timeAt(x));
   if (drag_ == Drag::kCursorB) cursors_->set(CursorSet::kB, timeAt(x));
-  if (drag_ != Drag::kPan || x == drag_x_) return;
+  if ((drag_ != Drag::kPan && drag_ != Drag::kOverlay) || x == drag_x_) return;
   const double per_pixel = static_cast<double>(view_->span()) / std::max(canvas()->contentsRect().width(), 1);
-  view_->pan(static_cast<Nanoseconds>((drag_x_ - x) * per_pixel));
+  const auto by = static_cast<Nanoseconds>((x - drag_x_) * per_pixel);
   drag_x_ = x;
+  drag_ == Drag::kOverlay ? Q_EMIT overlayDragged(by) : view_->pan(-by);
 }
 
 }  // namespace syncline::ui

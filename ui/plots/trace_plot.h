@@ -71,6 +71,8 @@ class TracePlot final : public QwtPlot {
  Q_SIGNALS:
   void menuRequested(const QPoint& global, syncline::Nanoseconds time);
   void triggerLevelDragged(double level);
+  /// Dragged with Ctrl: what lies over the plot is to be later by so many ns.
+  void overlayDragged(syncline::Nanoseconds by);
   /// The mark of an event was clicked.
   void eventClicked(syncline::Nanoseconds time);
 
@@ -89,7 +91,7 @@ class TracePlot final : public QwtPlot {
   bool mouseEvent(QEvent* event);
   void wheel(const QWheelEvent& event);
   void drag(const QPointF& place);
-  void grab(const QPointF& place);
+  void grab(const QPointF& place, bool overlay);
   [[nodiscard]] bool onLevel(double y) const;
   void release(double x);
 
@@ -108,7 +110,7 @@ class TracePlot final : public QwtPlot {
   ColumnGrid grid_;
   bool dirty_ = true;
   std::uint64_t paints_ = 0;
-  enum class Drag { kNone, kPan, kCursorA, kCursorB, kLevel } drag_ = Drag::kNone;
+  enum class Drag { kNone, kPan, kCursorA, kCursorB, kLevel, kOverlay } drag_ = Drag::kNone;
   double drag_x_ = 0, grab_x_ = 0;
   std::optional<double> pointer_x_;
 };

@@ -22,12 +22,10 @@ namespace {
 constexpr std::size_t kLargestTable = 1U << 30;  // bytes: two hours at 1 kHz
 
 /// A table or log that is shown like a recording.
-Result<ReplayedRun> imported(const QString& path) {
+Result<ImportedRun> imported(const QString& path) {
   const auto text = read_whole_file(path.toStdString(), kLargestTable);
   if (!text) return tl::unexpected(text.error());
-  const auto run = import_table(*text, QFileInfo(path).fileName().toStdString());
-  if (!run) return tl::unexpected(run.error());
-  return replayed(*run);
+  return import_table(*text, QFileInfo(path).fileName().toStdString());
 }
 
 }  // namespace
@@ -54,12 +52,25 @@ void OpenedRecording::read(const QString& path) {
 
 void OpenedRecording::cancel() { cancelled_ = true; }
 
+/// A table has to be read whole, so that no moment could be made of it in time: a recording of it is kept beside. Where
+/// there is no room for one it is shown all the same.
+void OpenedRecording::keepForReplay(const ImportedRun& run, Whole& whole) {
+  whole.folder = std::make_unique<QTemporaryDir>();
+  const auto copy = whole.folder->filePath(QStringLiteral("run.slrec")).toStdString();
+  if (!whole.folder->isValid() || !write_recording(run, copy)) return;
+  auto reader = RecordingReader::open(copy);
+  if (!reader) return;
+  if (auto replay = RunReplay::open(std::move(*reader), whole.run)) whole.replay.emplace(std::move(*replay));
+}
+
 /// In the reader's thread.
 OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   if (fileKind(path) == FileKind::kRunTable) {
-    auto run = imported(path);
+    const auto run = imported(path);
     if (!run) return tl::unexpected(run.error());
-    return Whole{std::move(*run), {}};
+    Whole whole{replayed(*run), {}};
+    keepForReplay(*run, whole);
+    return whole;
   }
   auto reader = RecordingReader::open(path.toStdString());
   if (!reader) return tl::unexpected(reader.error());
@@ -84,7 +95,11 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   auto run = replay_run(*reader, std::move(*info), std::move(config), options);
   if (!run) return tl::unexpected(run.error());
   auto messages = messagesOf(*run, MessageModel::kMaximum);
-  return Whole{std::move(*run), std::move(messages)};
+  Whole whole{std::move(*run), std::move(messages)};
+  auto replay = RunReplay::open(std::move(*reader), whole.run);
+  if (!replay) return tl::unexpected(replay.error());
+  whole.replay.emplace(std::move(*replay));
+  return whole;
 }
 
 void OpenedRecording::deliver(const QString& path, Outcome outcome) {
@@ -111,6 +126,7 @@ void OpenedRecording::show() {
 Status OpenedRecording::setNotes(std::vector<RunNote> notes) {
   if (shown_ == nullptr) return {};
   std::ranges::stable_sort(notes, {}, &RunNote::time);
+  if (shown_->replay) shown_->replay->release();
   if (auto status = write_notes(path_.toStdString(), notes); !status) return status;
   auto& run = shown_->run;
   run.info.notes = notes;

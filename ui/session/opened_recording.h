@@ -3,12 +3,16 @@
 
 #include <QObject>
 #include <QString>
+#include <QTemporaryDir>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <thread>
 #include <vector>
 
+#include "record/import_run.h"
 #include "record/replay_run.h"
+#include "record/run_replay.h"
 #include "support/result.h"
 #include "ui/text/message.h"
 
@@ -37,6 +41,8 @@ class OpenedRecording final : public QObject {
   [[nodiscard]] bool isOpen() const { return shown_ != nullptr; }
   /// Of the one that is shown.
   [[nodiscard]] const ReplayedRun& run() const { return shown_->run; }
+  /// Shows it at a moment; null where none is shown, or what it would be read from could not be kept.
+  [[nodiscard]] RunReplay* replay() const { return shown_ && shown_->replay ? &*shown_->replay : nullptr; }
   /// The latest ones, oldest first.
   [[nodiscard]] const std::vector<Message>& messages() const { return shown_->messages; }
   /// Notes in place of those that it has, in its file, too; kFileNotWritable, then they stay as they are.
@@ -59,9 +65,12 @@ class OpenedRecording final : public QObject {
   struct Whole {
     ReplayedRun run;
     std::vector<Message> messages;
+    std::unique_ptr<QTemporaryDir> folder{};  // of a table: a recording of it, to be read again
+    std::optional<RunReplay> replay{};
   };
   using Outcome = Result<Whole>;
   Outcome load(const QString& path);
+  static void keepForReplay(const ImportedRun& run, Whole& whole);
   void deliver(const QString& path, Outcome outcome);
 
   std::thread worker_;

@@ -113,6 +113,13 @@ void TriggerMonitor::arm() {
   begin(from_now ? record_->samples().last_time() + 1 : std::numeric_limits<Nanoseconds>::min());
 }
 
+void TriggerMonitor::setBack() {
+  if (!armed_) return;
+  const auto names = names_;
+  begin(std::numeric_limits<Nanoseconds>::min());
+  names_ = names;
+}
+
 void TriggerMonitor::begin(Nanoseconds from) {
   watch_ = std::make_unique<TriggerWatch>(trigger_, from);
   names_.clear();
@@ -173,7 +180,7 @@ void TriggerMonitor::look() {
 void TriggerMonitor::tellCompleted(bool whole) {
   if (!whole || told_ == watch_->count()) return;
   const auto newest = episodes().back();
-  if (!recorded_ && record_->samples().last_time() < newest.to) return;
+  if (!isWhole() && record_->samples().last_time() < newest.to) return;
   told_ = watch_->count();
   Q_EMIT completed(newest);
 }
@@ -182,7 +189,7 @@ QString TriggerMonitor::stateText() const {
   if (!armed_ || !watch_) return tr("not armed");
   if (record_ == nullptr || record_->samples().empty()) return tr("armed: waits for a run");
   using State = TriggerWatch::State;
-  if (recorded_) return whole_ ? tr("all of the recording was looked at") : tr("looks through the recording");
+  if (isWhole()) return whole_ ? tr("all of the recording was looked at") : tr("looks through the recording");
   switch (watch_->state(record_->samples().first_time(), record_->samples().last_time())) {
     case State::kFilling:
       return tr("fills the time before the trigger");

@@ -36,6 +36,9 @@ class TriggerMonitor final : public QObject {
   /// Of a run from now on, of a recording from its beginning.
   void arm();
   void disarm();
+  /// The recording was set back to an earlier moment, or is shown at one: an armed one looks from its beginning up to
+  /// there.
+  void setBack();
   [[nodiscard]] bool isArmed() const { return armed_; }
   /// The state in words; empty where nothing is shown.
   [[nodiscard]] QString stateText() const;
@@ -60,6 +63,8 @@ class TriggerMonitor final : public QObject {
 
  private:
   void begin(Nanoseconds from);
+  /// All of it is there at once.
+  [[nodiscard]] bool isWhole() const { return recorded_ && !record_->shown_at(); }
   void hearEvents();
   void hearFindings();
   void tellCompleted(bool whole);

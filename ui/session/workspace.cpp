@@ -77,7 +77,13 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&runs_, &NetworkRuns::begun, this, [this](int run, qint64 moment) { messages_.setRunBegin(run, moment); });
   connect(&runs_, &NetworkRuns::findingsChanged, this, [this] { showRunFindings(); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);
-  connect(&recording_, &OpenedRecording::notesChanged, this, [this] { messages_.showOther(recording_.messages()); });
+  connect(&recording_, &OpenedRecording::notesChanged, this, [this] {
+    messages_.showOther(recording_.messages());
+    showMoment();
+  });
+  connect(&replay_, &RecordingReplay::moved, this, &Workspace::showMoment);
+  connect(&replay_, &RecordingReplay::failed, this,
+          [this](const Error& error) { report(error, Severity::kError, tr("Replay")); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::mayEditSlavesChanged);
   connect(&live(), &LiveSession::phaseChanged, this, &Workspace::mayEditSlavesChanged);
   connect(this, &Workspace::mayEditSlavesChanged, this, [this] { network_.setFixed(!mayEditSlaves()); });
@@ -140,6 +146,7 @@ const RunRecord* Workspace::shownRecord() const {
 
 /// Its events and findings in place of those of the run, which come back when it is closed.
 void Workspace::showRecording() {
+  found_shown_ = true;
   if (recording_.isOpen()) {
     messages_.showOther(recording_.messages());
     messages_.setRunBegin(kRecordedRun, recording_.run().record->overview().begin);
@@ -148,6 +155,17 @@ void Workspace::showRecording() {
   }
   showFindings();
   showRunFindings();
+}
+
+/// What was told up to the moment of the recording that is shown, and found by then.
+void Workspace::showMoment() {
+  if (!recording_.isOpen()) return;
+  const auto& told = recording_.messages();
+  const auto until = replay_.isActive() && !replay_.isAtEnd() ? replay_.moment() : INT64_MAX;
+  const auto later = std::ranges::upper_bound(told, until, {}, &Message::moment);
+  messages_.showOtherUntil(told, static_cast<std::size_t>(later - told.begin()));
+  const bool found = until == INT64_MAX;
+  if (found != std::exchange(found_shown_, found)) showRunFindings();
 }
 
 QString Workspace::whySlavesStay() const {
@@ -184,7 +202,7 @@ Status Workspace::putNote(const RunNote& note) {
     runs_.current().run.addNote(note);
     return {};
   }
-  auto notes = recording_.run().record->notes();
+  auto notes = recording_.run().info.notes;
   std::erase_if(notes, [&note](const RunNote& old) { return old.time == note.time; });
   if (!note.text.empty()) notes.push_back(note);
   return recording_.setNotes(std::move(notes));

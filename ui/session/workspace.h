@@ -16,6 +16,8 @@
 #include "ui/session/network_runs.h"
 #include "ui/session/opened_recording.h"
 #include "ui/session/project_document.h"
+#include "ui/session/recording_overlay.h"
+#include "ui/session/recording_replay.h"
 #include "ui/session/run_difference.h"
 #include "ui/session/running_slaves.h"
 #include "ui/session/scan_controller.h"
@@ -66,6 +68,10 @@ class Workspace final : public QObject {
   [[nodiscard]] DiskRecording& disk() { return runs_.current().disk; }
   /// A recording that is shown in place of the live run, while nothing runs.
   [[nodiscard]] OpenedRecording& recording() { return recording_; }
+  /// Plays it.
+  [[nodiscard]] RecordingReplay& replay() { return replay_; }
+  /// Another one, laid over it.
+  [[nodiscard]] RecordingOverlay& overlay() { return overlay_; }
   /// What plots and figures show: the recording that is open, else the run; null before the first.
   [[nodiscard]] const RunRecord* shownRecord() const;
   [[nodiscard]] FindingModel& findings() { return findings_; }
@@ -122,6 +128,7 @@ class Workspace final : public QObject {
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
   void showRunFindings();
   void showRecording();
+  void showMoment();
 
   Environment environment_;
   WindowMemory memory_;
@@ -141,8 +148,11 @@ class Workspace final : public QObject {
   VariableWatch variables_;
   RunDifference run_difference_;
   OpenedRecording recording_;
+  RecordingReplay replay_{recording_};
+  RecordingOverlay overlay_{recording_};
   TriggerMonitor trigger_{memory_};
   FindingModel findings_;
+  bool found_shown_ = true;  // of a moment of a recording nothing is found, see RunRecord::findings()
   MessageModel messages_;
   NetworkModel network_;
   CableCounters cables_;

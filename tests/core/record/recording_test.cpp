@@ -192,7 +192,7 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
 TEST_F(RecordingFile, ReplaysWhatWasDrawn) {
   auto config = with_sync0();
   about_.sync0 = sync0_slaves(config);
-  RunRecord live(config);
+  RunRecord live(config, 16'384);  // as much as a recording of that length keeps
   auto recorder = start();
   test::MadeSamples made(11);
   for (int i = 0; i < 150; ++i) {

@@ -43,7 +43,11 @@ TEST(KeptColumns, AreThoseOfTheSeriesHoweverTheWindowMovesAndTheSeriesGrows) {
     const auto what = random.uniform();
     if (what < 0.01) growing.series.clear();
     if (what > 0.97) width = 1 + static_cast<Nanoseconds>(random.uniform() * 200);
+    // A recording is shown up to a moment, and whole again before anything comes.
+    growing.series.show_until(std::numeric_limits<Nanoseconds>::max());
     growing.grow(static_cast<int>(random.uniform() * 60));
+    if (random.uniform() < 0.3)
+      growing.series.show_until(growing.time - static_cast<Nanoseconds>(random.uniform() * 9'000));
     // Mostly it follows the newest sample.
     const auto end = growing.time + (what < 0.8 ? 1 : static_cast<Nanoseconds>(random.uniform(-20'000, 5'000)));
     const auto begin = end - static_cast<Nanoseconds>(random.uniform(-10, 20'000));

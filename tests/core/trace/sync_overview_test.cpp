@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 namespace syncline {
@@ -55,12 +56,14 @@ TEST(SyncOverview, ALampSaysSinceWhenAndWhenItWasLost) {
   EXPECT_EQ(lamp.times_lost, 1U);
 }
 
-/// What a recording has before its run was armed is not judged; from then on all is, in sync or not.
+/// From when its run was armed last on all is judged, in sync or not, and nothing of before; until then as the run was,
+/// which had armed itself.
 TEST(SyncOverview, OfARecordingItIsArmedWhenItsRunWas) {
   OverviewRecorder recorder(1);
   recorder.arm_from(at(10));
-  for (int ms = 0; ms < 10; ++ms) feed(recorder, sample(ms, SyncState::kInSync, 900));
-  EXPECT_FALSE(recorder.overview().armed);
+  for (int ms = 0; ms < 10; ++ms) feed(recorder, sample(ms, ms < 3 ? SyncState::kBusy : SyncState::kInSync, 900));
+  EXPECT_EQ(recorder.overview().armed, at(3));
+  EXPECT_EQ(recorder.overview().deviation.largest->value, 900);
   for (int ms = 10; ms < 20; ++ms) feed(recorder, sample(ms, SyncState::kOutOfSync, 20));
   EXPECT_EQ(recorder.overview().armed, at(10));
   EXPECT_EQ(recorder.overview().deviation.largest->value, 20);
@@ -70,6 +73,10 @@ TEST(SyncOverview, OfARecordingItIsArmedWhenItsRunWas) {
   later.arm_from(at(10));
   feed(later, sample(50, SyncState::kOutOfSync));
   EXPECT_EQ(later.overview().armed, at(50)) << "of what was before nothing is known";
+  OverviewRecorder never(1);
+  never.arm_from(std::numeric_limits<Nanoseconds>::max());
+  feed(never, sample(50, SyncState::kInSync));
+  EXPECT_FALSE(never.overview().armed) << "it was held against something else at its end";
 }
 
 TEST(SyncOverview, NothingWasLostByWhatWasSetAnew) {
