@@ -77,7 +77,9 @@ void SeriesItem::prepare(const ColumnGrid& grid) {
   if (held_ != nullptr) hold_until_ = held_->heard();
   extent_ = series_->extent(grid.origin, grid.end());
   const auto count = series_->count(grid.origin, grid.end());
-  if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid.columns)) {
+  if (shape_ == Shape::kStep && count > kDense * static_cast<std::size_t>(grid.columns)) {
+    series_->step_columns(grid.origin, grid.end(), grid.width, std::max(hold_until_, series_->last_time()), columns_);
+  } else if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid.columns)) {
     series_->columns(grid.origin, grid.end(), grid.width, columns_);
   } else {
     preparePoints();
@@ -138,7 +140,8 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
     const auto& column = columns_[i];
     if (!column.valid) {
       // A column without a sample of a slower series is no gap as long as its neighbours are near.
-      if (previous != nullptr && column.start - previous->start > max_gap_) previous = nullptr;
+      const bool step = shape_ == Shape::kStep;
+      if (previous != nullptr && (step || column.start - previous->start > max_gap_)) previous = nullptr;
       continue;
     }
     float low = column.min;
