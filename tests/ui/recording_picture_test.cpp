@@ -192,7 +192,6 @@ TEST_F(RecordingPictureTest, OwnPlotsAreOfAnySignals) {
   for (const char* none :
        {"poem", "cycle", "al_status", "al_status@2", "al_status@", "al_status@1@1", "dcm_error_ns@0"})
     EXPECT_FALSE(drawnSignalOf(QLatin1String(none), *run.record).has_value()) << none;
-  wanted.size = {1280, 700};
   const auto words = wordsOf(written(wanted, "own.svg"));
   for (const char* name : {"Working counter, received", "DCM error", "#0 Coupler: Deviation", "#1 Servo: AL state"})
     EXPECT_THAT(words, HasSubstr(name));

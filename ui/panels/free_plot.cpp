@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/free_plot.h"
 
+#include <qwt_scale_draw.h>
 #include <qwt_text.h>
 
 #include <QActionGroup>
@@ -23,6 +24,8 @@ namespace {
 /// So many arrival phases are kept at once (ArrivalSeries::kMostKept), and other views need some of them.
 constexpr int kMostDerived = 12;
 
+constexpr double kLabelExtent = 50;  // logical pixels
+
 bool isDerived(const SignalSource& source) { return info(source.signal).form == SignalInfo::Form::kDerived; }
 
 QToolButton* headButton(const char* name, const QString& text, const QString& spoken) {
@@ -40,6 +43,9 @@ FreePlot::FreePlot(TimeView* view, CursorSet* cursors, QWidget* parent)
     : TracePanel({}, axisFor({}), view, cursors, parent),
       choose_(headButton("freePlotSignals", tr("Signals…"), tr("Choose signals and axes"))),
       menu_(headButton("freePlotMenu", QStringLiteral("\u22EF"), tr("Menu of this plot"))) {
+  // Decades have longer labels: whatever its scale is, a plot has its canvas where the others have theirs.
+  for (const auto side : {TracePlot::kLeft, TracePlot::kRight})
+    plot()->axisScaleDraw(plot()->axis(side).id())->setMinimumExtent(kLabelExtent);
   addToHead(choose_);
   addToHead(menu_);
   connect(choose_, &QToolButton::clicked, this, &FreePlot::settingsWanted);

@@ -29,6 +29,7 @@ namespace {
 
 constexpr qint64 kTimeoutMs = 60'000;
 constexpr QSize kUsual(1280, 460), kUsualOfSlaves(1760, 460);  // all columns of the table
+constexpr int kCaptionRoom = 60;                               // with some more for the plots
 constexpr QSize kLeastRoom(600, 160);                          // the window lets no view have less
 
 struct ViewName {
@@ -250,7 +251,10 @@ Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wan
   LiveStrip strip;
   strip.findChild<LiveStripToolbar*>()->hide();  // no part of the picture, and wider than many are to be
   if (auto status = prepare(strip, run, wanted); !status) return status;
-  const auto usual = wanted.view == PictureView::kSlaves ? kUsualOfSlaves : kUsual;
+  auto usual = wanted.view == PictureView::kSlaves ? kUsualOfSlaves : kUsual;
+  // As many plots as there are have room.
+  if (wanted.view == PictureView::kFree)
+    usual.setHeight(std::max(usual.height(), strip.free()->canvas()->minimumHeight() + kCaptionRoom));
   const auto size = wanted.size.isEmpty() ? usual : wanted.size;
   strip.setMinimumSize(1, 1);  // that of the view alone counts
   strip.resize(size);

@@ -7,6 +7,7 @@
 #include <qwt_text.h>
 #include <qwt_transform.h>
 
+#include <QFontMetrics>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -72,6 +73,15 @@ QList<double> decadeTicks(const ValueTransform& transform, double low, double hi
   }
   std::ranges::sort(ticks);
   return ticks;
+}
+
+/// Along a low axis the unit alone, or what has room of the quantity.
+QString titleFor(const QString& quantity, const QString& unit, const QFont& font, int height) {
+  const QFontMetrics metrics(font);
+  const auto whole = unit.isEmpty() ? quantity : quantity + QStringLiteral(" / ") + unit;
+  // The plot has no height before it is laid out.
+  if (height <= 0 || metrics.horizontalAdvance(whole) <= height) return whole;
+  return unit.isEmpty() ? metrics.elidedText(quantity, Qt::ElideRight, height) : unit;
 }
 
 }  // namespace
@@ -174,8 +184,7 @@ void ValueAxis::apply(const QPalette& palette, const QFont& font, int height) {
   applyTicks(height);
   if (!numbers_) unit.name.clear();
   QwtText title(!numbers_ && axis_ == QwtPlot::yRight ? QStringLiteral(" ")
-                : unit.name.isEmpty()                 ? options_.quantity
-                                                      : options_.quantity + QStringLiteral(" / ") + unit.name);
+                                                      : titleFor(options_.quantity, unit.name, font, height));
   title.setFont(font);
   title.setColor(theme::mutedText(palette));
   if (plot_.axisTitle(axis_) != title) plot_.setAxisTitle(axis_, title);
