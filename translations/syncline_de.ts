@@ -3588,6 +3588,10 @@ Einstellung %2</translation>
 <context>
     <name>TracePlot</name>
         <message>
+            <source>project ±%1</source>
+            <translation>Projekt ±%1</translation>
+        </message>
+        <message>
             <source>%1 (not linked)</source>
             <translation>%1 (nicht verbunden)</translation>
         </message>

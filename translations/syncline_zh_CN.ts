@@ -3574,6 +3574,10 @@ Setting %2</source>
 <context>
     <name>TracePlot</name>
         <message>
+            <source>project ±%1</source>
+            <translation>项目 ±%1</translation>
+        </message>
+        <message>
             <source>%1 (not linked)</source>
             <translation>%1（未联动）</translation>
         </message>

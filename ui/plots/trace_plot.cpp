@@ -416,8 +416,7 @@ void TracePlot::drag(const QPointF& place) {
   if (drag_ == Drag::kLevel) Q_EMIT triggerLevelDragged(std::round(invTransform(level_->yAxis(), place.y())));
   if (drag_ == Drag::kLimit) {
     dragged_limit_ = std::round(std::abs(invTransform(band_->yAxis(), place.y())));
-    band_->setWanted(*dragged_limit_,
-                     QStringLiteral("\u00B1%1").arg(timeText(static_cast<Nanoseconds>(*dragged_limit_))));
+    band_->setWanted(*dragged_limit_, tr("project \u00B1%1").arg(timeText(static_cast<Nanoseconds>(*dragged_limit_))));
     markDirty();
   }
   if (drag_ == Drag::kCursorA) cursors_->set(CursorSet::kA, timeAt(x));
