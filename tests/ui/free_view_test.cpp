@@ -383,6 +383,17 @@ TEST_F(FreeViewTest, ThePictureIsOfAllPlots) {
   EXPECT_TRUE(plot(0).findChild<QToolButton*>(QStringLiteral("freePlotSignals"))->isVisible());
 }
 
+/// A band without its name says nothing of whose it is.
+TEST_F(FreeViewTest, BandsHaveRoomForTheirNames) {
+  std::vector<ViewSignal> states;
+  for (int i = 0; i < 20; ++i) states.push_back(ofSlave(static_cast<std::uint16_t>(1001 + i % 2), "al_status"));
+  strip.resize(1000, 300);
+  showView(viewWith(states));
+  const auto& canvas = *plot(0).plot()->canvas();
+  EXPECT_GE(canvas.height(), 20 * (canvas.fontMetrics().height() - 1)) << "the rest is scrolled to";
+  EXPECT_LE(strip.height(), 320);
+}
+
 TEST_F(FreeViewTest, PlotsAreMovedAndGrow) {
   auto view = viewWith({ofBus("dcm_error_ns")});
   view.plots.push_back(viewWith({ofBus("drift_ppm")}).plots.front());

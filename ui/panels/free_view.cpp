@@ -30,6 +30,14 @@ namespace {
 constexpr int kLeastPlot = 140, kBetween = 6;  // logical pixels
 constexpr int kHeightSum = 100;                // of a plot, on average
 
+/// Bands have room for their names, and curves for themselves below them.
+int leastHeight(const ViewPlot& plot) {
+  constexpr int kAround = 84, kBand = 15, kBandBesideCurves = 30;
+  const auto states = static_cast<int>(std::ranges::count_if(plot.signals, isState));
+  const bool alone = static_cast<std::size_t>(states) == plot.signals.size();
+  return std::max(kLeastPlot, kAround + states * (alone ? kBand : kBandBesideCurves));
+}
+
 AxisLimits shownBy(const TracePlot& plot, TracePlot::Side side) {
   return {plot.axis(side).low(), plot.axis(side).high()};
 }
@@ -264,7 +272,6 @@ void FreeView::makePlots(std::size_t count) {
   while (plots_.size() < count) {
     const auto number = static_cast<int>(plots_.size());
     auto* plot = new FreePlot(view_, cursors_);
-    plot->setMinimumHeight(kLeastPlot);
     plot->plot()->marks().setMarks(marks_);
     plot->setSource(record_);
     connect(plot, &FreePlot::edited, this, [this, number](const ViewPlot& wanted) { changePlot(number, wanted); });
@@ -274,7 +281,6 @@ void FreeView::makePlots(std::size_t count) {
     splitter_->addWidget(plot);
     plots_.push_back(plot);
   }
-  splitter_->setMinimumHeight(static_cast<int>(count) * (kLeastPlot + kBetween));
   Q_EMIT plotsChanged();
 }
 
@@ -286,10 +292,14 @@ void FreeView::showCurrent() {
   });
   for (auto* plot : plots_) plot->plot()->setRightReserved(right);
   QList<int> heights;
+  int least = 0;
   for (std::size_t i = 0; i < plots_.size(); ++i) {
+    plots_[i]->setMinimumHeight(leastHeight(view.plots[i]));
+    least += plots_[i]->minimumHeight() + kBetween;
     plots_[i]->setPlot(view.plots[i], static_cast<int>(i), static_cast<int>(plots_.size()));
     heights << view.plots[i].height * 10;
   }
+  splitter_->setMinimumHeight(least);
   const auto now = splitter_->sizes();
   const int sum = std::max(1, std::accumulate(now.begin(), now.end(), 0));
   const int wanted = std::max(1, std::accumulate(heights.begin(), heights.end(), 0));
