@@ -10282,6 +10282,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 <context>
     <name>FreePlot</name>
         <message>
+            <source>not drawn</source>
+            <translation>nicht gezeichnet</translation>
+        </message>
+        <message>
             <source>Signals…</source>
             <translation>Signale…</translation>
         </message>

@@ -10224,6 +10224,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 <context>
     <name>FreePlot</name>
         <message>
+            <source>not drawn</source>
+            <translation>未绘制</translation>
+        </message>
+        <message>
             <source>Signals…</source>
             <translation>信号…</translation>
         </message>

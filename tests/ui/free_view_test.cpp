@@ -383,6 +383,24 @@ TEST_F(FreeViewTest, ThePictureIsOfAllPlots) {
   EXPECT_TRUE(plot(0).findChild<QToolButton*>(QStringLiteral("freePlotSignals"))->isVisible());
 }
 
+/// The store keeps sixteen arrival phases at once; others than these twelve are named and not drawn.
+TEST_F(FreeViewTest, ArrivalPhasesAreAsManyAsAreKept) {
+  std::vector<ViewSignal> phases;
+  for (int i = 0; i < 10; ++i) phases.push_back(ofSlave(static_cast<std::uint16_t>(1001 + i % 2), "arrival_phase_ns"));
+  auto view = viewWith(phases);
+  view.plots.push_back(view.plots.front());
+  showView(view);
+  const auto drawn = [this](std::size_t number) {
+    return std::ranges::count_if(plot(number).plot()->items(), &SeriesItem::isVisible);
+  };
+  EXPECT_EQ(drawn(0), 10);
+  EXPECT_EQ(drawn(1), 2);
+  EXPECT_THAT(legend(1), HasSubstr("not drawn"));
+  free().removePlot(0);
+  settle();
+  EXPECT_EQ(drawn(0), 10);
+}
+
 /// A band without its name says nothing of whose it is.
 TEST_F(FreeViewTest, BandsHaveRoomForTheirNames) {
   std::vector<ViewSignal> states;

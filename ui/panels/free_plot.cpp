@@ -21,9 +21,6 @@
 namespace syncline::ui {
 namespace {
 
-/// So many arrival phases are kept at once (ArrivalSeries::kMostKept), and other views need some of them.
-constexpr int kMostDerived = 12;
-
 constexpr double kLabelExtent = 50;  // logical pixels
 
 bool isDerived(const SignalSource& source) { return info(source.signal).form == SignalInfo::Form::kDerived; }
@@ -60,7 +57,9 @@ FreePlot::FreePlot(TimeView* view, CursorSet* cursors, QWidget* parent)
 FreePlot::~FreePlot() = default;
 
 void FreePlot::setPlot(const ViewPlot& plot, int number, int count) {
-  const bool same = plot == shown_ && number == number_ && count == count_ && !curves_.empty();
+  const bool same =
+      plot == shown_ && number == number_ && count == count_ && drawn_derived_ == most_derived_ && !curves_.empty();
+  drawn_derived_ = most_derived_;
   number_ = number;
   count_ = count;
   setObjectName(QStringLiteral("freePlot%1").arg(number));
@@ -78,6 +77,13 @@ void FreePlot::setPlot(const ViewPlot& plot, int number, int count) {
   attach();
   if (hasSource()) colorItems();
   refreshText(true);
+}
+
+int FreePlot::derivedOf(const ViewPlot& plot) {
+  return static_cast<int>(std::ranges::count_if(plot.signals, [](const ViewSignal& signal) {
+    const auto* row = rowOf(signal);
+    return row != nullptr && row->form == SignalInfo::Form::kDerived;
+  }));
 }
 
 void FreePlot::follow() {
@@ -139,7 +145,7 @@ void FreePlot::attach() {
     Curve curve;
     curve.signal = i;
     curve.source = sourceOf(source(), shown_.signals[i]);
-    if (curve.source && isDerived(*curve.source) && ++derived > kMostDerived) curve.source.reset();
+    if (curve.source && isDerived(*curve.source) && ++derived > most_derived_) curve.source.reset();
     attachCurve(curve);
     curves_.push_back(std::move(curve));
   }
@@ -260,7 +266,8 @@ std::vector<LegendBar::Entry> FreePlot::entries(Nanoseconds time) const {
       one.color = theme::outline(palette());
       one.shape = SeriesItem::Shape::kEnvelope;
       const auto state = curve.band == nullptr ? QString() : curve.band->stateAt(time);
-      one.value = curve.band == nullptr ? tr("not there") : state.isEmpty() ? noText() : state;
+      one.value = state.isEmpty() ? noText() : state;
+      if (curve.band == nullptr) one.value = sourceOf(source(), signal) ? tr("not drawn") : tr("not there");
     }
     if (signal.right) one.name = tr("%1 (right)").arg(one.name);
     if (signal.of == ViewSignal::Of::kSlave && curve.source) {

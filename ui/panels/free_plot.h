@@ -27,6 +27,11 @@ class FreePlot final : public TracePanel {
   /// `number` from 0, of `count`: its place in the view.
   void setPlot(const ViewPlot& plot, int number, int count);
   [[nodiscard]] const ViewPlot& settings() const { return shown_; }
+  /// Of signals that are made only when somebody looks (arrival phases) so many are drawn at most, from the next plot
+  /// or run on: the store keeps few at once.
+  void setMostDerived(int most) { most_derived_ = most; }
+  /// So many has it of them, drawn or not.
+  [[nodiscard]] static int derivedOf(const ViewPlot& plot);
   /// Variables may be watched now that were not.
   void follow();
   /// Redraws when something changed and it can be seen.
@@ -80,7 +85,7 @@ class FreePlot final : public TracePanel {
   void change(ViewPlot plot);
 
   ViewPlot shown_;
-  int number_ = 0, count_ = 1;
+  int number_ = 0, count_ = 1, most_derived_ = 0, drawn_derived_ = 0;
   std::vector<SeriesItem*> items_;  // made so far, used or not
   std::vector<BandItem*> bands_;
   std::vector<Curve> curves_;

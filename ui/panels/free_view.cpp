@@ -28,7 +28,9 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kLeastPlot = 140, kBetween = 6;  // logical pixels
-constexpr int kHeightSum = 100;                // of a plot, on average
+/// So many arrival phases are drawn at most: ArrivalSeries::kMostKept are kept at once, and other views need some.
+constexpr int kMostDerived = 12;
+constexpr int kHeightSum = 100;  // of a plot, on average
 
 /// Bands have room for their names, and curves for themselves below them.
 int leastHeight(const ViewPlot& plot) {
@@ -292,9 +294,11 @@ void FreeView::showCurrent() {
   });
   for (auto* plot : plots_) plot->plot()->setRightReserved(right);
   QList<int> heights;
-  int least = 0;
+  int least = 0, derived = kMostDerived;
   for (std::size_t i = 0; i < plots_.size(); ++i) {
     plots_[i]->setMinimumHeight(leastHeight(view.plots[i]));
+    plots_[i]->setMostDerived(std::max(derived, 0));
+    derived -= FreePlot::derivedOf(view.plots[i]);
     least += plots_[i]->minimumHeight() + kBetween;
     plots_[i]->setPlot(view.plots[i], static_cast<int>(i), static_cast<int>(plots_.size()));
     heights << view.plots[i].height * 10;
