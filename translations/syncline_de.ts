@@ -937,6 +937,98 @@
 <context>
     <name>LiveStrip</name>
         <message>
+            <source>Limit in the plots</source>
+            <translation>Grenze in den Diagrammen</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Grenze</translation>
+        </message>
+        <message>
+            <source>Limit in the project, such as 127 ns or 4 us. The sync window takes the nearest 2ⁿ − 1 ns.</source>
+            <translation>Grenze im Projekt, etwa 127 ns oder 4 us. Das Sync-Fenster nimmt die nächsten 2ⁿ − 1 ns.</translation>
+        </message>
+        <message>
+            <source>That is no limit. A number above zero with ns, us or ms:</source>
+            <translation>Das ist keine Grenze. Eine Zahl über null mit ns, us oder ms:</translation>
+        </message>
+        <message>
+            <source>Limit in the project…</source>
+            <translation>Grenze im Projekt…</translation>
+        </message>
+        <message>
+            <source>Distance of the Cursors</source>
+            <translation>Abstand der Cursor</translation>
+        </message>
+        <message>
+            <source>From A to B, such as 12.5 ms, 250 us, -1 s, or 50 Hz:</source>
+            <translation>Von A nach B, etwa 12,5 ms, 250 us, -1 s oder 50 Hz:</translation>
+        </message>
+        <message>
+            <source>That is no time. A number with ns, us, ms, s or Hz:</source>
+            <translation>Das ist keine Zeit. Eine Zahl mit ns, us, ms, s oder Hz:</translation>
+        </message>
+        <message>
+            <source>Distance of the cursors…</source>
+            <translation>Abstand der Cursor…</translation>
+        </message>
+        <message>
+            <source>Cursors stay on the screen</source>
+            <translation>Cursor bleiben auf dem Bildschirm</translation>
+        </message>
+        <message>
+            <source>Time axis</source>
+            <translation>Zeitachse</translation>
+        </message>
+        <message>
+            <source>Before now, or since the start</source>
+            <translation>Vor jetzt, oder seit dem Start</translation>
+        </message>
+        <message>
+            <source>Since the start</source>
+            <translation>Seit dem Start</translation>
+        </message>
+        <message>
+            <source>Time of day (UTC)</source>
+            <translation>Uhrzeit (UTC)</translation>
+        </message>
+        <message>
+            <source>Number of the cycle</source>
+            <translation>Nummer des Zyklus</translation>
+        </message>
+        <message>
+            <source>System time of the reference clock</source>
+            <translation>Systemzeit der Referenzuhr</translation>
+        </message>
+        <message>
+            <source>Value scale of this plot</source>
+            <translation>Teilung der Werte dieses Diagramms</translation>
+        </message>
+        <message>
+            <source>Linear</source>
+            <translation>Linear</translation>
+        </message>
+        <message>
+            <source>Signed logarithmic</source>
+            <translation>Logarithmisch mit Vorzeichen</translation>
+        </message>
+        <message>
+            <source>Logarithmic</source>
+            <translation>Logarithmisch</translation>
+        </message>
+        <message>
+            <source>Value limits of this plot…</source>
+            <translation>Grenzen der Werte dieses Diagramms…</translation>
+        </message>
+        <message>
+            <source>Own time axis of this plot</source>
+            <translation>Eigene Zeitachse dieses Diagramms</translation>
+        </message>
+        <message>
+            <source>Copy figures</source>
+            <translation>Zahlen kopieren</translation>
+        </message>
+        <message>
             <source>Note here…</source>
             <translation>Notiz hier…</translation>
         </message>
@@ -1038,6 +1130,14 @@
 </context>
 <context>
     <name>LiveStripToolbar</name>
+        <message>
+            <source>Own Plots</source>
+            <translation>Eigene Diagramme</translation>
+        </message>
+        <message>
+            <source>Any signals in as many plots as you like, instead of these; kept with the project</source>
+            <translation>Beliebige Signale in beliebig vielen Diagrammen anstelle dieser; mit dem Projekt gespeichert</translation>
+        </message>
         <message>
             <source>Trigger</source>
             <translation>Trigger</translation>
@@ -3481,6 +3581,42 @@ Einstellung %2</translation>
 <context>
     <name>TracePanel</name>
         <message>
+            <source>project ±%1</source>
+            <translation>Projekt ±%1</translation>
+        </message>
+        <message>
+            <source>Signal</source>
+            <translation>Signal</translation>
+        </message>
+        <message>
+            <source>At A</source>
+            <translation>Bei A</translation>
+        </message>
+        <message>
+            <source>At B</source>
+            <translation>Bei B</translation>
+        </message>
+        <message>
+            <source>B−A</source>
+            <translation>B−A</translation>
+        </message>
+        <message>
+            <source>Smallest</source>
+            <translation>Kleinster</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>Größter</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>Mittel</translation>
+        </message>
+        <message>
+            <source>Samples</source>
+            <translation>Werte</translation>
+        </message>
+        <message>
             <source>Legend: %1</source>
             <translation>Legende: %1</translation>
         </message>
@@ -3511,6 +3647,30 @@ Einstellung %2</translation>
 </context>
 <context>
     <name>TracePlot</name>
+        <message>
+            <source>project ±%1</source>
+            <translation>Projekt ±%1</translation>
+        </message>
+        <message>
+            <source>%1 (not linked)</source>
+            <translation>%1 (nicht verbunden)</translation>
+        </message>
+        <message>
+            <source>UTC, %1</source>
+            <translation>UTC, %1</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
+        <message>
+            <source>System time: not known</source>
+            <translation>Systemzeit: nicht bekannt</translation>
+        </message>
+        <message>
+            <source>System time − %1 s / s</source>
+            <translation>Systemzeit − %1 s / s</translation>
+        </message>
         <message>
             <source>Time before now</source>
             <translation>Zeit vor jetzt</translation>
@@ -10524,6 +10684,571 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>The recording %1 could not be opened.</source>
             <translation>Die Aufzeichnung %1 konnte nicht geöffnet werden.</translation>
+        </message>
+</context>
+<context>
+    <name>Signals</name>
+        <message>
+            <source>Port %1: invalid frames</source>
+            <translation>Port %1: ungültige Frames</translation>
+        </message>
+        <message>
+            <source>Port %1: receive errors</source>
+            <translation>Port %1: Empfangsfehler</translation>
+        </message>
+        <message>
+            <source>Port %1: forwarded errors</source>
+            <translation>Port %1: weitergeleitete Fehler</translation>
+        </message>
+        <message>
+            <source>Port %1: lost links</source>
+            <translation>Port %1: verlorene Links</translation>
+        </message>
+        <message>
+            <source>Working counter, expected</source>
+            <translation>Working Counter, erwartet</translation>
+        </message>
+        <message>
+            <source>Working counter, received</source>
+            <translation>Working Counter, empfangen</translation>
+        </message>
+        <message>
+            <source>Frames lost in a cycle</source>
+            <translation>In einem Zyklus verlorene Frames</translation>
+        </message>
+        <message>
+            <source>Cycles left out before a cycle</source>
+            <translation>Vor einem Zyklus ausgelassene Zyklen</translation>
+        </message>
+        <message>
+            <source>Synchronisation of the slaves</source>
+            <translation>Synchronisation der Slaves</translation>
+        </message>
+        <message>
+            <source>Synchronisation of the master</source>
+            <translation>Synchronisation des Masters</translation>
+        </message>
+        <message>
+            <source>Lowest AL state of all slaves</source>
+            <translation>Niedrigster AL-Zustand aller Slaves</translation>
+        </message>
+        <message>
+            <source>Lost frames</source>
+            <translation>Verlorene Frames</translation>
+        </message>
+        <message>
+            <source>Late frames</source>
+            <translation>Verspätete Frames</translation>
+        </message>
+        <message>
+            <source>Cycles left out</source>
+            <translation>Ausgelassene Zyklen</translation>
+        </message>
+        <message>
+            <source>Wrong working counters</source>
+            <translation>Falsche Working Counter</translation>
+        </message>
+        <message>
+            <source>Frames too late for SYNC0</source>
+            <translation>Frames zu spät für SYNC0</translation>
+        </message>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>Verpasste SM2-Ereignisse</translation>
+        </message>
+        <message>
+            <source>Fuse of the SM2 events</source>
+            <translation>Sicherung der SM2-Ereignisse</translation>
+        </message>
+        <message>
+            <source>Limit of the fuse</source>
+            <translation>Grenze der Sicherung</translation>
+        </message>
+        <message>
+            <source>Misses until the fuse trips</source>
+            <translation>Ausfälle bis zum Auslösen</translation>
+        </message>
+        <message>
+            <source>Cycle exceeded, outputs</source>
+            <translation>Zyklus überschritten, Ausgänge</translation>
+        </message>
+        <message>
+            <source>Cycle exceeded, inputs</source>
+            <translation>Zyklus überschritten, Eingänge</translation>
+        </message>
+        <message>
+            <source>Shift too short, outputs</source>
+            <translation>Verschiebung zu kurz, Ausgänge</translation>
+        </message>
+        <message>
+            <source>Shift too short, inputs</source>
+            <translation>Verschiebung zu kurz, Eingänge</translation>
+        </message>
+        <message>
+            <source>Clock slowed by</source>
+            <translation>Uhr verlangsamt um</translation>
+        </message>
+        <message>
+            <source>AL state</source>
+            <translation>AL-Zustand</translation>
+        </message>
+        <message>
+            <source>Process data watchdog</source>
+            <translation>Prozessdaten-Watchdog</translation>
+        </message>
+        <message>
+            <source>PDI watchdog</source>
+            <translation>PDI-Watchdog</translation>
+        </message>
+        <message>
+            <source>Processing unit errors</source>
+            <translation>Fehler der Verarbeitungseinheit</translation>
+        </message>
+        <message>
+            <source>PDI errors</source>
+            <translation>PDI-Fehler</translation>
+        </message>
+        <message>
+            <source>Propagation delay</source>
+            <translation>Laufzeit</translation>
+        </message>
+        <message>
+            <source>Setpoint slips</source>
+            <translation>Sollwertaussetzer</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>Variable</translation>
+        </message>
+</context>
+<context>
+    <name>FreeView</name>
+        <message>
+            <source>States</source>
+            <translation>Zustände</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Zeit</translation>
+        </message>
+        <message>
+            <source>Rate of a clock</source>
+            <translation>Gang einer Uhr</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>Ereignisse</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Wert</translation>
+        </message>
+        <message>
+            <source>%1, a second</source>
+            <translation>%1 je Sekunde</translation>
+        </message>
+        <message>
+            <source>DCM: error, adjustment, drift</source>
+            <translation>DCM: Fehler, Stellwert, Drift</translation>
+        </message>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM-Fehler</translation>
+        </message>
+        <message>
+            <source>Adjustment and drift</source>
+            <translation>Stellwert und Drift</translation>
+        </message>
+        <message>
+            <source>AL states of all slaves</source>
+            <translation>AL-Zustände aller Slaves</translation>
+        </message>
+        <message>
+            <source>Frames of the bus</source>
+            <translation>Frames des Busses</translation>
+        </message>
+        <message>
+            <source>Round trip and send lateness</source>
+            <translation>Umlaufzeit und Sendeverspätung</translation>
+        </message>
+        <message>
+            <source>Counts of the bus</source>
+            <translation>Zähler des Busses</translation>
+        </message>
+        <message>
+            <source>Counters of %1</source>
+            <translation>Zähler von %1</translation>
+        </message>
+        <message>
+            <source>Errors at the ports</source>
+            <translation>Fehler an den Ports</translation>
+        </message>
+        <message>
+            <source>Counts of the device</source>
+            <translation>Zähler des Geräts</translation>
+        </message>
+        <message>
+            <source>Own plots</source>
+            <translation>Eigene Diagramme</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Ansicht</translation>
+        </message>
+        <message>
+            <source>Which view is shown; new ones, other names</source>
+            <translation>Welche Ansicht gezeigt wird; neue, andere Namen</translation>
+        </message>
+        <message>
+            <source>Add a plot</source>
+            <translation>Ein Diagramm hinzufügen</translation>
+        </message>
+        <message>
+            <source>Add Plot</source>
+            <translation>Diagramm hinzufügen</translation>
+        </message>
+        <message>
+            <source>One more plot below the others</source>
+            <translation>Ein weiteres Diagramm unter den anderen</translation>
+        </message>
+        <message>
+            <source>Whose view it is</source>
+            <translation>Wessen Ansicht es ist</translation>
+        </message>
+        <message>
+            <source>View: %1</source>
+            <translation>Ansicht: %1</translation>
+        </message>
+        <message>
+            <source>Proposed; becomes the project's when it is changed</source>
+            <translation>Vorschlag; wird beim Ändern Teil des Projekts</translation>
+        </message>
+        <message>
+            <source>No plot yet: Add Plot</source>
+            <translation>Noch kein Diagramm: Diagramm hinzufügen</translation>
+        </message>
+        <message>
+            <source>Views of the project</source>
+            <translation>Ansichten des Projekts</translation>
+        </message>
+        <message>
+            <source>None yet</source>
+            <translation>Noch keine</translation>
+        </message>
+        <message>
+            <source>Proposed</source>
+            <translation>Vorgeschlagen</translation>
+        </message>
+        <message>
+            <source>New view</source>
+            <translation>Neue Ansicht</translation>
+        </message>
+        <message>
+            <source>Own view</source>
+            <translation>Eigene Ansicht</translation>
+        </message>
+        <message>
+            <source>Rename…</source>
+            <translation>Umbenennen…</translation>
+        </message>
+        <message>
+            <source>Duplicate</source>
+            <translation>Duplizieren</translation>
+        </message>
+        <message>
+            <source>Delete</source>
+            <translation>Löschen</translation>
+        </message>
+        <message>
+            <source>Watch variables…</source>
+            <translation>Variablen beobachten…</translation>
+        </message>
+        <message>
+            <source>Rename View</source>
+            <translation>Ansicht umbenennen</translation>
+        </message>
+        <message>
+            <source>Name of the view</source>
+            <translation>Name der Ansicht</translation>
+        </message>
+</context>
+<context>
+    <name>FreePlot</name>
+        <message>
+            <source>not drawn</source>
+            <translation>nicht gezeichnet</translation>
+        </message>
+        <message>
+            <source>Signals…</source>
+            <translation>Signale…</translation>
+        </message>
+        <message>
+            <source>Choose signals and axes</source>
+            <translation>Signale und Achsen wählen</translation>
+        </message>
+        <message>
+            <source>Menu of this plot</source>
+            <translation>Menü dieses Diagramms</translation>
+        </message>
+        <message>
+            <source>Plot %1</source>
+            <translation>Diagramm %1</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>Zustand</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>Grenze ±%1</translation>
+        </message>
+        <message>
+            <source>not there</source>
+            <translation>nicht vorhanden</translation>
+        </message>
+        <message>
+            <source>%1 (right)</source>
+            <translation>%1 (rechts)</translation>
+        </message>
+        <message>
+            <source>Nothing chosen yet: Signals…</source>
+            <translation>Noch nichts gewählt: Signale…</translation>
+        </message>
+        <message>
+            <source>min %1   max %2</source>
+            <translation>min %1   max %2</translation>
+        </message>
+        <message>
+            <source>Signals and axes…</source>
+            <translation>Signale und Achsen…</translation>
+        </message>
+        <message>
+            <source>Value scale</source>
+            <translation>Teilung der Werte</translation>
+        </message>
+        <message>
+            <source>Linear</source>
+            <translation>Linear</translation>
+        </message>
+        <message>
+            <source>Signed logarithmic</source>
+            <translation>Logarithmisch mit Vorzeichen</translation>
+        </message>
+        <message>
+            <source>Logarithmic</source>
+            <translation>Logarithmisch</translation>
+        </message>
+        <message>
+            <source>Own time axis</source>
+            <translation>Eigene Zeitachse</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>Herausnehmen</translation>
+        </message>
+        <message>
+            <source>Axis at the right</source>
+            <translation>Achse rechts</translation>
+        </message>
+        <message>
+            <source>Move up</source>
+            <translation>Nach oben</translation>
+        </message>
+        <message>
+            <source>Move down</source>
+            <translation>Nach unten</translation>
+        </message>
+        <message>
+            <source>Remove plot</source>
+            <translation>Diagramm entfernen</translation>
+        </message>
+</context>
+<context>
+    <name>PlotDialog</name>
+        <message>
+            <source>Signals and Axes of the Plot</source>
+            <translation>Signale und Achsen des Diagramms</translation>
+        </message>
+        <message>
+            <source>What is wrong</source>
+            <translation>Was falsch ist</translation>
+        </message>
+        <message>
+            <source>Search signals</source>
+            <translation>Signale suchen</translation>
+        </message>
+        <message>
+            <source>Slave and signal, such as: #1 lost</source>
+            <translation>Slave und Signal, etwa: #1 Link</translation>
+        </message>
+        <message>
+            <source>Signals of the run</source>
+            <translation>Signale des Laufs</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Hinzufügen</translation>
+        </message>
+        <message>
+            <source>Add what is marked</source>
+            <translation>Markiertes hinzufügen</translation>
+        </message>
+        <message>
+            <source>Ctrl+A marks all that were found: several slaves at once</source>
+            <translation>Strg+A markiert alles Gefundene: mehrere Slaves auf einmal</translation>
+        </message>
+        <message>
+            <source>Signals in the plot</source>
+            <translation>Signale im Diagramm</translation>
+        </message>
+        <message>
+            <source>In the plot</source>
+            <translation>Im Diagramm</translation>
+        </message>
+        <message>
+            <source>A second</source>
+            <translation>Je Sekunde</translation>
+        </message>
+        <message>
+            <source>Axis right</source>
+            <translation>Achse rechts</translation>
+        </message>
+        <message>
+            <source>How many a second instead of how many: of counts</source>
+            <translation>Wie viele je Sekunde statt wie viele: bei Zählern</translation>
+        </message>
+        <message>
+            <source>On the value axis at the right</source>
+            <translation>Auf der Werteachse rechts</translation>
+        </message>
+        <message>
+            <source>Take Out</source>
+            <translation>Herausnehmen</translation>
+        </message>
+        <message>
+            <source>Take out what is marked (Del)</source>
+            <translation>Markiertes herausnehmen (Entf)</translation>
+        </message>
+        <message>
+            <source>Title</source>
+            <translation>Titel</translation>
+        </message>
+        <message>
+            <source>Title of the plot</source>
+            <translation>Titel des Diagramms</translation>
+        </message>
+        <message>
+            <source>By what it shows</source>
+            <translation>Nach dem, was es zeigt</translation>
+        </message>
+        <message>
+            <source>linear</source>
+            <translation>linear</translation>
+        </message>
+        <message>
+            <source>signed log</source>
+            <translation>log ±</translation>
+        </message>
+        <message>
+            <source>log</source>
+            <translation>log</translation>
+        </message>
+        <message>
+            <source>Value scale: %1</source>
+            <translation>Teilung der Werte: %1</translation>
+        </message>
+        <message>
+            <source>Value scale</source>
+            <translation>Teilung der Werte</translation>
+        </message>
+        <message>
+            <source>Left axis</source>
+            <translation>Linke Achse</translation>
+        </message>
+        <message>
+            <source>Right axis</source>
+            <translation>Rechte Achse</translation>
+        </message>
+        <message>
+            <source>Own time axis</source>
+            <translation>Eigene Zeitachse</translation>
+        </message>
+        <message>
+            <source>Time axis</source>
+            <translation>Zeitachse</translation>
+        </message>
+        <message>
+            <source>not linked to the others: own zoom and place</source>
+            <translation>nicht mit den anderen verbunden: eigener Zoom und Ort</translation>
+        </message>
+        <message>
+            <source>Limits are two numbers, the smaller one first.</source>
+            <translation>Grenzen sind zwei Zahlen, die kleinere zuerst.</translation>
+        </message>
+        <message>
+            <source>A logarithmic scale begins above zero.</source>
+            <translation>Eine logarithmische Teilung beginnt über null.</translation>
+        </message>
+</context>
+<context>
+    <name>LimitsDialog</name>
+        <message>
+            <source>Value Limits: %1</source>
+            <translation>Grenzen der Werte: %1</translation>
+        </message>
+        <message>
+            <source>Left axis</source>
+            <translation>Linke Achse</translation>
+        </message>
+        <message>
+            <source>Right axis</source>
+            <translation>Rechte Achse</translation>
+        </message>
+</context>
+<context>
+    <name>LimitFields</name>
+        <message>
+            <source>fixed</source>
+            <translation>fest</translation>
+        </message>
+        <message>
+            <source>%1: fixed limits</source>
+            <translation>%1: feste Grenzen</translation>
+        </message>
+        <message>
+            <source>%1: from</source>
+            <translation>%1: von</translation>
+        </message>
+        <message>
+            <source>%1: to</source>
+            <translation>%1: bis</translation>
+        </message>
+        <message>
+            <source>In ns, or with its unit: ns, µs, ms, s</source>
+            <translation>In ns, oder mit Einheit: ns, µs, ms, s</translation>
+        </message>
+        <message>
+            <source>A number</source>
+            <translation>Eine Zahl</translation>
+        </message>
+        <message>
+            <source>A number, in %1</source>
+            <translation>Eine Zahl, in %1</translation>
+        </message>
+</context>
+<context>
+    <name>SignalTree</name>
+        <message>
+            <source>Bus</source>
+            <translation>Bus</translation>
+        </message>
+        <message>
+            <source>Variables of the process image</source>
+            <translation>Variablen des Prozessabbilds</translation>
+        </message>
+        <message>
+            <source>%1 (no values so far)</source>
+            <translation>%1 (bisher ohne Werte)</translation>
         </message>
 </context>
 </TS>

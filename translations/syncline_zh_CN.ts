@@ -935,6 +935,98 @@
 <context>
     <name>LiveStrip</name>
         <message>
+            <source>Limit in the plots</source>
+            <translation>图中的限值</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>限值</translation>
+        </message>
+        <message>
+            <source>Limit in the project, such as 127 ns or 4 us. The sync window takes the nearest 2ⁿ − 1 ns.</source>
+            <translation>项目中的限值，例如 127 ns 或 4 us。同步窗口取最接近的 2ⁿ − 1 ns。</translation>
+        </message>
+        <message>
+            <source>That is no limit. A number above zero with ns, us or ms:</source>
+            <translation>这不是限值。请输入大于零、带 ns、us 或 ms 的数：</translation>
+        </message>
+        <message>
+            <source>Limit in the project…</source>
+            <translation>项目中的限值…</translation>
+        </message>
+        <message>
+            <source>Distance of the Cursors</source>
+            <translation>光标间距</translation>
+        </message>
+        <message>
+            <source>From A to B, such as 12.5 ms, 250 us, -1 s, or 50 Hz:</source>
+            <translation>从 A 到 B，例如 12.5 ms、250 us、-1 s 或 50 Hz：</translation>
+        </message>
+        <message>
+            <source>That is no time. A number with ns, us, ms, s or Hz:</source>
+            <translation>这不是时间。请输入带 ns、us、ms、s 或 Hz 的数：</translation>
+        </message>
+        <message>
+            <source>Distance of the cursors…</source>
+            <translation>光标间距…</translation>
+        </message>
+        <message>
+            <source>Cursors stay on the screen</source>
+            <translation>光标固定在屏幕上</translation>
+        </message>
+        <message>
+            <source>Time axis</source>
+            <translation>时间轴</translation>
+        </message>
+        <message>
+            <source>Before now, or since the start</source>
+            <translation>距现在，或自启动以来</translation>
+        </message>
+        <message>
+            <source>Since the start</source>
+            <translation>自启动以来</translation>
+        </message>
+        <message>
+            <source>Time of day (UTC)</source>
+            <translation>时刻（UTC）</translation>
+        </message>
+        <message>
+            <source>Number of the cycle</source>
+            <translation>周期编号</translation>
+        </message>
+        <message>
+            <source>System time of the reference clock</source>
+            <translation>参考时钟的系统时间</translation>
+        </message>
+        <message>
+            <source>Value scale of this plot</source>
+            <translation>此图的数值刻度</translation>
+        </message>
+        <message>
+            <source>Linear</source>
+            <translation>线性</translation>
+        </message>
+        <message>
+            <source>Signed logarithmic</source>
+            <translation>带符号对数</translation>
+        </message>
+        <message>
+            <source>Logarithmic</source>
+            <translation>对数</translation>
+        </message>
+        <message>
+            <source>Value limits of this plot…</source>
+            <translation>此图的数值范围…</translation>
+        </message>
+        <message>
+            <source>Own time axis of this plot</source>
+            <translation>此图的独立时间轴</translation>
+        </message>
+        <message>
+            <source>Copy figures</source>
+            <translation>复制数值</translation>
+        </message>
+        <message>
             <source>Note here…</source>
             <translation>在此处写注释…</translation>
         </message>
@@ -1036,6 +1128,14 @@
 </context>
 <context>
     <name>LiveStripToolbar</name>
+        <message>
+            <source>Own Plots</source>
+            <translation>自定义图</translation>
+        </message>
+        <message>
+            <source>Any signals in as many plots as you like, instead of these; kept with the project</source>
+            <translation>用任意多个图显示任意信号，代替这些图；随项目保存</translation>
+        </message>
         <message>
             <source>Trigger</source>
             <translation>触发</translation>
@@ -3467,6 +3567,42 @@ Setting %2</source>
 <context>
     <name>TracePanel</name>
         <message>
+            <source>project ±%1</source>
+            <translation>项目 ±%1</translation>
+        </message>
+        <message>
+            <source>Signal</source>
+            <translation>信号</translation>
+        </message>
+        <message>
+            <source>At A</source>
+            <translation>A 处</translation>
+        </message>
+        <message>
+            <source>At B</source>
+            <translation>B 处</translation>
+        </message>
+        <message>
+            <source>B−A</source>
+            <translation>B−A</translation>
+        </message>
+        <message>
+            <source>Smallest</source>
+            <translation>最小</translation>
+        </message>
+        <message>
+            <source>Largest</source>
+            <translation>最大</translation>
+        </message>
+        <message>
+            <source>Mean</source>
+            <translation>平均</translation>
+        </message>
+        <message>
+            <source>Samples</source>
+            <translation>样本数</translation>
+        </message>
+        <message>
             <source>Legend: %1</source>
             <translation>图例：%1</translation>
         </message>
@@ -3497,6 +3633,30 @@ Setting %2</source>
 </context>
 <context>
     <name>TracePlot</name>
+        <message>
+            <source>project ±%1</source>
+            <translation>项目 ±%1</translation>
+        </message>
+        <message>
+            <source>%1 (not linked)</source>
+            <translation>%1（未联动）</translation>
+        </message>
+        <message>
+            <source>UTC, %1</source>
+            <translation>UTC，%1</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
+        <message>
+            <source>System time: not known</source>
+            <translation>系统时间：未知</translation>
+        </message>
+        <message>
+            <source>System time − %1 s / s</source>
+            <translation>系统时间 − %1 s / s</translation>
+        </message>
         <message>
             <source>Time before now</source>
             <translation>距现在的时间</translation>
@@ -10466,6 +10626,571 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>The recording %1 could not be opened.</source>
             <translation>无法打开记录 %1。</translation>
+        </message>
+</context>
+<context>
+    <name>Signals</name>
+        <message>
+            <source>Port %1: invalid frames</source>
+            <translation>端口 %1：无效帧</translation>
+        </message>
+        <message>
+            <source>Port %1: receive errors</source>
+            <translation>端口 %1：接收错误</translation>
+        </message>
+        <message>
+            <source>Port %1: forwarded errors</source>
+            <translation>端口 %1：转发的错误</translation>
+        </message>
+        <message>
+            <source>Port %1: lost links</source>
+            <translation>端口 %1：链路丢失</translation>
+        </message>
+        <message>
+            <source>Working counter, expected</source>
+            <translation>工作计数器，期望值</translation>
+        </message>
+        <message>
+            <source>Working counter, received</source>
+            <translation>工作计数器，接收值</translation>
+        </message>
+        <message>
+            <source>Frames lost in a cycle</source>
+            <translation>一个周期内丢失的帧</translation>
+        </message>
+        <message>
+            <source>Cycles left out before a cycle</source>
+            <translation>某周期之前跳过的周期</translation>
+        </message>
+        <message>
+            <source>Synchronisation of the slaves</source>
+            <translation>从站的同步</translation>
+        </message>
+        <message>
+            <source>Synchronisation of the master</source>
+            <translation>主站的同步</translation>
+        </message>
+        <message>
+            <source>Lowest AL state of all slaves</source>
+            <translation>所有从站的最低 AL 状态</translation>
+        </message>
+        <message>
+            <source>Lost frames</source>
+            <translation>丢失的帧</translation>
+        </message>
+        <message>
+            <source>Late frames</source>
+            <translation>迟到的帧</translation>
+        </message>
+        <message>
+            <source>Cycles left out</source>
+            <translation>跳过的周期</translation>
+        </message>
+        <message>
+            <source>Wrong working counters</source>
+            <translation>错误的工作计数器</translation>
+        </message>
+        <message>
+            <source>Frames too late for SYNC0</source>
+            <translation>对 SYNC0 来说太迟的帧</translation>
+        </message>
+        <message>
+            <source>SM2 events missed</source>
+            <translation>错过的 SM2 事件</translation>
+        </message>
+        <message>
+            <source>Fuse of the SM2 events</source>
+            <translation>SM2 事件的保险计数</translation>
+        </message>
+        <message>
+            <source>Limit of the fuse</source>
+            <translation>保险计数的限值</translation>
+        </message>
+        <message>
+            <source>Misses until the fuse trips</source>
+            <translation>触发前还可错过的次数</translation>
+        </message>
+        <message>
+            <source>Cycle exceeded, outputs</source>
+            <translation>周期超时，输出</translation>
+        </message>
+        <message>
+            <source>Cycle exceeded, inputs</source>
+            <translation>周期超时，输入</translation>
+        </message>
+        <message>
+            <source>Shift too short, outputs</source>
+            <translation>偏移过短，输出</translation>
+        </message>
+        <message>
+            <source>Shift too short, inputs</source>
+            <translation>偏移过短，输入</translation>
+        </message>
+        <message>
+            <source>Clock slowed by</source>
+            <translation>时钟减慢量</translation>
+        </message>
+        <message>
+            <source>AL state</source>
+            <translation>AL 状态</translation>
+        </message>
+        <message>
+            <source>Process data watchdog</source>
+            <translation>过程数据看门狗</translation>
+        </message>
+        <message>
+            <source>PDI watchdog</source>
+            <translation>PDI 看门狗</translation>
+        </message>
+        <message>
+            <source>Processing unit errors</source>
+            <translation>处理单元错误</translation>
+        </message>
+        <message>
+            <source>PDI errors</source>
+            <translation>PDI 错误</translation>
+        </message>
+        <message>
+            <source>Propagation delay</source>
+            <translation>传播延迟</translation>
+        </message>
+        <message>
+            <source>Setpoint slips</source>
+            <translation>设定值滑移</translation>
+        </message>
+        <message>
+            <source>Variable</source>
+            <translation>变量</translation>
+        </message>
+</context>
+<context>
+    <name>FreeView</name>
+        <message>
+            <source>States</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Rate of a clock</source>
+            <translation>时钟速率</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>事件</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>值</translation>
+        </message>
+        <message>
+            <source>%1, a second</source>
+            <translation>%1（每秒）</translation>
+        </message>
+        <message>
+            <source>DCM: error, adjustment, drift</source>
+            <translation>DCM：误差、调整、漂移</translation>
+        </message>
+        <message>
+            <source>DCM error</source>
+            <translation>DCM 误差</translation>
+        </message>
+        <message>
+            <source>Adjustment and drift</source>
+            <translation>调整与漂移</translation>
+        </message>
+        <message>
+            <source>AL states of all slaves</source>
+            <translation>所有从站的 AL 状态</translation>
+        </message>
+        <message>
+            <source>Frames of the bus</source>
+            <translation>总线的帧</translation>
+        </message>
+        <message>
+            <source>Round trip and send lateness</source>
+            <translation>往返时间与发送延迟</translation>
+        </message>
+        <message>
+            <source>Counts of the bus</source>
+            <translation>总线计数</translation>
+        </message>
+        <message>
+            <source>Counters of %1</source>
+            <translation>%1 的计数器</translation>
+        </message>
+        <message>
+            <source>Errors at the ports</source>
+            <translation>端口错误</translation>
+        </message>
+        <message>
+            <source>Counts of the device</source>
+            <translation>设备计数</translation>
+        </message>
+        <message>
+            <source>Own plots</source>
+            <translation>自定义图</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>Which view is shown; new ones, other names</source>
+            <translation>显示哪个视图；新建、改名</translation>
+        </message>
+        <message>
+            <source>Add a plot</source>
+            <translation>添加一个图</translation>
+        </message>
+        <message>
+            <source>Add Plot</source>
+            <translation>添加图</translation>
+        </message>
+        <message>
+            <source>One more plot below the others</source>
+            <translation>在其他图下方再加一个图</translation>
+        </message>
+        <message>
+            <source>Whose view it is</source>
+            <translation>视图的归属</translation>
+        </message>
+        <message>
+            <source>View: %1</source>
+            <translation>视图：%1</translation>
+        </message>
+        <message>
+            <source>Proposed; becomes the project's when it is changed</source>
+            <translation>建议的视图；修改后归入项目</translation>
+        </message>
+        <message>
+            <source>No plot yet: Add Plot</source>
+            <translation>还没有图：添加图</translation>
+        </message>
+        <message>
+            <source>Views of the project</source>
+            <translation>项目的视图</translation>
+        </message>
+        <message>
+            <source>None yet</source>
+            <translation>暂无</translation>
+        </message>
+        <message>
+            <source>Proposed</source>
+            <translation>建议</translation>
+        </message>
+        <message>
+            <source>New view</source>
+            <translation>新建视图</translation>
+        </message>
+        <message>
+            <source>Own view</source>
+            <translation>自定义视图</translation>
+        </message>
+        <message>
+            <source>Rename…</source>
+            <translation>重命名…</translation>
+        </message>
+        <message>
+            <source>Duplicate</source>
+            <translation>复制</translation>
+        </message>
+        <message>
+            <source>Delete</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>Watch variables…</source>
+            <translation>监视变量…</translation>
+        </message>
+        <message>
+            <source>Rename View</source>
+            <translation>重命名视图</translation>
+        </message>
+        <message>
+            <source>Name of the view</source>
+            <translation>视图名称</translation>
+        </message>
+</context>
+<context>
+    <name>FreePlot</name>
+        <message>
+            <source>not drawn</source>
+            <translation>未绘制</translation>
+        </message>
+        <message>
+            <source>Signals…</source>
+            <translation>信号…</translation>
+        </message>
+        <message>
+            <source>Choose signals and axes</source>
+            <translation>选择信号和坐标轴</translation>
+        </message>
+        <message>
+            <source>Menu of this plot</source>
+            <translation>此图的菜单</translation>
+        </message>
+        <message>
+            <source>Plot %1</source>
+            <translation>图 %1</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>limit ±%1</source>
+            <translation>限值 ±%1</translation>
+        </message>
+        <message>
+            <source>not there</source>
+            <translation>不存在</translation>
+        </message>
+        <message>
+            <source>%1 (right)</source>
+            <translation>%1（右）</translation>
+        </message>
+        <message>
+            <source>Nothing chosen yet: Signals…</source>
+            <translation>尚未选择：信号…</translation>
+        </message>
+        <message>
+            <source>min %1   max %2</source>
+            <translation>最小 %1   最大 %2</translation>
+        </message>
+        <message>
+            <source>Signals and axes…</source>
+            <translation>信号和坐标轴…</translation>
+        </message>
+        <message>
+            <source>Value scale</source>
+            <translation>数值刻度</translation>
+        </message>
+        <message>
+            <source>Linear</source>
+            <translation>线性</translation>
+        </message>
+        <message>
+            <source>Signed logarithmic</source>
+            <translation>带符号对数</translation>
+        </message>
+        <message>
+            <source>Logarithmic</source>
+            <translation>对数</translation>
+        </message>
+        <message>
+            <source>Own time axis</source>
+            <translation>独立时间轴</translation>
+        </message>
+        <message>
+            <source>Take out</source>
+            <translation>移出</translation>
+        </message>
+        <message>
+            <source>Axis at the right</source>
+            <translation>右侧坐标轴</translation>
+        </message>
+        <message>
+            <source>Move up</source>
+            <translation>上移</translation>
+        </message>
+        <message>
+            <source>Move down</source>
+            <translation>下移</translation>
+        </message>
+        <message>
+            <source>Remove plot</source>
+            <translation>移除图</translation>
+        </message>
+</context>
+<context>
+    <name>PlotDialog</name>
+        <message>
+            <source>Signals and Axes of the Plot</source>
+            <translation>图的信号和坐标轴</translation>
+        </message>
+        <message>
+            <source>What is wrong</source>
+            <translation>错误说明</translation>
+        </message>
+        <message>
+            <source>Search signals</source>
+            <translation>搜索信号</translation>
+        </message>
+        <message>
+            <source>Slave and signal, such as: #1 lost</source>
+            <translation>从站和信号，例如：#1 丢失</translation>
+        </message>
+        <message>
+            <source>Signals of the run</source>
+            <translation>运行中的信号</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>添加</translation>
+        </message>
+        <message>
+            <source>Add what is marked</source>
+            <translation>添加选中的信号</translation>
+        </message>
+        <message>
+            <source>Ctrl+A marks all that were found: several slaves at once</source>
+            <translation>Ctrl+A 选中全部找到的信号：可一次选多个从站</translation>
+        </message>
+        <message>
+            <source>Signals in the plot</source>
+            <translation>图中的信号</translation>
+        </message>
+        <message>
+            <source>In the plot</source>
+            <translation>图中</translation>
+        </message>
+        <message>
+            <source>A second</source>
+            <translation>每秒</translation>
+        </message>
+        <message>
+            <source>Axis right</source>
+            <translation>右轴</translation>
+        </message>
+        <message>
+            <source>How many a second instead of how many: of counts</source>
+            <translation>每秒多少次而非总数：用于计数</translation>
+        </message>
+        <message>
+            <source>On the value axis at the right</source>
+            <translation>使用右侧数值轴</translation>
+        </message>
+        <message>
+            <source>Take Out</source>
+            <translation>移出</translation>
+        </message>
+        <message>
+            <source>Take out what is marked (Del)</source>
+            <translation>移出选中的信号（Del）</translation>
+        </message>
+        <message>
+            <source>Title</source>
+            <translation>标题</translation>
+        </message>
+        <message>
+            <source>Title of the plot</source>
+            <translation>图的标题</translation>
+        </message>
+        <message>
+            <source>By what it shows</source>
+            <translation>按显示内容</translation>
+        </message>
+        <message>
+            <source>linear</source>
+            <translation>线性</translation>
+        </message>
+        <message>
+            <source>signed log</source>
+            <translation>带符号对数</translation>
+        </message>
+        <message>
+            <source>log</source>
+            <translation>对数</translation>
+        </message>
+        <message>
+            <source>Value scale: %1</source>
+            <translation>数值刻度：%1</translation>
+        </message>
+        <message>
+            <source>Value scale</source>
+            <translation>数值刻度</translation>
+        </message>
+        <message>
+            <source>Left axis</source>
+            <translation>左轴</translation>
+        </message>
+        <message>
+            <source>Right axis</source>
+            <translation>右轴</translation>
+        </message>
+        <message>
+            <source>Own time axis</source>
+            <translation>独立时间轴</translation>
+        </message>
+        <message>
+            <source>Time axis</source>
+            <translation>时间轴</translation>
+        </message>
+        <message>
+            <source>not linked to the others: own zoom and place</source>
+            <translation>不与其他图联动：独立缩放和位置</translation>
+        </message>
+        <message>
+            <source>Limits are two numbers, the smaller one first.</source>
+            <translation>限值是两个数，小的在前。</translation>
+        </message>
+        <message>
+            <source>A logarithmic scale begins above zero.</source>
+            <translation>对数刻度须从零以上开始。</translation>
+        </message>
+</context>
+<context>
+    <name>LimitsDialog</name>
+        <message>
+            <source>Value Limits: %1</source>
+            <translation>数值范围：%1</translation>
+        </message>
+        <message>
+            <source>Left axis</source>
+            <translation>左轴</translation>
+        </message>
+        <message>
+            <source>Right axis</source>
+            <translation>右轴</translation>
+        </message>
+</context>
+<context>
+    <name>LimitFields</name>
+        <message>
+            <source>fixed</source>
+            <translation>固定</translation>
+        </message>
+        <message>
+            <source>%1: fixed limits</source>
+            <translation>%1：固定限值</translation>
+        </message>
+        <message>
+            <source>%1: from</source>
+            <translation>%1：从</translation>
+        </message>
+        <message>
+            <source>%1: to</source>
+            <translation>%1：到</translation>
+        </message>
+        <message>
+            <source>In ns, or with its unit: ns, µs, ms, s</source>
+            <translation>以 ns 为单位，或带单位：ns、µs、ms、s</translation>
+        </message>
+        <message>
+            <source>A number</source>
+            <translation>一个数</translation>
+        </message>
+        <message>
+            <source>A number, in %1</source>
+            <translation>一个数，单位 %1</translation>
+        </message>
+</context>
+<context>
+    <name>SignalTree</name>
+        <message>
+            <source>Bus</source>
+            <translation>总线</translation>
+        </message>
+        <message>
+            <source>Variables of the process image</source>
+            <translation>过程映像的变量</translation>
+        </message>
+        <message>
+            <source>%1 (no values so far)</source>
+            <translation>%1（目前没有值）</translation>
         </message>
 </context>
 </TS>

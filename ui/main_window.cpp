@@ -40,7 +40,10 @@
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/run_bar.h"
 #include "ui/panels/status_panel.h"
+#include "ui/session/project_limits.h"
+#include "ui/session/recorded_views.h"
 #include "ui/session/workspace.h"
+#include "ui/text/error_text.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
 #include "ui/window_centre.h"
@@ -110,6 +113,12 @@ void MainWindow::buildCentre() {
     selectNode(-1);
     editor_->showPage("variablesPage");
   });
+  connect(strip_, &LiveStrip::limitWanted, this, [this](Signal signal, double magnitude) {
+    if (workspace_.recording().isOpen()) return;
+    if (const auto status = setLimit(workspace_.document(), signal, magnitude); !status)
+      statusBar()->showMessage(errorText(status.error()), 10'000);
+  });
+  connect(strip_, &LiveStrip::viewsEdited, &workspace_.document(), &ProjectDocument::setViews);
   connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
   auto* bar = &centre_->runBar();
   connect(bar, &RunBar::differencesWanted, this,
@@ -274,6 +283,10 @@ void MainWindow::connectSession() {
       overview_->setRecord(nullptr, false);
     }
   });
+  const auto show_views = [this] { strip_->setViews(workspace_.document().views()); };
+  connect(&document, &ProjectDocument::viewsChanged, strip_, show_views);
+  connect(&document, &ProjectDocument::projectChanged, this, &MainWindow::showLimits);
+  connect(&document, &ProjectDocument::taken, strip_, show_views);
   auto& live = workspace_.live();
   connect(&live, &LiveSession::phaseChanged, this, &MainWindow::updateActions);
   connect(&live, &LiveSession::phaseChanged, overview_, [this] {
@@ -302,11 +315,20 @@ void MainWindow::connectSession() {
 void MainWindow::showRun() {
   const bool recorded = workspace_.recording().isOpen();
   strip_->setPickedSlave(recorded ? -1 : workspace_.runningSlaves().positionOf(explorer_->selected()));
+  strip_->setOfferedViews(recorded ? recordedViews(workspace_.recording().run().info.about)
+                                   : std::vector<MonitorView>{});
   strip_->setRecord(workspace_.shownRecord(), recorded);
+  showLimits();
   workspace_.trigger().setRecord(workspace_.shownRecord(), recorded);
   overview_->setRecord(workspace_.shownRecord(), recorded);
   overview_->setFindings(workspace_.shownFindings());
   if (recorded) showOverview(true);
+}
+
+/// Those of the project can be changed where its run is seen; a recording is of another time.
+void MainWindow::showLimits() {
+  strip_->setWantedLimits(workspace_.recording().isOpen() ? std::nullopt
+                                                          : std::optional(limitsOf(workspace_.document().project())));
 }
 
 /// The page of the node that is selected, or whether the machine is in sync; of a recording there are no pages.

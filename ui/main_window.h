@@ -67,6 +67,7 @@ class MainWindow final : public QMainWindow {
   void updateActions();
   void updateRecordingActions();
   void showRun();
+  void showLimits();
   void showOverview(bool overview);
   void goToMoment(qint64 moment);
   void selectMoment(qint64 moment);

@@ -56,9 +56,13 @@ struct PictureSwitches {
                      "exit; needs no display. Exit codes as synclinectl's."),
       QStringLiteral("OUT")};
   QCommandLineOption view{QStringLiteral("view"),
-                          QStringLiteral("With --picture: overview, plots (default), distribution, stability, cycle or "
-                                         "slaves."),
+                          QStringLiteral("With --picture: overview, plots (default), distribution, stability, cycle, "
+                                         "slaves or free."),
                           QStringLiteral("NAME")};
+  QCommandLineOption own_view{QStringLiteral("own-view"),
+                              QStringLiteral("With --picture --view free: a view of the project in the recording; the "
+                                             "first one without it."),
+                              QStringLiteral("NAME")};
   QCommandLineOption from{
       QStringLiteral("from"),
       QStringLiteral("With --picture: begin of the range since the recording's, e.g. 1.5s or 2min."),
@@ -68,7 +72,7 @@ struct PictureSwitches {
   QCommandLineOption signal{
       QStringLiteral("signal"),
       QStringLiteral("With --picture: a signal of distribution or stability, e.g. dcm_error_ns, or deviation_ns@3 of "
-                     "slave 3; up to four times."),
+                     "slave 3; up to four times. Of the view free any signal, e.g. al_status@3, as often as wanted."),
       QStringLiteral("KEY")};
   QCommandLineOption figure{QStringLiteral("figure"),
                             QStringLiteral("With --picture --view stability: adev, tdev, mtie or spectrum."),
@@ -91,12 +95,13 @@ struct PictureSwitches {
       QStringLiteral("TIME")};
 
   [[nodiscard]] QList<QCommandLineOption> all() const {
-    return {out, view, from, to, signal, figure, slave, size, align, offset};
+    return {out, view, own_view, from, to, signal, figure, slave, size, align, offset};
   }
   [[nodiscard]] PictureOptions of(const QCommandLineParser& parser) const {
     return {{},
             parser.value(out),
             parser.value(view),
+            parser.value(own_view),
             parser.value(from),
             parser.value(to),
             parser.value(figure),

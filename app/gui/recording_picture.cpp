@@ -56,9 +56,13 @@ QString understand(const PictureOptions& options, ui::RecordingPicture& wanted) 
         .arg(options.view, ui::pictureViewNames().join(QStringLiteral(", ")));
   wanted.view = *view;
   const bool of_signals = *view == ui::PictureView::kDistribution || *view == ui::PictureView::kStability;
-  if (!options.signal_keys.isEmpty() && !of_signals)
-    return QStringLiteral("--signal: the views distribution and stability are of signals");
-  if (options.signal_keys.size() > static_cast<qsizetype>(ui::SignalChooser::kMost))
+  const bool free = *view == ui::PictureView::kFree;
+  if (!options.signal_keys.isEmpty() && !of_signals && !free)
+    return QStringLiteral("--signal: the views free, distribution and stability are of signals");
+  if (!options.own_view.isEmpty() && (!free || !options.signal_keys.isEmpty()))
+    return QStringLiteral("--own-view: with --view free, and without --signal");
+  wanted.own_view = options.own_view;
+  if (!free && options.signal_keys.size() > static_cast<qsizetype>(ui::SignalChooser::kMost))
     return QStringLiteral("--signal: four at most");
   if (!options.figure.isEmpty()) {
     wanted.figure = ui::stabilityFigureOf(options.figure);
@@ -128,7 +132,8 @@ Status complete(const PictureOptions& options, const ReplayedRun& run, ui::Recor
                 because("slaves in the recording: {count}, counted from 0", slaves));
   }
   for (const auto& text : options.signal_keys) {
-    const auto source = ui::signalSourceOf(text, *run.record);
+    const bool free = wanted.view == ui::PictureView::kFree;
+    const auto source = free ? ui::drawnSignalOf(text, *run.record) : ui::signalSourceOf(text, *run.record);
     if (!source) return tl::unexpected(source.error());
     wanted.sources.push_back(*source);
   }

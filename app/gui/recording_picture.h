@@ -8,7 +8,7 @@ namespace syncline {
 
 /// `syncline RUN.slrec --picture OUT`, as it was typed; empty: not typed.
 struct PictureOptions {
-  QString file, out, view, from, to, figure, slave, size;
+  QString file, out, view, own_view, from, to, figure, slave, size;
   QString overlay, align, offset;  // of another recording over it
   QStringList signal_keys;
 };

@@ -10,6 +10,7 @@
 
 #include "config/dcm_settings.h"
 #include "config/device_description.h"
+#include "config/monitor_view.h"
 #include "config/slave_options.h"
 #include "config/task_settings.h"
 #include "support/types.h"
@@ -168,6 +169,7 @@ struct Project {
   MasterSettings master;
   std::vector<SlaveSettings> slaves;  // frame order
   std::string name;                   // of the network, where a machine has several
+  std::vector<MonitorView> views;     // what the monitor draws; nothing that is compiled or runs depends on it
   bool operator==(const Project&) const = default;
 };
 

@@ -82,6 +82,7 @@ void RunRecord::add(std::span<const CycleSample> samples) {
   samples_.append(samples);
   recorder_.add(samples);
   overview_.add(samples);
+  reference_times_.add(samples);
 }
 
 void RunRecord::add(const Snapshot& snapshot) {

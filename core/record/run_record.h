@@ -13,6 +13,7 @@
 #include "config/network_config.h"
 #include "findings/finding.h"
 #include "record/run_note.h"
+#include "trace/reference_times.h"
 #include "trace/run_report.h"
 #include "trace/sample_store.h"
 #include "trace/sync_overview.h"
@@ -87,6 +88,7 @@ class RunRecord {
   /// As the configuration names it; its number where there is none.
   [[nodiscard]] std::string slave_name(std::size_t position) const;
   [[nodiscard]] const SampleStore& samples() const { return samples_; }
+  [[nodiscard]] const ReferenceTimes& reference_times() const { return reference_times_; }
   [[nodiscard]] const WatchLists& watched() const { return samples_.watched(); }
   /// The newest while the bus was online; empty before.
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
@@ -116,6 +118,7 @@ class RunRecord {
   NetworkConfig config_;
   RunLimits limits_;
   SampleStore samples_;
+  ReferenceTimes reference_times_;
   RunRecorder recorder_;
   OverviewRecorder overview_;
   std::optional<std::vector<Finding>> restored_findings_;

@@ -5,6 +5,13 @@
 
 namespace syncline {
 
+const std::vector<SeriesColumn>& KeptColumns::steps_of(const MinMaxSeries& series, Nanoseconds begin, Nanoseconds end,
+                                                       Nanoseconds width, Nanoseconds hold_until) {
+  stand_ = {};  // of no series: nothing of it is kept
+  series.step_columns(begin, end, width, hold_until, columns_);
+  return columns_;
+}
+
 const std::vector<SeriesColumn>& KeptColumns::of(const MinMaxSeries& series, Nanoseconds begin, Nanoseconds end,
                                                  Nanoseconds width) {
   const auto stand = series.stand();

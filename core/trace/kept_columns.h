@@ -16,6 +16,9 @@ class KeptColumns {
   /// As MinMaxSeries::columns(), of this series now. Valid until the next call.
   const std::vector<SeriesColumn>& of(const MinMaxSeries& series, Nanoseconds begin, Nanoseconds end,
                                       Nanoseconds width);
+  /// As MinMaxSeries::step_columns(), which are looked for anew each time.
+  const std::vector<SeriesColumn>& steps_of(const MinMaxSeries& series, Nanoseconds begin, Nanoseconds end,
+                                            Nanoseconds width, Nanoseconds hold_until);
   void clear() { columns_.clear(); }
   /// What of() gave last.
   [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_; }

@@ -44,6 +44,12 @@ class FieldWriter {
     if (value) attribute(name, value);
   }
   void attribute(const char* name, const DcmMode& mode) { xml_.attribute(name, dcm_mode_name(mode)); }
+  void attribute(const char* name, const std::string& text) { xml_.attribute(name, text); }
+  void attribute(const char* name, const ValueScale& scale) { xml_.attribute(name, value_scale_name(scale)); }
+  void attribute(const char* name, const ViewSignal::Of& of) { xml_.attribute(name, view_signal_of_name(of)); }
+  void attribute(const char* name, const std::optional<AxisLimits>& limits) {
+    if (limits) xml_.attribute(name, fmt::format("{} {}", limits->low, limits->high));
+  }
   void attribute(const char* name, const std::array<std::uint8_t, 6>& mac) { xml_.attribute(name, hex_bytes(mac)); }
   void optional_text(const char* name, const std::string& value) {
     if (!value.empty()) xml_.element(name, value);
@@ -129,6 +135,24 @@ class FieldReader {
     const auto known = dcm_mode_from_name(node_.attribute(name));
     if (!known) return bad(name, because("is no mode"));
     mode = *known;
+  }
+  void attribute(const char* name, std::string& text) { text = node_.attribute(name); }
+  void attribute(const char* name, ValueScale& scale) {
+    if (!node_.has(name)) return;
+    const auto known = value_scale_from_name(node_.attribute(name));
+    if (!known) return bad(name, because("is no scale"));
+    scale = *known;
+  }
+  void attribute(const char* name, ViewSignal::Of& of) {
+    if (!node_.has(name)) return;
+    const auto known = view_signal_of_from_name(node_.attribute(name));
+    if (!known) return bad(name, because("is nothing that has signals"));
+    of = *known;
+  }
+  void attribute(const char* name, std::optional<AxisLimits>& limits) {
+    if (!node_.has(name)) return;
+    limits = axis_limits_from_text(node_.attribute(name));
+    if (!limits) bad(name, because("is no pair of limits, the lower one first"));
   }
   void attribute(const char* name, std::array<std::uint8_t, 6>& mac) {
     if (!node_.has(name)) return;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "eni/project/project_fields.h"
+#include "eni/project/view_fields.h"
 #include "eni/xml/xml_text.h"
 #include "reasons/because.h"
 #include "settings/sync_settings.h"
@@ -74,6 +75,8 @@ Project read_network(const Node& node, const ReadDevices& devices) {
   project.name = node.attribute("Network");
   FieldReader master(node.required("Master"));
   read_fields(master, project.master);
+  FieldReader own(node);
+  read_views(own, project.views);
   for (const Node& slave_node : node.required("Slaves").children("Slave")) {
     auto& slave = project.slaves.emplace_back();
     FieldReader reader(slave_node);
@@ -118,6 +121,7 @@ void write_network(XmlWriter& xml, const Project& project, Devices& devices) {
     xml.close();
   }
   xml.close();
+  write_views(fields, project.views);
 }
 
 std::string write(std::string_view machine_name, std::span<const Project> networks) {

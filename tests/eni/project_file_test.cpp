@@ -77,6 +77,46 @@ TEST(ProjectFile, SavesAndLoads) {
   EXPECT_EQ(load_project(path).error().code, ErrorCode::kFileNotFound);
 }
 
+/// Programs that know no views read such files as ever: they are elements beside Master and Slaves.
+TEST(ProjectFile, KeepsViewsBesideTheMachine) {
+  auto project = three_slaves();
+  const auto without = write_project(project);
+  project.views = {{"Cabinet 1",
+                    {{"",
+                      {{ViewSignal::Of::kSlave, "port1_lost_links", 1002, false, true, true}},
+                      ValueScale::kSignedLog,
+                      AxisLimits{-0.5, 2.25},
+                      {},
+                      true,
+                      250}}}};
+  const auto text = write_project(project);
+  EXPECT_THAT(text, HasSubstr("Left=\"-0.5 2.25\"")) << "whatever the locale";
+  const auto views = text.find("<Views>");
+  ASSERT_NE(views, std::string::npos);
+  const auto end = text.find("</Views>") + std::string_view("</Views>").size();
+  auto rest = text.substr(0, text.find_last_not_of(" \n", views - 1) + 1) + text.substr(end);
+  EXPECT_EQ(rest, without) << "nothing else changes";
+  const auto read = parse_project(text, "p.syncline");
+  ASSERT_TRUE(read) << describe(read.error());
+  EXPECT_EQ(read->views, project.views);
+}
+
+TEST(ProjectFile, RefusesViewsThatSayNothing) {
+  auto project = three_slaves();
+  project.views = {{"V", {{"", {{ViewSignal::Of::kBus, "drift_ppm"}}, ValueScale::kLog, AxisLimits{1, 2}, {}}}}};
+  const auto text = write_project(project);
+  const auto refused = [&](const std::string& good, const std::string& bad) {
+    const auto read = parse_project(std::regex_replace(text, std::regex(good), bad), "p.syncline");
+    return read ? std::string() : describe(read.error());
+  };
+  EXPECT_THAT(refused("Scale=\"log\"", "Scale=\"cubic\""), HasSubstr("is no scale"));
+  EXPECT_THAT(refused("Left=\"1 2\"", "Left=\"2 1\""), HasSubstr("is no pair of limits"));
+  EXPECT_THAT(refused("Left=\"1 2\"", "Left=\"1 nan\""), HasSubstr("is no pair of limits"));
+  EXPECT_THAT(refused("Left=\"1 2\"", "Left=\"1,5 2\""), HasSubstr("is no pair of limits"));
+  EXPECT_THAT(refused("Of=\"bus\"", "Of=\"planet\""), HasSubstr("is nothing that has signals"));
+  EXPECT_EQ(refused("Key=\"drift_ppm\"", "Key=\"tomorrow\""), "") << "a newer program's signal stays in its place";
+}
+
 TEST(ProjectFile, AbsentFieldsKeepTheirDefaults) {
   const auto project =
       parse_project("<SynclineProject Version=\"1\"><Master/><Slaves/></SynclineProject>", "p.syncline");

@@ -22,6 +22,7 @@ class RandomProject {
     for (int i = 0; i < slaves; ++i) p.slaves.push_back(slave(static_cast<std::uint16_t>(i)));
     if (slaves > 0 && chance(2)) p.master.dc.reference_clock = number<std::uint16_t>(0, slaves - 1);
     if (chance(2)) p.name = name();
+    for (int i = chance(2) ? number(1, 3) : 0; i > 0; --i) p.views.push_back(view());
     arrange_tasks(p);
     return p;
   }
@@ -65,6 +66,22 @@ class RandomProject {
   template <class T = int>
   T number(std::int64_t from, std::int64_t to) {
     return static_cast<T>(std::uniform_int_distribution<std::int64_t>(from, to)(random_));
+  }
+  MonitorView view() {
+    MonitorView v{text(), {}};
+    for (int i = number(0, 3); i > 0; --i) {
+      ViewPlot plot{text(), {},        static_cast<ValueScale>(number(0, 2)), {},
+                    {},     chance(2), number<std::uint16_t>(1, 999)};
+      if (chance(2)) plot.left = AxisLimits{number(-900, 0) / 7.0, number(1, 900) / 3.0};
+      if (chance(2)) plot.right = AxisLimits{-1e-9, 1e12};
+      for (int k = number(0, 3); k > 0; --k) {
+        ViewSignal signal{static_cast<ViewSignal::Of>(number(0, 2)), text(), 0, chance(2), chance(2), chance(2)};
+        if (signal.of == ViewSignal::Of::kSlave) signal.station_address = number<std::uint16_t>(0, 0xFFFF);
+        plot.signals.push_back(std::move(signal));
+      }
+      v.plots.push_back(std::move(plot));
+    }
+    return v;
   }
   bool chance(int one_in) { return number(1, one_in) == 1; }
   std::string pick(std::initializer_list<const char*> words) {

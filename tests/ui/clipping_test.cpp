@@ -15,6 +15,7 @@
 #include "ui/dialogs/file_commands.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
+#include "ui/panels/free_view.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
@@ -82,6 +83,15 @@ class Clipping : public ::testing::TestWithParam<const char*> {
     look(QStringLiteral("slaves"));
     strip.showBody(LiveStrip::Body::kPlots);
   }
+  void lookAtOwnPlots() {
+    auto& strip = window_.liveStrip();
+    strip.showBody(LiveStrip::Body::kFree);
+    for (int view = 0; view < 4; ++view) {
+      strip.free()->chooseUsual(view);
+      look(QStringLiteral("own-%1").arg(view));
+    }
+    strip.showBody(LiveStrip::Body::kPlots);
+  }
   void lookAtPages(int node) {
     window_.selectNode(node);
     auto* tabs = window_.editor().tabs();
@@ -115,6 +125,7 @@ TEST_P(Clipping, NoTextIsCut) {
     lookAtPages(-1);
     lookAtStability();
     lookAtSlaves();
+    lookAtOwnPlots();
     for (std::size_t i = 0; i < slaves.size(); ++i) {
       if (seen.insert(slaves[i].device.identity.product_code).second) lookAtPages(static_cast<int>(i));
     }

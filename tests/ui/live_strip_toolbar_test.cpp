@@ -5,13 +5,16 @@
 
 #include <QAction>
 #include <QMenu>
-#include <QSignalSpy>
 #include <QToolButton>
+#include <utility>
+#include <vector>
 
 #include "support/ui_test_support.h"
 
 namespace syncline::ui {
 namespace {
+
+using View = LiveStripToolbar::View;
 
 /// Where there is no room for all views, one button has them in its menu.
 TEST(LiveStripToolbar, KeepsEveryViewInReachHoweverNarrowItIs) {
@@ -33,17 +36,19 @@ TEST(LiveStripToolbar, KeepsEveryViewInReachHoweverNarrowItIs) {
   EXPECT_FALSE(cycle.isVisible());
   EXPECT_TRUE(all.isVisible());
   EXPECT_EQ(bar.minimumSizeHint().width(), least) << "whichever way it is";
-  QSignalSpy toggled(&bar, &LiveStripToolbar::cycleToggled);
+  std::vector<std::pair<View, bool>> toggled;
+  QObject::connect(&bar, &LiveStripToolbar::viewToggled, &bar,
+                   [&](View which, bool on) { toggled.emplace_back(which, on); });
   Q_EMIT all.menu()->aboutToShow();
-  ASSERT_EQ(all.menu()->actions().size(), 4);
+  ASSERT_EQ(all.menu()->actions().size(), 5);
   EXPECT_EQ(all.menu()->actions().last()->text(), cycle.text());
   all.menu()->actions().last()->trigger();
-  ASSERT_EQ(toggled.count(), 1);
-  EXPECT_TRUE(toggled.takeFirst().front().toBool());
-  bar.setWanted(false, false, false, true);
+  ASSERT_EQ(toggled.size(), 1U);
+  EXPECT_EQ(toggled.front(), std::pair(View::kCycle, true));
+  bar.setWanted(View::kCycle);
   EXPECT_TRUE(all.isChecked());
   EXPECT_EQ(all.text(), cycle.text()) << "which one is shown";
-  bar.setWanted(false, false, false, false);
+  bar.setWanted(View::kNone);
   EXPECT_FALSE(all.isChecked());
   bar.resize(1600, bar.height());
   QApplication::processEvents();

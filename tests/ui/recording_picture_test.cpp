@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "app/cli/cli.h"
+#include "eni/project/project_file.h"
 #include "support/ui_test_support.h"
 #include "tests/app/cli_runner.h"
 #include "ui/panels/overview_panel.h"
@@ -178,6 +179,42 @@ TEST_F(RecordingPictureTest, SignalsAreChosenByTheirKeys) {
   wanted.view = PictureView::kStability;
   wanted.figure = StabilityView::Figure::kMtie;
   EXPECT_THAT(wordsOf(written(wanted, "mtie.svg")), HasSubstr("MTIE over the observation time"));
+}
+
+TEST_F(RecordingPictureTest, OwnPlotsAreOfAnySignals) {
+  RecordingPicture wanted;
+  wanted.view = PictureView::kFree;
+  for (const char* key : {"wkc_received", "dcm_error_ns", "deviation_ns@0", "al_status@1", "port3_lost_links@1"}) {
+    const auto source = drawnSignalOf(QLatin1String(key), *run.record);
+    ASSERT_TRUE(source.has_value()) << key;
+    wanted.sources.push_back(*source);
+  }
+  for (const char* none :
+       {"poem", "cycle", "al_status", "al_status@2", "al_status@", "al_status@1@1", "dcm_error_ns@0"})
+    EXPECT_FALSE(drawnSignalOf(QLatin1String(none), *run.record).has_value()) << none;
+  const auto words = wordsOf(written(wanted, "own.svg"));
+  for (const char* name : {"Working counter, received", "DCM error", "#0 Coupler: Deviation", "#1 Servo: AL state"})
+    EXPECT_THAT(words, HasSubstr(name));
+}
+
+TEST_F(RecordingPictureTest, OwnPlotsAreThoseOfTheProjectThatWasRun) {
+  Project project;
+  for (const char* name : {"First", "Second"}) {
+    ViewPlot plot;
+    plot.title = std::string(name) + " plot";
+    plot.signals = {{ViewSignal::Of::kBus, "drift_ppm", 0, false, false, false}};
+    project.views.push_back({name, {plot}});
+  }
+  run.info.about.documents = {{"project", "m.syncline", eni::write_project(project)}};
+  RecordingPicture wanted;
+  wanted.view = PictureView::kFree;
+  EXPECT_THAT(wordsOf(written(wanted, "first.svg")), HasSubstr("First plot"));
+  wanted.own_view = QStringLiteral("Second");
+  EXPECT_THAT(wordsOf(written(wanted, "second.svg")), HasSubstr("Second plot"));
+  wanted.own_view = QStringLiteral("Third");
+  const auto none = writeRecordingPicture(run, wanted, path("third.svg"));
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().code, ErrorCode::kBadValue);
 }
 
 TEST_F(RecordingPictureTest, SaysWhatIsMissing) {

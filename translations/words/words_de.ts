@@ -8005,6 +8005,26 @@
         <translation>ist keine Betriebsart</translation>
     </message>
     <message>
+        <source>is no scale</source>
+        <translation>ist keine Teilung</translation>
+    </message>
+    <message>
+        <source>is nothing that has signals</source>
+        <translation>ist nichts, was Signale hat</translation>
+    </message>
+    <message>
+        <source>is no pair of limits, the lower one first</source>
+        <translation>ist kein Paar von Grenzen, die untere zuerst</translation>
+    </message>
+    <message>
+        <source>the project in the recording has no view of that name</source>
+        <translation>das Projekt in der Aufzeichnung hat keine Ansicht dieses Namens</translation>
+    </message>
+    <message>
+        <source>it is no signal that can be drawn, such as lost_frames_total, al_status@1 or a variable's name</source>
+        <translation>das ist kein Signal, das gezeichnet werden kann, wie lost_frames_total, al_status@1 oder der Name einer Variablen</translation>
+    </message>
+    <message>
         <source>is no synchronisation type</source>
         <translation>ist keine Synchronisationsart</translation>
     </message>

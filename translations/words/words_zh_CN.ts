@@ -8005,6 +8005,26 @@
         <translation>不是模式</translation>
     </message>
     <message>
+        <source>is no scale</source>
+        <translation>不是刻度类型</translation>
+    </message>
+    <message>
+        <source>is nothing that has signals</source>
+        <translation>不是具有信号的对象</translation>
+    </message>
+    <message>
+        <source>is no pair of limits, the lower one first</source>
+        <translation>不是一对上下限（下限在前）</translation>
+    </message>
+    <message>
+        <source>the project in the recording has no view of that name</source>
+        <translation>记录中的项目没有该名称的视图</translation>
+    </message>
+    <message>
+        <source>it is no signal that can be drawn, such as lost_frames_total, al_status@1 or a variable's name</source>
+        <translation>这不是可以绘制的信号，例如 lost_frames_total、al_status@1 或某个变量的名称</translation>
+    </message>
+    <message>
         <source>is no synchronisation type</source>
         <translation>不是同步类型</translation>
     </message>

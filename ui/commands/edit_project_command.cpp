@@ -52,8 +52,13 @@ void EditProjectCommand::undo() {
 }
 
 void EditProjectCommand::redo() {
+  auto& project = holder_.mutableProject();
+  // Views are no part of the steps: a step that puts another project in place leaves them as they are.
+  auto views = project.views;
   // The edit was tried on a copy before this command was made, and it is pure: it cannot fail here.
-  if (edit_(holder_.mutableProject())) holder_.projectEdited(before_.structural());
+  const auto status = edit_(project);
+  project.views = std::move(views);
+  if (status) holder_.projectEdited(before_.structural());
 }
 
 }  // namespace syncline::ui

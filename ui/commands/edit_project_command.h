@@ -16,8 +16,8 @@ namespace syncline::ui {
 /// A pure edit: changes the project it is given or fails and leaves it alone.
 using ProjectEdit = std::function<Status(Project&)>;
 
-/// The parts of a project that an edit replaced, and the means to put them back. Slaves carry whole
-/// device descriptions, so only the changed ones are kept.
+/// The parts of a project that an edit replaced, and the means to put them back; its views are none of them. Slaves
+/// carry whole device descriptions, so only the changed ones are kept.
 class ProjectPatch {
  public:
   static ProjectPatch between(const Project& before, const Project& after);

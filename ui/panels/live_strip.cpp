@@ -15,6 +15,8 @@
 
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
+#include "ui/panels/free_plot.h"
+#include "ui/panels/free_view.h"
 #include "ui/panels/live_strip_panels.h"
 #include "ui/panels/live_strip_toolbar.h"
 #include "ui/panels/overlay_figures.h"
@@ -32,6 +34,19 @@ constexpr int kLeastHeight = 160, kLeastWithVariables = 270, kLeastGiven = 30;
 constexpr unsigned kTextEvery = 6;         // ticks between updates of numbers: faster cannot be read
 constexpr unsigned kPointedTextEvery = 2;  // the same while a cursor moves
 constexpr unsigned kChooseEvery = 30;      // ticks between choices of the worst slaves
+
+using Body = LiveStrip::Body;
+using View = LiveStripToolbar::View;
+constexpr std::array kViews{std::pair{View::kNone, Body::kPlots},
+                            std::pair{View::kFree, Body::kFree},
+                            std::pair{View::kDistribution, Body::kDistribution},
+                            std::pair{View::kStability, Body::kStability},
+                            std::pair{View::kSlaves, Body::kSlaves},
+                            std::pair{View::kCycle, Body::kCycle}};
+
+Body bodyOf(View view) { return std::ranges::find(kViews, view, &std::pair<View, Body>::first)->second; }
+View viewOf(Body body) { return std::ranges::find(kViews, body, &std::pair<View, Body>::second)->first; }
+
 }  // namespace
 
 LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripToolbar(&view_, &cursors_)) {
@@ -51,15 +66,19 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   rows->addWidget(variables_, 1);
   overlay_figures_ = new OverlayFigures(&view_);
   rows->addWidget(overlay_figures_);
-  all_panels_.assign(panels_.begin(), panels_.end());
-  all_panels_.insert(all_panels_.end(), variables_->panels().begin(), variables_->panels().end());
-  for (auto* panel : all_panels_) {
-    connect(panel->plot(), &TracePlot::menuRequested, this, &LiveStrip::openMenu);
-    connect(panel->plot(), &TracePlot::triggerLevelDragged, this, &LiveStrip::triggerLevelDragged);
-    connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::showEventAt);
+  fixed_panels_.assign(panels_.begin(), panels_.end());
+  fixed_panels_.insert(fixed_panels_.end(), variables_->panels().begin(), variables_->panels().end());
+  for (auto* panel : fixed_panels_) {
+    adopt(panel);
     connect(panel->plot(), &TracePlot::overlayDragged, this, &LiveStrip::overlayMoved);
     panel->plot()->marks().setMarks(&marks_);
   }
+  free_ = new FreeView(&view_, &cursors_);
+  free_->setMarks(&marks_);
+  connect(free_, &FreeView::plotsChanged, this, &LiveStrip::gatherPanels);
+  connect(free_, &FreeView::viewsEdited, this, &LiveStrip::viewsEdited);
+  connect(free_, &FreeView::variablesWanted, this, &LiveStrip::variablesWanted);
+  gatherPanels();
   empty_ = named(new QLabel(tr("No data: go online")), "liveEmptyLabel", tr("Live plots"));
   empty_->setAlignment(Qt::AlignCenter);
   auto* body = new QWidget;
@@ -74,6 +93,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   stack_->addWidget(slaves_);
   cycle_ = new CycleView(&view_);
   stack_->addWidget(cycle_);
+  stack_->addWidget(free_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);
@@ -89,17 +109,13 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     cursors_.set(CursorSet::kA, view_.begin() + view_.span() / 3);
     cursors_.set(CursorSet::kB, view_.begin() + view_.span() * 2 / 3);
   });
-  connect(toolbar_, &LiveStripToolbar::distributionToggled, this,
-          [this](bool on) { showBody(on ? Body::kDistribution : Body::kPlots); });
-  connect(toolbar_, &LiveStripToolbar::stabilityToggled, this,
-          [this](bool on) { showBody(on ? Body::kStability : Body::kPlots); });
-  connect(toolbar_, &LiveStripToolbar::slavesToggled, this,
-          [this](bool on) { showBody(on ? Body::kSlaves : Body::kPlots); });
-  connect(toolbar_, &LiveStripToolbar::cycleToggled, this,
-          [this](bool on) { showBody(on ? Body::kCycle : Body::kPlots); });
+  connect(toolbar_, &LiveStripToolbar::viewToggled, this,
+          [this](LiveStripToolbar::View view, bool on) { showBody(on ? bodyOf(view) : Body::kPlots); });
+  connect(toolbar_, &LiveStripToolbar::distanceWanted, this, &LiveStrip::askForDistance);
   slaves_->setMarks(&marks_);
   connect(slaves_, &SlavesView::eventClicked, this, &LiveStrip::showEventAt);
-  connect(slaves_, &SlavesView::menuRequested, this, &LiveStrip::openMenu);
+  connect(slaves_, &SlavesView::menuRequested, this,
+          [this](const QPoint& global, Nanoseconds time) { openMenu(global, time); });
   connect(slaves_, &SlavesView::momentChosen, this, [this](int slave, Nanoseconds time) {
     setPickedSlave(slave);
     Q_EMIT slaveWanted(slave);
@@ -114,6 +130,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   for (const auto signal : {&CursorSet::changed, &CursorSet::pointerMoved}) {
     connect(&cursors_, signal, this, [this] { text_wanted_ = true; });
   }
+  connect(&view_, &TimeView::changed, this, [this] { cursors_.follow(view_.begin(), view_.span()); });
   connect(&tick_, &QTimer::timeout, this, &LiveStrip::tick);
   tick_.setInterval(kTickMs);
   setRecord(nullptr);
@@ -133,13 +150,21 @@ void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
   variables_->setRecord(record_, recorded);
   attachViews();
   cursors_.clear();
+  view_.setClocks(record_ == nullptr
+                      ? TimeView::Clocks{}
+                      : TimeView::Clocks{[this](Nanoseconds time) { return record_->samples().cycle_at(time); },
+                                         [this](Nanoseconds time) { return record_->reference_times().at(time); }});
+  free_->setRecord(record_, recorded);
   view_.reset();
   view_.setFollowable(!recorded);
   toolbar_->setReplayed(false);
   if (recorded && hasSamples()) {
     followRecord();
     view_.showAll();
-    for (auto* panel : all_panels_) panel->refreshText(true);
+    for (auto* panel : all_panels_) {
+      panel->followTime();
+      panel->refreshText(true);
+    }
   }
   showState();
 }
@@ -182,6 +207,7 @@ void LiveStrip::showMoment(bool back) {
   if (back) {
     const int slave = cycle_->slave();
     attachViews();
+    free_->setRecord(record_, recorded_);  // rates are counted as time goes on
     if (slave >= 0) cycle_->select(slave);
   }
   for (auto* panel : all_panels_) panel->plot()->markDirty();
@@ -189,15 +215,59 @@ void LiveStrip::showMoment(bool back) {
   refresh();
 }
 
+void LiveStrip::adopt(TracePanel* panel) {
+  connect(panel->plot(), &TracePlot::menuRequested, this,
+          [this, panel](const QPoint& global, Nanoseconds time) { openMenu(global, time, panel); });
+  connect(panel->plot(), &TracePlot::triggerLevelDragged, this, &LiveStrip::triggerLevelDragged);
+  connect(panel->plot(), &TracePlot::eventClicked, this, &LiveStrip::showEventAt);
+  connect(panel->plot(), &TracePlot::limitDragged, this, [this, panel](double magnitude) {
+    if (const auto signal = panel->limitSignal()) Q_EMIT limitWanted(*signal, magnitude);
+    panel->showWantedLimits(wanted_limits_);
+  });
+}
+
+void LiveStrip::setWantedLimits(const std::optional<RunLimits>& limits) {
+  wanted_limits_ = limits;
+  for (auto* panel : all_panels_) panel->showWantedLimits(wanted_limits_);
+}
+
+void LiveStrip::gatherPanels() {
+  const auto before = std::exchange(all_panels_, fixed_panels_);
+  for (auto* panel : free_->plots()) {
+    if (std::ranges::find(before, panel) == before.end()) {
+      adopt(panel);
+      panel->applyTheme();
+    }
+    all_panels_.push_back(panel);
+  }
+}
+
+std::vector<TracePanel*> LiveStrip::shownPanels() const {
+  if (body_ != Body::kFree) return fixed_panels_;
+  return {free_->plots().begin(), free_->plots().end()};
+}
+
+TimeView& LiveStrip::activeView() {
+  for (auto* panel : shownPanels()) {
+    if (panel->plot()->hasFocus()) return *panel->plot()->timeView();
+  }
+  return view_;
+}
+
+void LiveStrip::setOfferedViews(std::vector<MonitorView> views) { free_->setOffered(std::move(views)); }
+
+void LiveStrip::setViews(const std::vector<MonitorView>& views) { free_->setViews(views); }
+
 void LiveStrip::setPickedSlave(int position) {
   for (auto* panel : panels_) panel->setPickedSlave(position);
   slaves_->select(position);
   cycle_->select(position);
+  free_->setPickedSlave(position);
 }
 
 void LiveStrip::goTo(Nanoseconds time) {
   if (!hasSamples()) return;
-  showBody(Body::kPlots);
+  if (body_ != Body::kFree) showBody(Body::kPlots);
   mark(time);
 }
 
@@ -214,7 +284,7 @@ void LiveStrip::showEventAt(Nanoseconds time) {
 
 void LiveStrip::showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze) {
   if (!hasSamples()) return;
-  showBody(Body::kPlots);
+  if (body_ != Body::kFree) showBody(Body::kPlots);
   followRecord();
   view_.setSpan(to - from);
   view_.goTo(from + (to - from) / 2);
@@ -271,7 +341,7 @@ void LiveStrip::collectNotes() {
     const EventMark mark{note.time, false, -1, true};
     marks_.insert(std::ranges::upper_bound(marks_, mark.time, {}, &EventMark::time), mark);
   }
-  for (auto* panel : panels_) panel->plot()->markDirty();
+  for (auto* panel : all_panels_) panel->plot()->markDirty();
   slaves_->plot()->markDirty();
 }
 
@@ -291,6 +361,7 @@ Nanoseconds LiveStrip::notePlace(Nanoseconds time) const {
 void LiveStrip::followRecord() {
   view_.setOrigin(record_->overview().begin);
   view_.setBounds(record_->samples().first_time(), record_->samples().last_time());
+  for (auto* panel : all_panels_) panel->followTime();
 }
 
 void LiveStrip::refresh() {
@@ -305,8 +376,13 @@ void LiveStrip::tick() {
   if (ticks_ % kTextEvery == 0 || (text_wanted_ && ticks_ % kPointedTextEvery == 0)) {
     text_wanted_ = false;
     const bool moving = view_.mode() == TimeView::Mode::kLive;
-    for (auto* panel : all_panels_) panel->refreshText(moving && ticks_ % kChooseEvery == 0);
+    const bool choose = moving && ticks_ % kChooseEvery == 0;
+    for (auto* panel : fixed_panels_) panel->refreshText(choose);
+    if (body_ == Body::kFree && isVisible()) {
+      for (auto* panel : free_->plots()) panel->refreshText(choose);
+    }
     showTriggerLevel();
+    for (auto* panel : shownPanels()) panel->showWantedLimits(wanted_limits_);
     showState();
   }
   ++ticks_;
@@ -316,7 +392,8 @@ void LiveStrip::tick() {
   if (body_ == Body::kStability && isVisible()) return stability_->refresh();
   if (body_ == Body::kSlaves && isVisible()) return slaves_->refresh();
   if (body_ == Body::kCycle && isVisible()) return cycle_->refresh();
-  for (auto* panel : all_panels_) panel->plot()->refresh();
+  if (body_ == Body::kFree && isVisible()) return free_->refresh();
+  for (auto* panel : fixed_panels_) panel->plot()->refresh();
   overlay_figures_->refresh();
 }
 
@@ -328,14 +405,13 @@ void LiveStrip::showState() {
 }
 
 QWidget* LiveStrip::body() const {
-  QWidget* const bodies[] = {plots_, distribution_, stability_, slaves_, cycle_};
+  QWidget* const bodies[] = {plots_, distribution_, stability_, slaves_, cycle_, free_};
   return bodies[static_cast<std::size_t>(body_)];
 }
 
 void LiveStrip::showBody(Body body) {
   if (body == std::exchange(body_, body)) return;
-  toolbar_->setWanted(body == Body::kDistribution, body == Body::kStability, body == Body::kSlaves,
-                      body == Body::kCycle);
+  toolbar_->setWanted(viewOf(body));
   showState();
   for (auto* panel : all_panels_) panel->plot()->markDirty();
   refresh();
@@ -367,29 +443,33 @@ void LiveStrip::hideEvent(QHideEvent* event) {
 
 Nanoseconds LiveStrip::cursorPlace() const { return cursors_.pointer().value_or(view_.begin() + view_.span() / 2); }
 
-void LiveStrip::zoomAtMiddle(double factor) { view_.zoom(factor, view_.begin() + view_.span() / 2); }
+void LiveStrip::zoomAtMiddle(double factor) {
+  auto& view = activeView();
+  view.zoom(factor, view.begin() + view.span() / 2);
+}
 
 void LiveStrip::keyPressEvent(QKeyEvent* event) {
   const bool far = event->modifiers().testFlag(Qt::ShiftModifier);
-  const auto page = view_.span() / (far ? 1 : 10);
+  auto& view = activeView();
+  const auto page = view.span() / (far ? 1 : 10);
   const bool moves_overlay = event->modifiers().testFlag(Qt::ControlModifier);
   const auto step = std::max<Nanoseconds>(view_.span() / (far ? 20 : 200), 1);
   switch (event->key()) {
     case Qt::Key_Left:
-      return moves_overlay ? Q_EMIT overlayMoved(-step) : view_.pan(-page);
+      return moves_overlay ? Q_EMIT overlayMoved(-step) : view.pan(-page);
     case Qt::Key_Right:
-      return moves_overlay ? Q_EMIT overlayMoved(step) : view_.pan(page);
+      return moves_overlay ? Q_EMIT overlayMoved(step) : view.pan(page);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
       return zoomAtMiddle(0.5);
     case Qt::Key_Minus:
       return zoomAtMiddle(2);
     case Qt::Key_Home:
-      return view_.goToStart();
+      return view.goToStart();
     case Qt::Key_End:
-      return view_.goLive();
+      return view.goLive();
     case Qt::Key_Space:
-      return view_.mode() == TimeView::Mode::kLive ? view_.freeze() : view_.goLive();
+      return view.mode() == TimeView::Mode::kLive ? view.freeze() : view.goLive();
     case Qt::Key_F:
       for (auto* panel : all_panels_) panel->plot()->fitValues();
       return;
@@ -397,6 +477,9 @@ void LiveStrip::keyPressEvent(QKeyEvent* event) {
       return cursors_.set(CursorSet::kA, cursorPlace());
     case Qt::Key_B:
       return cursors_.set(CursorSet::kB, cursorPlace());
+    case Qt::Key_D:
+      if (hasSamples()) askForDistance();
+      return;
     case Qt::Key_N:
       if (hasSamples()) Q_EMIT noteWanted(notePlace(cursorPlace()));
       return;

@@ -15,12 +15,14 @@
 #include "ui/plots/trace_panel.h"
 
 class QLabel;
+class QMenu;
 class QStackedLayout;
 
 namespace syncline::ui {
 
 class CycleView;
 class DistributionView;
+class FreeView;
 class LiveStripToolbar;
 class OverlayFigures;
 class SlavesView;
@@ -54,6 +56,12 @@ class LiveStrip : public QWidget {
   void goTo(Nanoseconds time);
   /// As goTo(); a stretch fills the plots, with cursor A on a moment of it; `freeze`: the picture says that it stands.
   void showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze);
+  /// Those of the project, see FreeView.
+  void setViews(const std::vector<MonitorView>& views);
+  /// Proposed besides: those of a recording.
+  void setOfferedViews(std::vector<MonitorView> views);
+  /// Limits of the project in work, which may be dragged and typed; nothing: what is shown is not of it.
+  void setWantedLimits(const std::optional<RunLimits>& limits);
   /// The level of a trigger, drawn where its signal is; nothing: none.
   struct TriggerLevel {
     Signal signal = Signal::kDeviation;
@@ -75,9 +83,10 @@ class LiveStrip : public QWidget {
   [[nodiscard]] StabilityView* stability() const { return stability_; }
   [[nodiscard]] SlavesView* slaves() const { return slaves_; }
   [[nodiscard]] CycleView* cycle() const { return cycle_; }
-  /// The plots over time, or in their place histograms, curves over observation times and spectra, all slaves, or the
-  /// SYNC0 period of one.
-  enum class Body : std::uint8_t { kPlots, kDistribution, kStability, kSlaves, kCycle };
+  [[nodiscard]] FreeView* free() const { return free_; }
+  /// The plots over time, or in their place those of the user's own, histograms, curves over observation times and
+  /// spectra, all slaves, or the SYNC0 period of one.
+  enum class Body : std::uint8_t { kPlots, kDistribution, kStability, kSlaves, kCycle, kFree };
   void showBody(Body body);
   /// The bins of the distribution, the figures of the stability, the cells of the slaves or the arrivals of the cycle
   /// where they are shown; else the stretch that is shown as a table: times in ns since the run began and in UTC, one
@@ -86,6 +95,8 @@ class LiveStrip : public QWidget {
   [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
   /// What is shown, with a caption, in light colours whatever the theme is. To be drawn at once.
   [[nodiscard]] Picture picture();
+  /// The figures of the plots that are shown, a line a curve, for a spreadsheet.
+  [[nodiscard]] QString figures() const;
 
  Q_SIGNALS:
   /// A note is to be written at this moment, or the one that is there to be changed.
@@ -100,8 +111,12 @@ class LiveStrip : public QWidget {
   void eventClicked(syncline::Nanoseconds time);
   void triggerWanted();
   void triggerLevelDragged(double level);
+  /// Another limit of the signal in the project, ns.
+  void limitWanted(syncline::Signal signal, double magnitude);
   /// A slave of the run, by position, was chosen.
   void slaveWanted(int position);
+  /// These are the project's views from now on.
+  void viewsEdited(const std::vector<syncline::MonitorView>& views);
   /// The page on which variables are chosen to be watched.
   void variablesWanted();
 
@@ -125,7 +140,19 @@ class LiveStrip : public QWidget {
   [[nodiscard]] Nanoseconds notePlace(Nanoseconds time) const;
   void followRecord();
   [[nodiscard]] bool hasSamples() const { return record_ != nullptr && !record_->samples().empty(); }
-  void openMenu(const QPoint& global, Nanoseconds time);
+  void adopt(TracePanel* panel);
+  void gatherPanels();
+  /// Those that are over time and shown now.
+  [[nodiscard]] std::vector<TracePanel*> shownPanels() const;
+  /// Of the plot that has the focus.
+  [[nodiscard]] TimeView& activeView();
+  void openMenu(const QPoint& global, Nanoseconds time, TracePanel* panel = nullptr);
+  void addPlotActions(QMenu& menu, TracePanel& panel);
+  void addAxisActions(QMenu& menu);
+  void addCursorActions(QMenu& menu, Nanoseconds time);
+  void addRecordingActions(QMenu& menu, Nanoseconds time);
+  void askForDistance();
+  void askForLimit(TracePanel& panel);
   void exportCsv();
   void exportPicture();
   void copyPicture();
@@ -144,10 +171,12 @@ class LiveStrip : public QWidget {
   StabilityView* stability_;
   SlavesView* slaves_;
   CycleView* cycle_;
+  FreeView* free_;
   std::array<TracePanel*, 3> panels_{};
   VariablesRow* variables_;
   OverlayFigures* overlay_figures_;
-  std::vector<TracePanel*> all_panels_;  // those of the variables, too
+  std::vector<TracePanel*> fixed_panels_;  // those of the variables, too
+  std::vector<TracePanel*> all_panels_;    // and those of the user's own
   QTimer tick_;
   unsigned ticks_ = 0;
   std::vector<EventMark> marks_;  // of the record's events, by time
@@ -155,6 +184,7 @@ class LiveStrip : public QWidget {
   std::uint64_t noted_ = 0;       // RunRecord::notes_changed() when the notes were looked at
   std::size_t notes_marked_ = 0;
   TriggerLevel level_;
+  std::optional<RunLimits> wanted_limits_;
   Body body_ = Body::kPlots;
   bool text_wanted_ = false;
 };

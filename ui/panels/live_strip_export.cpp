@@ -8,6 +8,8 @@
 #include "support/whole_file.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
+#include "ui/panels/free_plot.h"
+#include "ui/panels/free_view.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/picture_file.h"
 #include "ui/panels/slaves_view.h"
@@ -30,6 +32,7 @@ std::string LiveStrip::csv() const {
   if (body_ == Body::kStability) return stability_->csv();
   if (body_ == Body::kSlaves) return slaves_->csv();
   if (body_ == Body::kCycle) return cycle_->csv();
+  if (body_ == Body::kFree) return free_->csv(view_.begin(), view_.end());
   return csv(view_.begin(), view_.end());
 }
 
@@ -61,8 +64,8 @@ Picture LiveStrip::picture() {
   const auto title = tr("Syncline, %1, cycle %2")
                          .arg(utcRangeText(view_.begin(), view_.end()),
                               cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time));
-  return captioned(*body(), title, [this](QPainter& painter, const QPoint& place) {
-    auto* shown = body();
+  auto* shown = body_ == Body::kFree ? free_->canvas() : body();
+  return captioned(*shown, title, [this, shown](QPainter& painter, const QPoint& place) {
     const auto colours = shown->palette();
     shown->setPalette(picturePalette());
     for (auto* panel : all_panels_) panel->applyTheme();
@@ -70,7 +73,9 @@ Picture LiveStrip::picture() {
     if (body_ == Body::kStability) stability_->refresh();
     if (body_ == Body::kSlaves) slaves_->refresh();
     if (body_ == Body::kCycle) cycle_->refresh();
+    if (body_ == Body::kFree) free_->setForPicture(true);
     shown->render(&painter, place, {}, QWidget::DrawChildren);
+    if (body_ == Body::kFree) free_->setForPicture(false);
     shown->setPalette(colours);
     for (auto* panel : all_panels_) panel->applyTheme();
   });
@@ -95,48 +100,5 @@ void LiveStrip::exportPicture() {
 }
 
 void LiveStrip::copyPicture() { ui::copyPicture(picture()); }
-
-void LiveStrip::openMenu(const QPoint& global, Nanoseconds time) {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(tr("Cursor A here"), this, [this, time] { cursors_.set(CursorSet::kA, time); });
-  menu->addAction(tr("Cursor B here"), this, [this, time] { cursors_.set(CursorSet::kB, time); });
-  menu->addAction(tr("Remove cursors"), this, [this] { cursors_.clear(); })->setEnabled(cursors_.any());
-  menu->addSeparator();
-  auto* note = menu->addAction(tr("Note here…"), this, [this, time] { Q_EMIT noteWanted(notePlace(time)); });
-  note->setObjectName(QStringLiteral("actionNoteHere"));
-  note->setEnabled(hasSamples());
-  if (const auto& overlay = panels_.front()->overlay(); overlay.record != nullptr) {
-    const auto cursor = cursors_.at(CursorSet::kA);
-    auto* lay = menu->addAction(tr("Lay this moment of %1 on cursor A").arg(overlay.other), this,
-                                [this, by = cursor.value_or(time) - time] { Q_EMIT overlayMoved(by); });
-    lay->setObjectName(QStringLiteral("actionOverlayOnCursor"));
-    lay->setEnabled(cursor.has_value());
-  }
-  if (recorded_) {
-    auto* moment = menu->addAction(tr("Replay from here"), this, [this, time] { Q_EMIT momentWanted(time); });
-    moment->setObjectName(QStringLiteral("actionReplayHere"));
-    moment->setEnabled(hasSamples());
-  }
-  menu->addSeparator();
-  menu->addAction(tr("Show everything"), this, [this] { view_.showAll(); });
-  menu->addAction(tr("Fit values"), this, [this] {
-    for (auto* panel : all_panels_) panel->plot()->fitValues();
-  });
-  auto* hold = menu->addAction(tr("Keep the value axes as they are"), this, [this](bool on) {
-    for (auto* panel : all_panels_) {
-      const auto& range = panel->plot()->valueRange();
-      on ? panel->plot()->fixValues(range.low(), range.high()) : panel->plot()->fitValues();
-    }
-  });
-  hold->setCheckable(true);
-  hold->setChecked(panels_.front()->plot()->valueRange().isFixed());
-  menu->addSeparator();
-  menu->addAction(tr("Export range as CSV…"), this, [this] { exportCsv(); });
-  auto* export_picture = menu->addAction(tr("Export picture…"), this, [this] { exportPicture(); });
-  export_picture->setObjectName(QStringLiteral("actionExportPicture"));
-  menu->addAction(tr("Copy picture"), this, [this] { copyPicture(); });
-  menu->popup(global);
-}
 
 }  // namespace syncline::ui

@@ -14,6 +14,7 @@ class DeviationPanel final : public TracePanel {
  public:
   DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
   [[nodiscard]] const SlaveSlots& slots_shown() const { return slots_; }
+  [[nodiscard]] std::optional<Signal> limitSignal() const override { return Signal::kDeviation; }
 
  protected:
   void attach() override;

@@ -49,22 +49,16 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   connect(measure_, &QToolButton::clicked, this, &LiveStripToolbar::cursorsToggled);
   auto* fit = addButton(layout, "fitButton", tr("Fit"), tr("Fit the value axes to what is shown (F)"));
   connect(fit, &QToolButton::clicked, this, &LiveStripToolbar::fitRequested);
-  distribution_ = addButton(layout, "distributionButton", tr("Distribution"),
-                            tr("How often which value came, instead of the plots over time"));
-  distribution_->setCheckable(true);
-  connect(distribution_, &QToolButton::clicked, this, &LiveStripToolbar::distributionToggled);
-  stability_ = addButton(layout, "stabilityButton", tr("Stability"),
-                         tr("How steady signals are over observation times, and their spectrum, instead of the plots"));
-  stability_->setCheckable(true);
-  connect(stability_, &QToolButton::clicked, this, &LiveStripToolbar::stabilityToggled);
-  slaves_ = addButton(layout, "slavesButton", tr("Slaves"),
-                      tr("The deviations of all slaves as a heat map, and their figures, instead of the plots"));
-  slaves_->setCheckable(true);
-  connect(slaves_, &QToolButton::clicked, this, &LiveStripToolbar::slavesToggled);
-  cycle_ = addButton(layout, "cycleButton", tr("Cycle"),
-                     tr("Where in the SYNC0 period of a slave its outputs come, instead of the plots"));
-  cycle_->setCheckable(true);
-  connect(cycle_, &QToolButton::clicked, this, &LiveStripToolbar::cycleToggled);
+  addView(layout, View::kFree, "freeButton", tr("Own Plots"),
+          tr("Any signals in as many plots as you like, instead of these; kept with the project"));
+  addView(layout, View::kDistribution, "distributionButton", tr("Distribution"),
+          tr("How often which value came, instead of the plots over time"));
+  addView(layout, View::kStability, "stabilityButton", tr("Stability"),
+          tr("How steady signals are over observation times, and their spectrum, instead of the plots"));
+  addView(layout, View::kSlaves, "slavesButton", tr("Slaves"),
+          tr("The deviations of all slaves as a heat map, and their figures, instead of the plots"));
+  addView(layout, View::kCycle, "cycleButton", tr("Cycle"),
+          tr("Where in the SYNC0 period of a slave its outputs come, instead of the plots"));
   buildViews(layout);
   auto* trigger = addButton(layout, "triggerButton", tr("Trigger"),
                             tr("Stops or moves the plots where a signal or an event does what you wait for"));
@@ -81,6 +75,14 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   connect(view_, &TimeView::modeChanged, this, &LiveStripToolbar::showState);
   connect(cursors_, &CursorSet::changed, this, &LiveStripToolbar::showState);
   showState();
+}
+
+void LiveStripToolbar::addView(QHBoxLayout* layout, View view, const char* name, const QString& text,
+                               const QString& tip) {
+  auto* button = addButton(layout, name, text, tip);
+  button->setCheckable(true);
+  connect(button, &QToolButton::clicked, this, [this, view](bool on) { Q_EMIT viewToggled(view, on); });
+  view_buttons_.push_back({view, button});
 }
 
 QToolButton* LiveStripToolbar::addButton(QHBoxLayout* layout, const char* name, const QString& text,
@@ -106,7 +108,7 @@ void LiveStripToolbar::buildViews(QHBoxLayout* layout) {
   views_->setMenu(menu);
   connect(menu, &QMenu::aboutToShow, this, [this, menu] {
     menu->clear();
-    for (auto* button : viewButtons()) {
+    for (const auto& [view, button] : view_buttons_) {
       auto* action = menu->addAction(button->text(), button, &QToolButton::click);
       action->setCheckable(true);
       action->setChecked(button->isChecked());
@@ -115,21 +117,16 @@ void LiveStripToolbar::buildViews(QHBoxLayout* layout) {
   connect(menu, &QMenu::aboutToHide, this, &LiveStripToolbar::showViews);
 }
 
-std::array<QToolButton*, 4> LiveStripToolbar::viewButtons() const {
-  return {distribution_, stability_, slaves_, cycle_};
-}
-
 void LiveStripToolbar::showViews() {
-  const auto buttons = viewButtons();
-  const auto shown = std::ranges::find_if(buttons, &QToolButton::isChecked);
-  views_->setChecked(shown != buttons.end());
-  views_->setText(shown != buttons.end() ? (*shown)->text() : tr("View"));
+  const auto shown = std::ranges::find_if(view_buttons_, [](const ViewButton& one) { return one.button->isChecked(); });
+  views_->setChecked(shown != view_buttons_.end());
+  views_->setText(shown != view_buttons_.end() ? shown->button->text() : tr("View"));
 }
 
 /// Of the buttons that make room for one, more than that one.
 int LiveStripToolbar::spare() const {
   int width = -views_->sizeHint().width();
-  for (const auto* button : viewButtons()) width += button->sizeHint().width() + layout()->spacing();
+  for (const auto& [view, button] : view_buttons_) width += button->sizeHint().width() + layout()->spacing();
   return width - layout()->spacing();
 }
 
@@ -143,16 +140,13 @@ void LiveStripToolbar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const bool narrow = width() < minimumSizeHint().width() + spare();
   if (narrow == std::exchange(narrow_, narrow)) return;
-  for (auto* button : viewButtons()) button->setVisible(!narrow);
+  for (const auto& [view, button] : view_buttons_) button->setVisible(!narrow);
   views_->setVisible(narrow);
   showViews();
 }
 
-void LiveStripToolbar::setWanted(bool distribution, bool stability, bool slaves, bool cycle) {
-  distribution_->setChecked(distribution);
-  stability_->setChecked(stability);
-  slaves_->setChecked(slaves);
-  cycle_->setChecked(cycle);
+void LiveStripToolbar::setWanted(View view) {
+  for (const auto& one : view_buttons_) one.button->setChecked(one.view == view);
   showViews();
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <QWidget>
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "ui/plots/cursor_item.h"
@@ -26,15 +26,15 @@ class LiveStripToolbar final : public QWidget {
 
   /// What is followed is no machine but a moment of a recording.
   void setReplayed(bool replayed);
-  /// What stands in place of the plots: one of them at most.
-  void setWanted(bool distribution, bool stability, bool slaves, bool cycle);
+  /// What stands in place of the plots.
+  enum class View : std::uint8_t { kNone, kFree, kDistribution, kStability, kSlaves, kCycle };
+  void setWanted(View view);
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  void distributionToggled(bool on);
-  void stabilityToggled(bool on);
-  void slavesToggled(bool on);
-  void cycleToggled(bool on);
+  void viewToggled(syncline::ui::LiveStripToolbar::View view, bool on);
+  /// The distance of the cursors is to be typed.
+  void distanceWanted();
   void fitRequested();
   void triggerWanted();
   void cursorsToggled(bool on);
@@ -44,9 +44,9 @@ class LiveStripToolbar final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void addView(QHBoxLayout* layout, View view, const char* name, const QString& text, const QString& tip);
   QToolButton* addButton(QHBoxLayout* layout, const char* name, const QString& text, const QString& tip);
   void buildViews(QHBoxLayout* layout);
-  [[nodiscard]] std::array<QToolButton*, 4> viewButtons() const;
   void showViews();
   [[nodiscard]] int spare() const;
 
@@ -57,7 +57,12 @@ class LiveStripToolbar final : public QWidget {
     Nanoseconds span;
   };
   std::vector<Length> lengths_;
-  QToolButton *live_, *freeze_, *measure_, *distribution_, *stability_, *slaves_, *cycle_, *views_;
+  struct ViewButton {
+    View view;
+    QToolButton* button;
+  };
+  std::vector<ViewButton> view_buttons_;
+  QToolButton *live_, *freeze_, *measure_, *views_;
   bool replayed_ = false;
   bool narrow_ = false;  // the views stand in one menu
   ValueLabel *state_, *delta_;

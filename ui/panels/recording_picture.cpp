@@ -13,12 +13,16 @@
 #include "reasons/because.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
+#include "ui/panels/free_plot.h"
+#include "ui/panels/free_view.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/live_strip_toolbar.h"
 #include "ui/panels/overlay_figures.h"
 #include "ui/panels/overview_panel.h"
 #include "ui/panels/picture_file.h"
 #include "ui/panels/slaves_view.h"
+#include "ui/panels/usual_views.h"
+#include "ui/session/recorded_views.h"
 #include "ui/text/signal_text.h"
 
 namespace syncline::ui {
@@ -26,6 +30,7 @@ namespace {
 
 constexpr qint64 kTimeoutMs = 60'000;
 constexpr QSize kUsual(1280, 460), kUsualOfSlaves(1760, 460);  // all columns of the table
+constexpr int kCaptionRoom = 60;                               // with some more for the plots
 constexpr QSize kLeastRoom(600, 160);                          // the window lets no view have less
 
 struct ViewName {
@@ -37,7 +42,8 @@ constexpr std::array kViews{ViewName{PictureView::kOverview, "overview"},
                             ViewName{PictureView::kDistribution, "distribution"},
                             ViewName{PictureView::kStability, "stability"},
                             ViewName{PictureView::kCycle, "cycle"},
-                            ViewName{PictureView::kSlaves, "slaves"}};
+                            ViewName{PictureView::kSlaves, "slaves"},
+                            ViewName{PictureView::kFree, "free"}};
 
 LiveStrip::Body bodyOf(PictureView view) {
   switch (view) {
@@ -49,6 +55,8 @@ LiveStrip::Body bodyOf(PictureView view) {
       return LiveStrip::Body::kCycle;
     case PictureView::kSlaves:
       return LiveStrip::Body::kSlaves;
+    case PictureView::kFree:
+      return LiveStrip::Body::kFree;
     default:
       return LiveStrip::Body::kPlots;
   }
@@ -91,6 +99,8 @@ const QWidget& bodyOf(const LiveStrip& strip, PictureView view) {
       return *strip.cycle();
     case PictureView::kSlaves:
       return *strip.slaves();
+    case PictureView::kFree:
+      return *strip.free()->canvas();
     default:
       return *strip.panels().front()->parentWidget();
   }
@@ -126,8 +136,34 @@ Status writeOverview(const ReplayedRun& run, const RecordingPicture& wanted, con
   return writePicture(panel.picture(), path);
 }
 
-Status prepare(LiveStrip& strip, const RunRecord& record, const RecordingPicture& wanted) {
+/// Signals that were named, a view of the project in the recording, or what is proposed first.
+Status chooseView(FreeView& free, const ReplayedRun& run, const RecordingPicture& wanted) {
+  if (!wanted.sources.empty()) {
+    free.setViews({viewOf(*run.record, wanted.sources)});
+    free.choose(0);
+    return {};
+  }
+  const auto views = recordedViews(run.info.about);
+  free.setViews(views);
+  if (wanted.own_view.isEmpty()) {
+    free.choose(0);
+    return {};
+  }
+  const auto named = std::ranges::find(views, wanted.own_view.toStdString(), &MonitorView::name);
+  if (named == views.end()) {
+    return fail(ErrorCode::kBadValue, wanted.own_view.toStdString(),
+                because("the project in the recording has no view of that name"));
+  }
+  free.choose(static_cast<int>(named - views.begin()));
+  return {};
+}
+
+Status prepare(LiveStrip& strip, const ReplayedRun& run, const RecordingPicture& wanted) {
+  const auto& record = *run.record;
   strip.setRecord(&record, true);
+  if (wanted.view == PictureView::kFree) {
+    if (auto status = chooseView(*strip.free(), run, wanted); !status) return status;
+  }
   if (wanted.slave >= 0) strip.setPickedSlave(wanted.slave);
   strip.setOverlay(wanted.overlay);
   if (!wanted.sources.empty()) {
@@ -194,13 +230,35 @@ Result<SignalSource> signalSourceOf(const QString& text, const RunRecord& record
   return source;
 }
 
+Result<SignalSource> drawnSignalOf(const QString& text, const RunRecord& record) {
+  const auto& variables = record.watched().variables();
+  const auto variable = std::ranges::find(variables, text.toStdString(), &WatchedVariable::name);
+  if (variable != variables.end())
+    return SignalSource{Signal::kVariable, static_cast<std::size_t>(variable - variables.begin())};
+  const auto parts = text.split(u'@');
+  const auto scope = parts.size() == 1 ? SignalInfo::Scope::kBus : SignalInfo::Scope::kSlave;
+  const auto* row = find_signal(parts.first().toStdString(), scope);
+  bool number = parts.size() == 1;
+  const auto slave = parts.size() == 2 ? parts.last().toUInt(&number) : 0U;
+  const bool known = row != nullptr && parts.size() <= 2 && number && row->form != SignalInfo::Form::kCell;
+  if (!known || (scope == SignalInfo::Scope::kSlave && slave >= record.samples().slave_count())) {
+    return fail(
+        ErrorCode::kBadValue, text.toStdString(),
+        because("it is no signal that can be drawn, such as lost_frames_total, al_status@1 or a variable's name"));
+  }
+  return SignalSource{row->id, slave};
+}
+
 Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wanted, const QString& path) {
   if (!pictureFormOf(path)) return writePicture({}, path);
   if (wanted.view == PictureView::kOverview) return writeOverview(run, wanted, path);
   LiveStrip strip;
   strip.findChild<LiveStripToolbar*>()->hide();  // no part of the picture, and wider than many are to be
-  if (auto status = prepare(strip, *run.record, wanted); !status) return status;
-  const auto usual = wanted.view == PictureView::kSlaves ? kUsualOfSlaves : kUsual;
+  if (auto status = prepare(strip, run, wanted); !status) return status;
+  auto usual = wanted.view == PictureView::kSlaves ? kUsualOfSlaves : kUsual;
+  // As many plots as there are have room.
+  if (wanted.view == PictureView::kFree)
+    usual.setHeight(std::max(usual.height(), strip.free()->canvas()->minimumHeight() + kCaptionRoom));
   const auto size = wanted.size.isEmpty() ? usual : wanted.size;
   strip.setMinimumSize(1, 1);  // that of the view alone counts
   strip.resize(size);
@@ -218,6 +276,7 @@ Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wan
   });
   if (!complete) return fail(ErrorCode::kTimeout, "picture");
   for (auto* panel : strip.panels()) panel->refreshText(true);
+  for (auto* plot : strip.free()->plots()) plot->refreshText(true);
   QCoreApplication::processEvents();  // what a legend says by now may need more room
   strip.refresh();
   return writePicture(strip.picture(), path);

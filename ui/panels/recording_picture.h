@@ -15,7 +15,7 @@
 namespace syncline::ui {
 
 /// What a picture of a run shows, by the names that the window has for it.
-enum class PictureView : std::uint8_t { kOverview, kPlots, kDistribution, kStability, kCycle, kSlaves };
+enum class PictureView : std::uint8_t { kOverview, kPlots, kDistribution, kStability, kCycle, kSlaves, kFree };
 
 /// What a picture of a recording is to be; what is not said is as the window has it at first.
 struct RecordingPicture {
@@ -25,20 +25,24 @@ struct RecordingPicture {
     Nanoseconds begin = 0, end = 0;
   };
   std::optional<Range> range{};
-  std::vector<SignalSource> sources{};  // of distribution and stability
+  std::vector<SignalSource> sources{};  // of distribution, stability and the user's own plots
+  QString own_view{};                   // of the project in the recording: its name; empty: the first one
   std::optional<StabilityView::Figure> figure{};
   int slave = -1;                 // whose curves the plots draw in any case, whose cycle it is
   TracePanel::Overlay overlay{};  // of the view kPlots: what lies over it
   QSize size{};                   // of the picture in pixels of a screen; empty: what suits the view
 };
 
-/// "overview", "plots", "distribution", "stability", "cycle", "slaves".
+/// "overview", "plots", "distribution", "stability", "cycle", "slaves", "free".
 [[nodiscard]] std::optional<PictureView> pictureViewOf(const QString& name);
 [[nodiscard]] QStringList pictureViewNames();
 /// "adev", "tdev", "mtie", "spectrum".
 [[nodiscard]] std::optional<StabilityView::Figure> stabilityFigureOf(const QString& name);
 /// "dcm_error_ns", and "deviation_ns@3" of slave 3. kBadValue where the run has no such signal to show.
 [[nodiscard]] Result<SignalSource> signalSourceOf(const QString& text, const RunRecord& record);
+
+/// The same of any signal that can be drawn, "al_status@3" and "lost_frames_total", too, and of a variable by its name.
+[[nodiscard]] Result<SignalSource> drawnSignalOf(const QString& text, const RunRecord& record);
 
 /// Draws it with the widgets of the window, which nobody sees, and writes PNG, SVG or PDF by the ending of the name. In
 /// the thread of the window; lets it work until every figure is made. kBadValue where the view has nothing to show of

@@ -5,12 +5,36 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace syncline::ui {
 
 void CursorSet::set(Which which, std::optional<Nanoseconds> time) {
   if (cursors_[which] == time) return;
   cursors_[which] = time;
+  keepPlace(which);
+  Q_EMIT changed();
+}
+
+void CursorSet::keepPlace(Which which) {
+  if (cursors_[which]) places_[which] = static_cast<double>(*cursors_[which] - begin_) / static_cast<double>(span_);
+}
+
+void CursorSet::setHeld(bool held) {
+  if (held == std::exchange(held_, held)) return;
+  for (const auto which : {kA, kB}) keepPlace(which);
+  Q_EMIT changed();
+}
+
+void CursorSet::follow(Nanoseconds begin, Nanoseconds span) {
+  begin_ = begin;
+  span_ = std::max<Nanoseconds>(span, 1);
+  if (!held_ || !any()) return;
+  for (const auto which : {kA, kB}) {
+    if (cursors_[which])
+      cursors_[which] = begin_ + static_cast<Nanoseconds>(std::llround(places_[which] * static_cast<double>(span_)));
+  }
   Q_EMIT changed();
 }
 

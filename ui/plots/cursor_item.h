@@ -13,7 +13,7 @@
 namespace syncline::ui {
 
 /// Two measuring cursors and the place of the pointer, shared by linked plots. They are times of the
-/// data, so they move with the data.
+/// data, so they move with the data; or they are held at their places on the screen, and the data pass them.
 class CursorSet final : public QObject {
   Q_OBJECT
 
@@ -29,6 +29,11 @@ class CursorSet final : public QObject {
   /// B minus A; 0 unless both are set.
   [[nodiscard]] Nanoseconds delta() const { return both() ? *cursors_[kB] - *cursors_[kA] : 0; }
 
+  void setHeld(bool held);
+  [[nodiscard]] bool held() const { return held_; }
+  /// What the linked plots show from now on; cursors that are held are at other times then.
+  void follow(Nanoseconds begin, Nanoseconds span);
+
   void setPointer(std::optional<Nanoseconds> time);
   [[nodiscard]] std::optional<Nanoseconds> pointer() const { return pointer_; }
 
@@ -37,8 +42,13 @@ class CursorSet final : public QObject {
   void pointerMoved();
 
  private:
+  void keepPlace(Which which);
+
   std::array<std::optional<Nanoseconds>, 2> cursors_;
   std::optional<Nanoseconds> pointer_;
+  bool held_ = false;
+  Nanoseconds begin_ = 0, span_ = 1;  // of what is shown
+  std::array<double, 2> places_{};    // in parts of the span, while they are held
 };
 
 /// Draws a CursorSet into one plot.

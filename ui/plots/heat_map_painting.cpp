@@ -70,29 +70,32 @@ void HeatMapPlot::drawNames(QPainter& painter) const {
 }
 
 void HeatMapPlot::drawTimes(QPainter& painter) const {
-  const auto axis = timeAxisOf(*view_);
   const auto all = area();
+  const auto axis = timeAxisOf(*view_, std::max(static_cast<int>(all.width() / 64), 2));
   const double foot = eventsArea().bottom();
   const double begin = axis.begin / axis.divisor;
   const double end = axis.end / axis.divisor;
+  const auto mark = [&](double x, const QString& label) {
+    painter.setPen(QPen(plot_colors::envelope(palette()), 0));
+    painter.drawLine(QPointF(x, foot), QPointF(x, foot + 3));
+    painter.setPen(theme::mutedText(palette()));
+    QRectF box(x - 40, foot + 3, 80, 14);
+    box.moveRight(std::min(box.right(), width() - 1 + 40.0 - painter.fontMetrics().horizontalAdvance(label) / 2.0));
+    painter.drawText(box, Qt::AlignCenter, label);
+  };
+  for (const auto& tick : axis.ticks) mark(all.left() + (tick.value - begin) / (end - begin) * all.width(), tick.label);
   const double step = roundStep((end - begin) * 64 / std::max(all.width(), 64.0));
   const int digits = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 9);
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  for (double tick = std::ceil(begin / step - 1e-9) * step; tick <= end + step * 1e-6; tick += step) {
-    const double x = all.left() + (tick - begin) / (end - begin) * all.width();
-    painter.setPen(QPen(plot_colors::envelope(palette()), 0));
-    painter.drawLine(QPointF(x, foot), QPointF(x, foot + 3));
-    painter.setPen(theme::mutedText(palette()));
+  for (double tick = std::ceil(begin / step - 1e-9) * step; !axis.labelled && tick <= end + step * 1e-6; tick += step) {
     auto label = locale.toString(std::abs(tick) < step / 1e6 ? 0 : tick, 'f', digits);
     if (label.startsWith(u'-')) label.replace(0, 1, QChar(0x2212));
-    QRectF box(x - 40, foot + 3, 80, 14);
-    box.moveRight(std::min(box.right(), width() - 1 + 40.0 - painter.fontMetrics().horizontalAdvance(label) / 2.0));
-    painter.drawText(box, Qt::AlignCenter, label);
+    mark(all.left() + (tick - begin) / (end - begin) * all.width(), label);
   }
   painter.setPen(theme::mutedText(palette()));
   painter.drawText(QRectF(all.left(), foot + 16, all.width(), 15), Qt::AlignCenter,
-                   axis.quantity + QStringLiteral(" / ") + axis.unit);
+                   axis.unit.isEmpty() ? axis.quantity : axis.quantity + QStringLiteral(" / ") + axis.unit);
 }
 
 void HeatMapPlot::drawSelection(QPainter& painter) const {

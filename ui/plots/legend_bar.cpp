@@ -40,21 +40,29 @@ QStringList LegendBar::parts() const {
 QSize LegendBar::sizeHint() const { return {200, fontMetrics().height() + 2}; }
 QSize LegendBar::minimumSizeHint() const { return {60, fontMetrics().height() + 2}; }
 
-QString LegendBar::shownName(const Entry& entry, bool abbreviate) const {
-  if (abbreviate && !entry.short_name.isEmpty()) return entry.short_name;
+QString LegendBar::shownName(const Entry& entry, Names names) const {
+  if (names == Names::kWhole) return entry.name;
+  if (names == Names::kShort && !entry.short_name.isEmpty()) return entry.short_name;
   return fontMetrics().elidedText(entry.name, Qt::ElideRight, kLongestName);
 }
 
-int LegendBar::widthOf(const Entry& entry, bool abbreviate) const {
-  return kSwatch + 2 * kGap + fontMetrics().horizontalAdvance(shownName(entry, abbreviate)) +
+LegendBar::Names LegendBar::namesThatFit() const {
+  for (const auto names : {Names::kWhole, Names::kElided}) {
+    int all = -kBetween;
+    for (const auto& entry : entries_) all += widthOf(entry, names) + kBetween;
+    if (all <= width()) return names;
+  }
+  return Names::kShort;
+}
+
+int LegendBar::widthOf(const Entry& entry, Names names) const {
+  return kSwatch + 2 * kGap + fontMetrics().horizontalAdvance(shownName(entry, names)) +
          fontMetrics().horizontalAdvance(entry.value);
 }
 
 void LegendBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  int all = 0;
-  for (const auto& entry : entries_) all += widthOf(entry, false) + kBetween;
-  const bool abbreviate = all - kBetween > width();
+  const auto names = namesThatFit();
   int x = 0;
   const auto write = [&](const QString& text, const QColor& color) {
     const int wide = fontMetrics().horizontalAdvance(text);
@@ -67,11 +75,11 @@ void LegendBar::paintEvent(QPaintEvent*) {
     const auto& entry = entries_[i];
     const auto rest = QStringLiteral("+%1").arg(entries_.size() - i);
     const int reserve = i + 1 < entries_.size() ? kBetween + fontMetrics().horizontalAdvance(rest) : 0;
-    if (x > 0 && x + widthOf(entry, abbreviate) + reserve > width()) return write(rest, muted);
+    if (x > 0 && x + widthOf(entry, names) + reserve > width()) return write(rest, muted);
     const bool broad = entry.shape == SeriesItem::Shape::kEnvelope;
     painter.fillRect(QRect(x, height() / 2 - (broad ? 4 : 1), kSwatch, broad ? 8 : 3), entry.color);
     x += kSwatch + kGap;
-    write(shownName(entry, abbreviate), muted);
+    write(shownName(entry, names), muted);
     x += kGap;
     write(entry.value, palette().color(QPalette::WindowText));
     x += kBetween;

@@ -36,8 +36,11 @@ class LegendBar final : public QWidget {
 
  private:
   [[nodiscard]] QStringList parts() const;
-  [[nodiscard]] QString shownName(const Entry& entry, bool abbreviate) const;
-  [[nodiscard]] int widthOf(const Entry& entry, bool abbreviate) const;
+  enum class Names : unsigned char { kWhole, kElided, kShort };
+  [[nodiscard]] QString shownName(const Entry& entry, Names names) const;
+  [[nodiscard]] int widthOf(const Entry& entry, Names names) const;
+  /// The longest names with which all entries have room; else the shortest.
+  [[nodiscard]] Names namesThatFit() const;
 
   std::vector<Entry> entries_;
 };

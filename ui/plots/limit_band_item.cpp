@@ -15,6 +15,30 @@ void LimitBandItem::setLimit(double limit, const QString& label) {
   label_ = label;
 }
 
+void LimitBandItem::setWanted(double limit, const QString& label) {
+  wanted_ = limit;
+  wanted_label_ = label;
+}
+
+void LimitBandItem::drawWanted(QPainter& painter, const QwtScaleMap& y, const QRectF& canvas) const {
+  if (wanted_ <= 0) return;
+  painter.setPen(QPen(line_, 0, Qt::DotLine));
+  for (const double line : {y.transform(wanted_), y.transform(-wanted_)}) {
+    if (line >= canvas.top() && line <= canvas.bottom())
+      painter.drawLine(QPointF(canvas.left(), line), QPointF(canvas.right(), line));
+  }
+  const auto metrics = painter.fontMetrics();
+  QRectF box(0, 0, metrics.horizontalAdvance(wanted_label_) + 6, metrics.height());
+  const double top =
+      std::clamp(y.transform(wanted_) - box.height() - 1, canvas.top() + 2, canvas.bottom() - box.height());
+  box.moveTopRight(QPointF(canvas.right() - 4, top));
+  auto background = background_;
+  background.setAlpha(215);
+  painter.fillRect(box, background);
+  painter.setPen(line_);
+  painter.drawText(box, Qt::AlignCenter, wanted_label_);
+}
+
 void LimitBandItem::setColors(const QColor& fill, const QColor& line, const QColor& text_background) {
   fill_ = fill;
   line_ = line;
@@ -48,6 +72,7 @@ void LimitBandItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMa
   painter->fillRect(box, background);
   painter->setPen(line_);
   painter->drawText(box, Qt::AlignCenter, text);
+  drawWanted(*painter, y, canvas);
 }
 
 }  // namespace syncline::ui

@@ -16,12 +16,17 @@ class LimitBandItem final : public QwtPlotItem {
   /// 0 hides the band. In axis units.
   void setLimit(double limit, const QString& label);
   [[nodiscard]] double limit() const { return limit_; }
+  /// A limit that is wanted, but not the one that holds: dotted lines; 0: none.
+  void setWanted(double limit, const QString& label);
+  [[nodiscard]] double wanted() const { return wanted_; }
   void setColors(const QColor& fill, const QColor& line, const QColor& text_background);
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
 
  private:
-  double limit_ = 0;
-  QString label_;
+  void drawWanted(QPainter& painter, const QwtScaleMap& y, const QRectF& canvas) const;
+
+  double limit_ = 0, wanted_ = 0;
+  QString label_, wanted_label_;
   QColor fill_, line_, background_;
 };
 

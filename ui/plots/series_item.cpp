@@ -88,7 +88,11 @@ void SeriesItem::prepare(const ColumnGrid& grid) {
   if (series_ == nullptr || series_->empty()) return columns_.clear();
   if (held_ != nullptr) hold_until_ = held_->heard();
   const auto count = series_->count(grid_.origin, grid_.end());
-  if (shape_ != Shape::kStep && count > kDense * static_cast<std::size_t>(grid_.columns)) {
+  const bool dense = count > kDense * static_cast<std::size_t>(grid_.columns);
+  if (dense && shape_ == Shape::kStep) {
+    const auto hold_until = std::max(hold_until_, series_->last_time());
+    extent_ = extentOf(columns_.steps_of(*series_, grid_.origin, grid_.end(), grid_.width, hold_until));
+  } else if (dense) {
     extent_ = extentOf(columns_.of(*series_, grid_.origin, grid_.end(), grid_.width));
   } else {
     columns_.clear();
@@ -151,7 +155,8 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
     const auto& column = columns()[i];
     if (!column.valid) {
       // A column without a sample of a slower series is no gap as long as its neighbours are near.
-      if (previous != nullptr && column.start - previous->start > max_gap_) previous = nullptr;
+      const bool step = shape_ == Shape::kStep;
+      if (previous != nullptr && (step || column.start - previous->start > max_gap_)) previous = nullptr;
       continue;
     }
     float low = column.min;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "ui/text/signal_text.h"
 
 namespace syncline::ui {
@@ -14,6 +16,52 @@ bool isOfSlave(Signal signal) { return info(signal).scope == Scope::kSlave; }
 bool isOfVariable(Signal signal) { return info(signal).scope == Scope::kVariable; }
 
 }  // namespace
+
+std::uint16_t stationOf(const RunRecord& record, std::size_t slave) {
+  constexpr std::size_t kFirst = 1001;
+  const auto& slaves = record.config().slaves;
+  const auto told = slave < slaves.size() ? slaves[slave].station_address : std::uint16_t{0};
+  return told != 0 ? told : static_cast<std::uint16_t>(kFirst + slave);
+}
+
+std::optional<std::size_t> slaveOf(const RunRecord& record, std::uint16_t station) {
+  for (std::size_t slave = 0; slave < record.samples().slave_count(); ++slave) {
+    if (stationOf(record, slave) == station) return slave;
+  }
+  return std::nullopt;
+}
+
+std::optional<SignalSource> sourceOf(const RunRecord& record, const ViewSignal& signal) {
+  if (signal.of == ViewSignal::Of::kVariable) {
+    const auto& variables = record.watched().variables();
+    const auto found = std::ranges::find_if(variables, [&](const WatchedVariable& variable) {
+      return variable.name == signal.key && variable.output == signal.output;
+    });
+    if (found == variables.end()) return std::nullopt;
+    return SignalSource{Signal::kVariable, static_cast<std::size_t>(found - variables.begin())};
+  }
+  const auto* row = find_signal(signal.key, signal.of == ViewSignal::Of::kBus ? Scope::kBus : Scope::kSlave);
+  if (row == nullptr || row->form == SignalInfo::Form::kCell) return std::nullopt;
+  if (signal.of == ViewSignal::Of::kBus) return SignalSource{row->id, 0};
+  const auto slave = slaveOf(record, signal.station_address);
+  return slave ? std::optional(SignalSource{row->id, *slave}) : std::nullopt;
+}
+
+ViewSignal viewSignalOf(const RunRecord& record, const SignalSource& source) {
+  ViewSignal signal;
+  if (isOfVariable(source.signal)) {
+    const auto& variable = record.watched().variables().at(source.slave);
+    signal.of = ViewSignal::Of::kVariable;
+    signal.key = variable.name;
+    signal.output = variable.output;
+    return signal;
+  }
+  signal.key = info(source.signal).key;
+  if (!isOfSlave(source.signal)) return signal;
+  signal.of = ViewSignal::Of::kSlave;
+  signal.station_address = stationOf(record, source.slave);
+  return signal;
+}
 
 bool isThere(const RunRecord& record, const SignalSource& source) {
   if (isOfSlave(source.signal)) return source.slave < record.samples().slave_count();

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
+#include <optional>
 #include <string>
 
+#include "config/monitor_view.h"
 #include "record/run_record.h"
 
 namespace syncline::ui {
@@ -14,6 +17,15 @@ struct SignalSource {
   std::size_t slave = 0;  // or the variable's number in the run, see WatchLists
   bool operator==(const SignalSource&) const = default;
 };
+
+/// By which a view knows the slave: its station address; of a run that tells none the one that it would have had.
+[[nodiscard]] std::uint16_t stationOf(const RunRecord& record, std::size_t slave);
+/// The slave with that station address; nothing where there is none.
+[[nodiscard]] std::optional<std::size_t> slaveOf(const RunRecord& record, std::uint16_t station);
+/// What a view means in this run; nothing where it has no such signal, slave or variable.
+[[nodiscard]] std::optional<SignalSource> sourceOf(const RunRecord& record, const ViewSignal& signal);
+/// What a view says of it; the run must have it.
+[[nodiscard]] ViewSignal viewSignalOf(const RunRecord& record, const SignalSource& source);
 
 /// The run has such a slave or variable, where it is one of these.
 [[nodiscard]] bool isThere(const RunRecord& record, const SignalSource& source);

@@ -23,6 +23,31 @@ void TimeView::reset() {
   Q_EMIT changed();
 }
 
+void TimeView::setNotation(Notation notation) {
+  if (notation == std::exchange(notation_, notation)) return;
+  Q_EMIT changed();
+}
+
+void TimeView::copy(const TimeView& other) {
+  follow(other);
+  span_ = other.span_;
+  end_ = other.end_;
+  setMode(other.mode_);
+  Q_EMIT changed();
+}
+
+void TimeView::follow(const TimeView& other) {
+  clocks_ = other.clocks_;
+  origin_ = other.origin_;
+  setNotation(other.notation_);
+  if (followable_ != other.followable_) {
+    setFollowable(other.followable_);
+    span_ = other.span_;
+    end_ = other.end_;
+  }
+  setBounds(other.first_, other.last_);
+}
+
 void TimeView::setSpan(Nanoseconds span) {
   span_ = std::clamp(span, kMinSpan, kMaxSpan);
   Q_EMIT changed();

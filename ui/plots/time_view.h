@@ -2,7 +2,10 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "support/types.h"
 
@@ -21,6 +24,25 @@ class TimeView final : public QObject {
   static constexpr Nanoseconds kMaxSpan = 7 * 24 * 3600 * kSecond;
 
   using QObject::QObject;
+
+  /// How moments are told on the axis: before now while it follows, else since the run began; always since it began;
+  /// the time of day in UTC; the number of the cycle; the system time of the reference clock.
+  enum class Notation : std::uint8_t { kBeforeNow, kSinceStart, kUtc, kCycle, kDcTime };
+  void setNotation(Notation notation);
+  [[nodiscard]] Notation notation() const { return notation_; }
+  /// What a run knows of its moments; empty where it does not.
+  struct Clocks {
+    /// The number of the latest cycle at or before a time of the host clock.
+    std::function<std::optional<std::uint64_t>(Nanoseconds)> cycle_at{};
+    /// The system time of the reference clock then, ns since 2000-01-01.
+    std::function<std::optional<Nanoseconds>(Nanoseconds)> dc_time_at{};
+  };
+  void setClocks(Clocks clocks) { clocks_ = std::move(clocks); }
+  [[nodiscard]] const Clocks& clocks() const { return clocks_; }
+  /// Shows what `other` shows, in the same way.
+  void copy(const TimeView& other);
+  /// What there is, and how moments are told, is as there; the stretch is its own.
+  void follow(const TimeView& other);
 
   /// What the store holds; called once a tick. Moves the stretch when following.
   void setBounds(Nanoseconds first, Nanoseconds last);
@@ -64,6 +86,8 @@ class TimeView final : public QObject {
   void moveTo(Nanoseconds end);
 
   Mode mode_ = Mode::kLive;
+  Notation notation_ = Notation::kBeforeNow;
+  Clocks clocks_;
   bool followable_ = true;
   Nanoseconds span_ = 10 * kSecond;
   Nanoseconds followed_span_ = span_;  // of what is followed, while something is shown that is not

@@ -14,6 +14,7 @@
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/signal_source.h"
 #include "ui/text/joined_text.h"
+#include "ui/text/units.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/value_label.h"
 
@@ -22,8 +23,10 @@ namespace syncline::ui {
 TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, TimeView* view, CursorSet* cursors,
                        QWidget* parent)
     : QWidget(parent),
+      shared_(view),
       view_(view),
       cursors_(cursors),
+      head_(new QHBoxLayout),
       heading_(new QLabel(title)),
       readout_(new ValueLabel),
       legend_(new LegendBar),
@@ -36,18 +39,41 @@ TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, 
   // A long read-out must not widen the panel.
   readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   readout_->setFont(legend_->font());
-  auto* head = new QHBoxLayout;
-  head->setSpacing(8);
-  head->addWidget(heading_);
-  head->addWidget(readout_, 1);
+  head_->setSpacing(8);
+  head_->addWidget(heading_);
+  head_->addWidget(readout_, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  layout->addLayout(head);
+  layout->addLayout(head_);
   layout->addWidget(legend_);
   layout->addWidget(plot_, 1);
   heading_->setBuddy(plot_);
   setTitle(title);
+}
+
+void TracePanel::addToHead(QWidget* widget) { head_->addWidget(widget); }
+
+void TracePanel::setScale(ValueScale scale) {
+  for (const auto side : {TracePlot::kLeft, TracePlot::kRight}) plot_->axis(side).setScale(scale);
+  plot_->markDirty();
+}
+
+void TracePanel::setLimits(TracePlot::Side side, const std::optional<AxisLimits>& limits) {
+  limits ? plot_->axis(side).fix(*limits) : plot_->axis(side).fit();
+  plot_->markDirty();
+}
+
+void TracePanel::setOwnTime(bool own) {
+  if (own == plot_->hasOwnTime()) return;
+  if (own) own_.copy(*shared_);
+  view_ = own ? &own_ : shared_;
+  plot_->setTimeView(view_, own);
+  refreshText(true);
+}
+
+void TracePanel::followTime() {
+  if (plot_->hasOwnTime()) own_.follow(*shared_);
 }
 
 void TracePanel::setTitle(const QString& title) {
@@ -123,6 +149,7 @@ void TracePanel::refreshText(bool choose_now) {
     readout_->clear();
     return;
   }
+  renew();
   if (choose_now) choose();
   const auto time = cursors_->pointer().value_or(std::min(view_->end(), view_->last()));
   legend_->setEntries(entries(time));
@@ -163,16 +190,61 @@ QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
   const auto a = item.valueAt(*cursors_->at(CursorSet::kA));
   const auto b = item.valueAt(*cursors_->at(CursorSet::kB));
   if (!a || !b) return tr("no samples at A or B");
-  const auto text = tr("B−A %1").arg(valueText(static_cast<double>(b->value) - static_cast<double>(a->value)));
+  const auto text = tr("B−A %1").arg(itemText(item, static_cast<double>(b->value) - static_cast<double>(a->value)));
   if (statistics.count() == 0) return text;
   return text + tr("   min %1   max %2   mean %3")
-                    .arg(valueText(statistics.min()), valueText(statistics.max()), valueText(statistics.mean()));
+                    .arg(itemText(item, statistics.min()), itemText(item, statistics.max()),
+                         itemText(item, statistics.mean()));
+}
+
+QString TracePanel::itemText(const SeriesItem&, double value) const { return valueText(value); }
+
+QStringList TracePanel::figureHeads() {
+  return {tr("Signal"), tr("At A"), tr("At B"), tr("B−A"), tr("Smallest"), tr("Largest"), tr("Mean"), tr("Samples")};
+}
+
+QStringList TracePanel::figures() const {
+  QStringList lines;
+  if (!hasSource()) return lines;
+  const bool between = cursors_->both();
+  auto begin = view_->begin();
+  auto end = view_->end() + 1;
+  if (between) {
+    begin = std::min(*cursors_->at(CursorSet::kA), *cursors_->at(CursorSet::kB));
+    end = begin + std::llabs(cursors_->delta()) + 1;
+  }
+  for (const auto* item : plot_->items()) {
+    if (!item->isVisible() || item->series() == nullptr) continue;
+    Statistics statistics;
+    item->series()->for_each(begin, end, [&](Nanoseconds, float value) {
+      if (!std::isnan(value)) statistics.add(static_cast<double>(value));
+    });
+    const auto at = [&](CursorSet::Which which) {
+      const auto time = cursors_->at(which);
+      return time ? item->valueAt(*time) : std::nullopt;
+    };
+    const auto a = at(CursorSet::kA);
+    const auto b = at(CursorSet::kB);
+    const auto shown = [&](bool known, double value) { return known ? itemText(*item, value) : QString(); };
+    const auto of = [](const auto& reading) { return reading ? static_cast<double>(reading->value) : 0; };
+    const bool any = statistics.count() > 0;
+    lines << QStringList{item->title().text(),
+                         shown(a.has_value(), of(a)),
+                         shown(b.has_value(), of(b)),
+                         shown(a && b, of(b) - of(a)),
+                         shown(any, any ? statistics.min() : 0),
+                         shown(any, any ? statistics.max() : 0),
+                         shown(any, any ? statistics.mean() : 0),
+                         QString::number(statistics.count())}
+                 .join(u'\t');
+  }
+  return lines;
 }
 
 LegendBar::Entry TracePanel::entry(const SeriesItem& item, Nanoseconds time) const {
   LegendBar::Entry entry{item.title().text(), {}, QStringLiteral("\u2013"), item.color(), item.shape()};
   if (item.series() == nullptr) return entry;
-  if (const auto reading = item.valueAt(time)) entry.value = valueText(static_cast<double>(reading->value));
+  if (const auto reading = item.valueAt(time)) entry.value = itemText(item, static_cast<double>(reading->value));
   return entry;
 }
 
@@ -188,18 +260,33 @@ QString TracePanel::slaveName(int position) const {
 }
 
 void TracePanel::draw(SeriesItem& item, Signal signal, std::size_t slave) const {
-  item.setSeries(&store().series(signal, slave));
+  // The same one again would forget what is drawn.
+  if (const auto* series = &store().series(signal, slave); item.series() != series) item.setSeries(series);
   item.setHeldBy(store().held(signal, slave));
   item.setMaxGap(store().longest_gap(signal));
 }
 
+void TracePanel::showWantedLimits(const std::optional<RunLimits>& wanted) {
+  const auto signal = limitSignal();
+  const bool known = wanted && signal;
+  plot_->setLimitMovable(known);
+  const double limit = known ? limitOf(*wanted, *signal) : 0;
+  if (limit == 0 || limit == plot_->limit()) return plot_->setWantedLimit(0, {});
+  plot_->setWantedLimit(limit, tr("project \u00B1%1").arg(timeText(static_cast<Nanoseconds>(limit))));
+}
+
 void TracePanel::showTriggerLevel(Signal signal, std::size_t slave, std::optional<double> level) {
   bool drawn = false;
+  auto side = TracePlot::kLeft;
   if (source_ != nullptr && isThere(*source_, {signal, slave})) {
     const auto* series = &seriesOf(*source_, {signal, slave});
-    for (const auto* item : plot_->items()) drawn = drawn || (item->isVisible() && item->series() == series);
+    for (const auto* item : plot_->items()) {
+      if (!item->isVisible() || item->series() != series) continue;
+      drawn = true;
+      side = item->yAxis() == plot_->axis(TracePlot::kRight).id() ? TracePlot::kRight : TracePlot::kLeft;
+    }
   }
-  plot_->setTriggerLevel(drawn ? level : std::nullopt);
+  plot_->setTriggerLevel(drawn ? level : std::nullopt, side);
 }
 
 void TracePanel::applyTheme() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "ui/plots/legend_bar.h"
 #include "ui/plots/trace_plot.h"
 
+class QHBoxLayout;
 class QLabel;
 
 namespace syncline::ui {
@@ -35,9 +37,21 @@ class TracePanel : public QWidget {
   /// The slave that is drawn whatever its values are; -1 = none.
   void setPickedSlave(int position);
   [[nodiscard]] int pickedSlave() const { return picked_; }
+  /// Limits nothing: by what is shown. In the unit of the axis.
+  virtual void setScale(ValueScale scale);
+  virtual void setLimits(TracePlot::Side side, const std::optional<AxisLimits>& limits);
+  /// An own stretch of time, which begins as that of the others; or theirs again.
+  virtual void setOwnTime(bool own);
+  /// Once a tick: what there is of an own stretch of time is what the others have.
+  void followTime();
   /// Chooses what to draw and writes the numbers; a few times a second.
   void refreshText(bool choose);
   void applyTheme();
+  /// What the project would hold the signal against whose limit is drawn, where it is not that; it can be dragged then.
+  /// Nothing: there is no project whose it is.
+  void showWantedLimits(const std::optional<RunLimits>& wanted);
+  /// Whose limit is drawn; nothing: none is.
+  [[nodiscard]] virtual std::optional<Signal> limitSignal() const { return std::nullopt; }
   /// Drawn where the signal is, of this slave where it is one of slaves; nothing: no level.
   void showTriggerLevel(Signal signal, std::size_t slave, std::optional<double> level);
 
@@ -45,6 +59,10 @@ class TracePanel : public QWidget {
   [[nodiscard]] LegendBar* legend() const { return legend_; }
   [[nodiscard]] QString readout() const;
   [[nodiscard]] QString title() const;
+  /// One line a curve, columns by tabulators: name, values at A and B, their difference, smallest, largest, mean and
+  /// number of the samples between the cursors, or in the range shown where there are none.
+  [[nodiscard]] QStringList figures() const;
+  [[nodiscard]] static QStringList figureHeads();
 
  protected:
   /// The source is new, or gone: tell the items their series.
@@ -63,6 +81,12 @@ class TracePanel : public QWidget {
   /// The same of the overlay; null: none.
   [[nodiscard]] virtual const SeriesItem* primaryOfOverlay() const { return nullptr; }
   [[nodiscard]] virtual QString valueText(double value) const = 0;
+  /// The same where curves of the panel have several units.
+  [[nodiscard]] virtual QString itemText(const SeriesItem& item, double value) const;
+  /// What is made only when somebody looks is brought up to date.
+  virtual void renew() {}
+  /// Beside the heading, at the right end.
+  void addToHead(QWidget* widget);
 
   void setTitle(const QString& title);
   [[nodiscard]] bool hasSource() const { return source_ != nullptr; }
@@ -96,8 +120,11 @@ class TracePanel : public QWidget {
   [[nodiscard]] QString betweenCursors();
   [[nodiscard]] QString measure(const SeriesItem& item, Nanoseconds begin) const;
 
+  TimeView* shared_;
+  TimeView own_;
   TimeView* view_;
   CursorSet* cursors_;
+  QHBoxLayout* head_;
   QLabel *heading_, *readout_;
   LegendBar* legend_;
   TracePlot* plot_;

@@ -4,6 +4,7 @@
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
+#include <qwt_scale_div.h>
 #include <qwt_scale_widget.h>
 
 #include <QContextMenuEvent>
@@ -12,11 +13,13 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/small_font.h"
 #include "ui/plots/time_axis.h"
 #include "ui/plots/unit_scale_draw.h"
+#include "ui/text/units.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
@@ -26,19 +29,9 @@ constexpr double kGrabDistance = 5;  // logical pixels about a cursor line
 constexpr double kZoomPerNotch = 0.8;
 constexpr int kValueLabelExtent = 38;  // keeps the canvas where it is when labels get longer
 constexpr int kBorder = 7;
+constexpr double kMostBands = 0.5;  // of the height, beside curves
+constexpr double kHighestBand = 15, kHighestBandAlone = 22;
 constexpr double kLimitWithin = 6;  // a limit this many times the data is still shown to scale
-
-struct Unit {
-  double divisor;
-  QString name;
-};
-
-Unit timeUnit(double magnitude_ns) {
-  if (magnitude_ns < 2e4) return {1, QStringLiteral("ns")};
-  if (magnitude_ns < 2e7) return {1e3, QStringLiteral("\u00B5s")};
-  if (magnitude_ns < 2e10) return {1e6, QStringLiteral("ms")};
-  return {1e9, QStringLiteral("s")};
-}
 
 QwtText titleText(const QString& quantity, const QString& unit, const QPalette& palette, const QFont& font) {
   QwtText title(unit.isEmpty() ? quantity : quantity + QStringLiteral(" / ") + unit);
@@ -51,7 +44,6 @@ QwtText titleText(const QString& quantity, const QString& unit, const QPalette& 
 
 TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors, QWidget* parent)
     : QwtPlot(parent),
-      options_(options),
       view_(view),
       cursors_(cursors),
       lines_(new QwtPlotGrid),
@@ -61,8 +53,8 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
       marks_(new EventMarksItem),
       level_(new TriggerLevelItem),
       time_draw_(new UnitScaleDraw),
-      value_draw_(new UnitScaleDraw),
-      range_(options.minimum_span, options.with_zero) {
+      axes_{std::make_unique<ValueAxis>(*this, QwtPlot::yLeft, options),
+            std::make_unique<ValueAxis>(*this, QwtPlot::yRight, options)} {
   setAutoReplot(false);
   setFocusPolicy(Qt::StrongFocus);
   auto* surface = new QwtPlotCanvas(this);
@@ -77,8 +69,7 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
   plotLayout()->setAlignCanvasToScales(true);
   plotLayout()->setSpacing(2);
   setAxisScaleDraw(QwtPlot::xBottom, time_draw_);
-  setAxisScaleDraw(QwtPlot::yLeft, value_draw_);
-  for (const auto axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
+  for (const auto axis : {QwtPlot::xBottom, QwtPlot::yLeft, QwtPlot::yRight}) {
     axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
     axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MinorTick, 0);
     axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MediumTick, 0);
@@ -86,9 +77,9 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
     axisWidget(axis)->setMargin(0);
     axisWidget(axis)->setSpacing(1);
   }
-  value_draw_->setMinimumExtent(kValueLabelExtent);
+  for (const auto& axis : axes_) axisScaleDraw(axis->id())->setMinimumExtent(kValueLabelExtent);
   // Room for half a label at each end, used or not: the canvases of a row stay aligned.
-  axisWidget(QwtPlot::yLeft)->setMinBorderDist(kBorder, kBorder);
+  for (const auto& axis : axes_) axisWidget(axis->id())->setMinBorderDist(kBorder, kBorder);
   axisWidget(QwtPlot::xBottom)->setMinBorderDist(kBorder, 2 * kBorder);
   for (QwtPlotItem* item :
        {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_), static_cast<QwtPlotItem*>(cursor_item_),
@@ -112,13 +103,45 @@ SeriesItem* TracePlot::addItem(const QString& title, SeriesItem::Shape shape) {
   return item;
 }
 
-void TracePlot::setLimit(double limit, const QString& label) {
+BandItem* TracePlot::addBand(const QString& title) {
+  auto* band = new BandItem(title);
+  band->setColors(theme::mutedText(palette()), palette().color(QPalette::Base));
+  band->attach(this);
+  state_bands_.push_back(band);
+  return band;
+}
+
+void TracePlot::setSide(SeriesItem& item, Side side) { item.setYAxis(axes_[side]->id()); }
+
+void TracePlot::setRightReserved(bool reserved) {
+  if (reserved != std::exchange(right_reserved_, reserved)) markDirty();
+}
+
+void TracePlot::setLimit(double limit, const QString& label, Side side) {
+  limit_side_ = side;
+  band_->setYAxis(axes_[side]->id());
   band_->setLimit(limit, label);
   markDirty();
 }
 
-void TracePlot::setTriggerLevel(std::optional<double> level) {
-  if (level == level_->level()) return;
+void TracePlot::setWantedLimit(double limit, const QString& label) {
+  if (limit == band_->wanted() || drag_ == Drag::kLimit) return;
+  band_->setWanted(limit, label);
+  markDirty();
+}
+
+void TracePlot::setTimeView(TimeView* view, bool own) {
+  if (view == view_) return;
+  own_time_ = own;
+  disconnect(view_, nullptr, this, nullptr);
+  view_ = view;
+  connect(view_, &TimeView::changed, this, &TracePlot::markDirty);
+  markDirty();
+}
+
+void TracePlot::setTriggerLevel(std::optional<double> level, Side side) {
+  if (level == level_->level() && level_->yAxis() == axes_[side]->id()) return;
+  level_->setYAxis(axes_[side]->id());
   level_->setLevel(level);
   markDirty();
 }
@@ -137,13 +160,17 @@ void TracePlot::applyTheme() {
   auto axis_palette = palette();
   axis_palette.setColor(QPalette::WindowText, plot_colors::envelope(palette()));
   axis_palette.setColor(QPalette::Text, theme::mutedText(palette()));
-  for (const auto axis : {QwtPlot::xBottom, QwtPlot::yLeft}) {
+  for (auto* band : state_bands_) {
+    band->setColors(theme::mutedText(palette()), palette().color(QPalette::Base));
+    band->forgetColors();
+  }
+  for (const auto axis : {QwtPlot::xBottom, QwtPlot::yLeft, QwtPlot::yRight}) {
     axisWidget(axis)->setPalette(axis_palette);
     setAxisFont(axis, small);
   }
   canvas()->setFont(small);
   updateTimeAxis();
-  updateValueAxis();
+  updateValueAxes();
   markDirty();
 }
 
@@ -153,69 +180,106 @@ bool TracePlot::onScreen() const {
 
 bool TracePlot::refresh() {
   if (!dirty_ || !onScreen()) return false;
+  redraw();
+  return true;
+}
+
+void TracePlot::redraw() {
   dirty_ = false;
   prepare();
   updateTimeAxis();
-  updateValueAxis();
+  updateValueAxes();
   replot();
-  return true;
+}
+
+double TracePlot::layBands() {
+  const auto shown = std::ranges::count_if(state_bands_, &BandItem::isVisible);
+  if (shown == 0) return 0;
+  const bool alone = std::ranges::none_of(items_, &SeriesItem::isVisible);
+  const double high = std::max(canvas()->contentsRect().height(), 1);
+  const double room = alone ? high - 2 : high * kMostBands;
+  const double lane = std::min(alone ? kHighestBandAlone : kHighestBand, room / static_cast<double>(shown));
+  int number = 0;
+  for (auto* band : state_bands_) {
+    if (!band->isVisible()) continue;
+    band->prepare(grid_);
+    band->setLane(number++, lane);
+  }
+  return alone ? 0 : lane * static_cast<double>(shown) / high;
 }
 
 void TracePlot::prepare() {
   const double ratio = canvas()->devicePixelRatioF();
   const int columns = static_cast<int>(std::lround(canvas()->contentsRect().width() * ratio));
   grid_ = ColumnGrid::of(view_->begin(), view_->end(), columns);
-  double low = 1;
-  double high = 0;
+  std::array<AxisLimits, 2> seen{AxisLimits{1, 0}, AxisLimits{1, 0}};
+  std::array<bool, 2> used{true, false};
   for (auto* item : items_) {
     if (!item->isVisible()) continue;
+    const auto side = item->yAxis() == axes_[kRight]->id() ? kRight : kLeft;
+    used[side] = true;
     item->setHoldUntil(view_->last());
     item->prepare(grid_);
     const auto extent = item->extent();
     if (!extent) continue;
+    auto& [low, high] = seen[side];
     const bool first = low > high;
     low = first ? static_cast<double>(extent->min) : std::min(low, static_cast<double>(extent->min));
     high = first ? static_cast<double>(extent->max) : std::max(high, static_cast<double>(extent->max));
   }
+  const double headroom = layBands();
   // The pointer stays where it is on the screen while the data pass below it.
   if (pointer_x_) cursors_->setPointer(timeAt(*pointer_x_));
   cursor_item_->prepare(grid_);
   gaps_->prepare(grid_);
   marks_->prepare(grid_);
+  auto& [low, high] = seen[limit_side_];
   if (const double limit = band_->limit(); limit > 0 && low <= high) {
     if (limit <= kLimitWithin * std::max(std::abs(low), std::abs(high))) {
       low = std::min(low, -limit);
       high = std::max(high, limit);
     }
   }
-  range_.update(low, high);
+  for (const auto side : {kLeft, kRight}) axes_[side]->update(seen[side].low, seen[side].high, headroom);
+  const bool right = used[kRight] || right_reserved_;
+  if (right != isAxisVisible(axes_[kRight]->id())) setAxisVisible(axes_[kRight]->id(), right);
+  axes_[kRight]->setNumbers(used[kRight]);
+  const bool states_alone =
+      std::ranges::any_of(state_bands_, &BandItem::isVisible) && std::ranges::none_of(items_, &SeriesItem::isVisible);
+  axes_[kLeft]->setNumbers(!states_alone);
+  lines_->enableY(!states_alone);
 }
 
 void TracePlot::updateTimeAxis() {
-  const auto axis = timeAxisOf(*view_);
+  const int most = std::clamp(canvas()->width() / 52, 2, 8);
+  const auto axis = timeAxisOf(*view_, most);
   time_draw_->setDivisor(axis.divisor);
-  setAxisMaxMajor(QwtPlot::xBottom, std::clamp(canvas()->width() / 52, 2, 8));
-  setAxisScale(QwtPlot::xBottom, axis.begin, axis.end);
-  const auto title = titleText(axis.quantity, axis.unit, palette(), canvas()->font());
+  time_draw_->setTicks(axis.ticks);
+  setAxisMaxMajor(QwtPlot::xBottom, most);
+  if (axis.labelled) {
+    QList<double> places;
+    for (const auto& tick : axis.ticks) places.append(tick.value);
+    setAxisScaleDiv(QwtPlot::xBottom, QwtScaleDiv(axis.begin, axis.end, {}, {}, places));
+  } else {
+    setAxisScale(QwtPlot::xBottom, axis.begin, axis.end);
+  }
+  const auto quantity = own_time_ ? tr("%1 (not linked)").arg(axis.quantity) : axis.quantity;
+  const auto title = titleText(quantity, axis.unit, palette(), canvas()->font());
   if (axisTitle(QwtPlot::xBottom) != title) setAxisTitle(QwtPlot::xBottom, title);
 }
 
-void TracePlot::updateValueAxis() {
-  Unit unit{1, {}};
-  if (options_.kind == Quantity::kTime) unit = timeUnit(std::max(std::abs(range_.low()), std::abs(range_.high())));
-  value_draw_->setDivisor(unit.divisor);
-  setAxisScale(QwtPlot::yLeft, range_.low(), range_.high(), range_.step());
-  const auto title = titleText(options_.quantity, unit.name, palette(), canvas()->font());
-  if (axisTitle(QwtPlot::yLeft) != title) setAxisTitle(QwtPlot::yLeft, title);
+void TracePlot::updateValueAxes() {
+  const int height = canvas()->contentsRect().height();
+  for (const auto& axis : axes_) axis->apply(palette(), canvas()->font(), height);
 }
 
 void TracePlot::fitValues() {
-  range_.fit();
+  for (const auto& axis : axes_) axis->fit();
   markDirty();
 }
 
 void TracePlot::fixValues(double low, double high) {
-  range_.fix(low, high);
+  axes_[kLeft]->fix({low, high});
   markDirty();
 }
 
@@ -272,6 +336,7 @@ bool TracePlot::mouseEvent(QEvent* event) {
     case QEvent::MouseButtonRelease:
       release(static_cast<QMouseEvent*>(event)->position().x());
       drag_ = Drag::kNone;
+      if (const auto limit = std::exchange(dragged_limit_, std::nullopt)) Q_EMIT limitDragged(*limit);
       canvas()->setCursor(Qt::CrossCursor);
       return false;
     case QEvent::MouseButtonDblClick:
@@ -294,9 +359,9 @@ bool TracePlot::mouseEvent(QEvent* event) {
 void TracePlot::wheel(const QWheelEvent& event) {
   const double notches = event.angleDelta().y() / 120.0;
   if (event.modifiers().testFlag(Qt::ControlModifier)) {
-    const double y = invTransform(QwtPlot::yLeft, event.position().y());
-    const double factor = std::pow(kZoomPerNotch, notches);
-    fixValues(y + (range_.low() - y) * factor, y + (range_.high() - y) * factor);
+    auto& axis = *axes_[sideAt(event.position())];
+    axis.zoom(invTransform(axis.id(), event.position().y()), std::pow(kZoomPerNotch, notches));
+    markDirty();
   } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
     view_->pan(static_cast<Nanoseconds>(-notches * 0.1 * static_cast<double>(view_->span())));
   } else if (notches != 0) {
@@ -304,18 +369,31 @@ void TracePlot::wheel(const QWheelEvent& event) {
   }
 }
 
+/// The axis that is nearer, where there are two.
+TracePlot::Side TracePlot::sideAt(const QPointF& place) const {
+  const bool right = isAxisVisible(axes_[kRight]->id()) && place.x() > canvas()->contentsRect().width() / 2.0;
+  return right ? kRight : kLeft;
+}
+
 bool TracePlot::onLevel(double y) const {
-  return level_->level() && std::abs(transform(QwtPlot::yLeft, *level_->level()) - y) <= kGrabDistance;
+  return level_->level() && std::abs(transform(level_->yAxis(), *level_->level()) - y) <= kGrabDistance;
+}
+
+bool TracePlot::onLimit(double y) const {
+  if (!limitMovable()) return false;
+  const auto near = [&](double value) { return std::abs(transform(band_->yAxis(), value) - y) <= kGrabDistance; };
+  return near(band_->limit()) || near(-band_->limit());
 }
 
 void TracePlot::grab(const QPointF& place, bool overlay) {
   const double x = place.x();
+  dragged_limit_.reset();
   if (overlay) {
     drag_ = Drag::kOverlay;
     drag_x_ = grab_x_ = x;
     return canvas()->setCursor(Qt::SizeHorCursor);
   }
-  drag_ = onLevel(place.y()) ? Drag::kLevel : Drag::kPan;
+  drag_ = onLevel(place.y()) ? Drag::kLevel : onLimit(place.y()) ? Drag::kLimit : Drag::kPan;
   drag_x_ = grab_x_ = x;
   const auto reach =
       static_cast<Nanoseconds>(kGrabDistance * static_cast<double>(grid_.width) * canvas()->devicePixelRatioF());
@@ -324,7 +402,7 @@ void TracePlot::grab(const QPointF& place, bool overlay) {
     if (time && std::llabs(*time - timeAt(x)) <= reach)
       drag_ = which == CursorSet::kA ? Drag::kCursorA : Drag::kCursorB;
   }
-  if (drag_ == Drag::kLevel) return canvas()->setCursor(Qt::SplitVCursor);
+  if (drag_ == Drag::kLevel || drag_ == Drag::kLimit) return canvas()->setCursor(Qt::SplitVCursor);
   canvas()->setCursor(drag_ == Drag::kPan ? Qt::ClosedHandCursor : Qt::SplitHCursor);
 }
 
@@ -340,7 +418,12 @@ void TracePlot::drag(const QPointF& place) {
   const double x = place.x();
   pointer_x_ = x;
   cursors_->setPointer(timeAt(x));
-  if (drag_ == Drag::kLevel) Q_EMIT triggerLevelDragged(std::round(invTransform(QwtPlot::yLeft, place.y())));
+  if (drag_ == Drag::kLevel) Q_EMIT triggerLevelDragged(std::round(invTransform(level_->yAxis(), place.y())));
+  if (drag_ == Drag::kLimit) {
+    dragged_limit_ = std::round(std::abs(invTransform(band_->yAxis(), place.y())));
+    band_->setWanted(*dragged_limit_, tr("project \u00B1%1").arg(timeText(static_cast<Nanoseconds>(*dragged_limit_))));
+    markDirty();
+  }
   if (drag_ == Drag::kCursorA) cursors_->set(CursorSet::kA, timeAt(x));
   if (drag_ == Drag::kCursorB) cursors_->set(CursorSet::kB, timeAt(x));
   if ((drag_ != Drag::kPan && drag_ != Drag::kOverlay) || x == drag_x_) return;

@@ -36,6 +36,7 @@ Autosave::Autosave(ProjectDocument& document, QString folder, QObject* parent)
       QDir(folder_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + QLatin1String(kRecoveryExtension));
   connect(&timer_, &QTimer::timeout, this, &Autosave::keep);
   connect(&document_, &ProjectDocument::projectChanged, this, &Autosave::onEdit);
+  connect(&document_, &ProjectDocument::viewsChanged, this, &Autosave::onEdit);
   connect(&document_, &ProjectDocument::modifiedChanged, this, &Autosave::onEdit);
 }
 

@@ -59,13 +59,18 @@ void DiskRecording::connectRun() {
   });
   connect(&run_, &NetworkRun::phaseChanged, this, [this] {
     if (run_.phase() == NetworkRun::Phase::kOffline) stop();
+    if (run_.phase() == NetworkRun::Phase::kStarting) views_.reset();
     Q_EMIT changed();
   });
 }
 
+void DiskRecording::setViews(const std::vector<MonitorView>& views) { views_ = views; }
+
 /// What runs, with what was applied to it since.
 RecordedDocument DiskRecording::project() const {
-  const auto& [project, path, config] = run_.origin();
+  const auto& [origin, path, config] = run_.origin();
+  auto project = origin;
+  if (views_) project.views = *views_;
   return {"project", path.isEmpty() ? "project.syncline" : QFileInfo(path).fileName().toStdString(),
           eni::write_project(project)};
 }
@@ -126,6 +131,7 @@ void DiskRecording::onStopped(int number, const Recorder::Stop& stop) {
 void DiskRecording::stop() {
   if (recorder_ == nullptr) return;
   tellStanding();
+  if (views_) recorder_->tell(project());
   const bool ended = run_.phase() == NetworkRun::Phase::kOffline;
   auto& ending = ending_[number_];
   ending.path = path_;

@@ -60,6 +60,9 @@ class DiskRecording final : public QObject {
   /// The same of a stretch (host clock): what of it is remembered; kFileNotWritable where nothing is.
   Status saveRange(Nanoseconds from, Nanoseconds to, const QString& path);
 
+  /// Views of the monitor of what runs, as the project has them now: they go into its recordings.
+  void setViews(const std::vector<MonitorView>& views);
+
  Q_SIGNALS:
   void changed();
   /// `error`: why it ended before it was told to, or what could not be written.
@@ -95,6 +98,7 @@ class DiskRecording final : public QObject {
   std::map<int, Ending> ending_;  // by number
   std::thread saver_;
   bool saving_ = false;
+  std::optional<std::vector<MonitorView>> views_;  // nothing: those with which it went online
 };
 
 }  // namespace syncline::ui

@@ -18,7 +18,7 @@ std::shared_ptr<const ProjectCopy> ProjectCopy::of(const Project& project, const
 }
 
 Project ProjectCopy::project() const {
-  Project project{master_, {}, name_};
+  Project project{master_, {}, name_, {}};  // no ENI depends on its views
   project.slaves.reserve(slaves_.size());
   for (const auto& slave : slaves_) project.slaves.push_back(*slave);
   return project;

@@ -39,7 +39,7 @@ void ProjectDocument::addStack() {
 }
 
 bool ProjectDocument::isModified() const {
-  return regrouped_ || !std::ranges::all_of(stacks_, [](const auto& stack) { return stack->isClean(); });
+  return regrouped_ || viewed_ || !std::ranges::all_of(stacks_, [](const auto& stack) { return stack->isClean(); });
 }
 
 QString ProjectDocument::displayName() const { return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName(); }
@@ -90,6 +90,14 @@ Status ProjectDocument::set(const QString& text, std::vector<SettingEdit> edits)
   return {};
 }
 
+void ProjectDocument::setViews(std::vector<MonitorView> views) {
+  if (views == project_.views) return;
+  project_.views = std::move(views);
+  const bool told = std::exchange(viewed_, true);
+  Q_EMIT viewsChanged();
+  if (!told) Q_EMIT modifiedChanged(isModified());
+}
+
 void ProjectDocument::replace(const QString& text, Project project) {
   ++generation_;
   static_cast<void>(edit(text, [project = std::move(project)](Project& target) -> Status {
@@ -115,7 +123,7 @@ void ProjectDocument::take(Machine machine, const QString& path, bool saved) {
   stacks_.front()->clear();
   while (stacks_.size() < machine_.networks.size()) addStack();
   undo_.setActiveStack(stacks_.front().get());
-  regrouped_ = false;
+  regrouped_ = viewed_ = false;
   if (!saved) stacks_.front()->resetClean();
   Q_EMIT taken();
   Q_EMIT pathChanged();
@@ -140,8 +148,9 @@ Status ProjectDocument::save(const QString& path) {
   path_ = path;
   lock_.take(path);
   const bool regrouped = std::exchange(regrouped_, false);
+  const bool viewed = std::exchange(viewed_, false);
   for (const auto& stack : stacks_) stack->setClean();
-  if (regrouped) Q_EMIT modifiedChanged(isModified());
+  if (regrouped || viewed) Q_EMIT modifiedChanged(isModified());
   Q_EMIT pathChanged();
   return {};
 }

@@ -40,6 +40,8 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   explicit ProjectDocument(QObject* parent = nullptr);
 
   [[nodiscard]] const Project& project() const { return project_; }
+  /// What the monitor draws of the network in work.
+  [[nodiscard]] const std::vector<MonitorView>& views() const { return project_.views; }
   /// Steps of the network in work.
   [[nodiscard]] QUndoStack& undoStack() { return *stacks_[current_]; }
   /// Whichever network is in work.
@@ -73,7 +75,10 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   Status edit(const QString& text, ProjectEdit edit);
   /// Settings of the table; all in one undo step. The error's subject is the key.
   Status set(const QString& text, std::vector<SettingEdit> edits);
-  /// Another project in place of this one, as one undo step (scan).
+  /// No undo step: whoever looks at curves does not edit the machine;
+  /// but the file lacks them until it is saved.
+  void setViews(std::vector<MonitorView> views);
+  /// Another project in place of this one, as one undo step (scan); views stay.
   void replace(const QString& text, Project project);
 
   /// Empty project, no file, no undo steps.
@@ -106,6 +111,7 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   void slavesReplaced();
   /// `structural`: slaves came or went.
   void projectChanged(bool structural);
+  void viewsChanged();
   /// Of another machine, or because this one was saved under another name.
   void pathChanged();
   void modifiedChanged(bool modified);
@@ -126,6 +132,7 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   std::size_t current_ = 0;                          // the one of which `project_` is the present state
   std::vector<std::unique_ptr<QUndoStack>> stacks_;  // of each
   QUndoGroup undo_;
+  bool viewed_ = false;     // views have changed since the file was read or written
   bool regrouped_ = false;  // networks came or went since the file was read or written
   QString path_;
   ProjectLock lock_;

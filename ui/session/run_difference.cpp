@@ -16,6 +16,7 @@ namespace {
 bool onlyParameters(const Project& running, const Project& project) {
   auto with = running;
   with.master.dc.dcm = project.master.dc.dcm;
+  with.views = project.views;  // no master knows of them
   return with == project && running.master.dc.dcm.mode == project.master.dc.dcm.mode;
 }
 

@@ -54,6 +54,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
     runs_.setMemoryMib(mib);
   network_.setProject(document_.project());
   cables_.setProject(document_.project());
+  connect(&document_, &ProjectDocument::viewsChanged, this,
+          [this] { runs_.current().disk.setViews(document_.views()); });
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
     network_.setProject(document_.project());
     cables_.setProject(document_.project());

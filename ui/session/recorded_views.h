@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "config/monitor_view.h"
+#include "record/recording.h"
+
+namespace syncline::ui {
+
+/// Views of the monitor of the project that was run; none where the recording has no project that can be read.
+[[nodiscard]] std::vector<MonitorView> recordedViews(const RecordingAbout& about);
+
+}  // namespace syncline::ui
