@@ -11,8 +11,8 @@
 namespace syncline::ui {
 namespace {
 
-constexpr std::size_t kOverlayPortion = 300'000;   // samples a tick, of all together: some milliseconds
-constexpr int kNameWidth = 110, kLeastRoom = 190;  // pixels
+constexpr std::size_t kOverlayPortion = 300'000;         // samples a tick, of all together: some milliseconds
+constexpr int kNameWidth = 110, kLeastPlotHeight = 190;  // pixels
 constexpr std::array kCompared{Signal::kDeviation, Signal::kDcmError};
 
 }  // namespace
@@ -54,7 +54,7 @@ QString OverlayFigures::cells(const StretchFigures& figures, bool is_signed) con
 void OverlayFigures::refresh() {
   if (own_ == nullptr || overlay_.record == nullptr) return;
   // Where the plots have little room they have all of it.
-  setVisible(parentWidget() == nullptr || parentWidget()->height() >= kLeastRoom);
+  setVisible(parentWidget() == nullptr || parentWidget()->height() >= kLeastPlotHeight);
   if (!isVisible()) return;
   auto room = kOverlayPortion;
   for (std::size_t i = 0; i < figures_.size(); ++i) {
