@@ -31,6 +31,7 @@ namespace {
 
 constexpr int kRefreshInterval = 1000;  // ms
 constexpr int kMostCount = 1'000'000'000;
+constexpr int kUsualWidth = 980;  // pixels: all that is found stands in its column
 enum Column { kVerdict, kCriterion, kRequired, kFound, kColumns };
 
 Status writeText(const QString& path, const std::string& text) {
@@ -52,7 +53,7 @@ CommissioningDialog::CommissioningDialog(Workspace& workspace, QWidget* parent)
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &CommissioningDialog::refresh);
   timer->start(kRefreshInterval);
-  resize(820, sizeHint().height());
+  resize(kUsualWidth, sizeHint().height());
 }
 
 void CommissioningDialog::build() {
@@ -90,7 +91,6 @@ void CommissioningDialog::build() {
   criteria_ = named(new QTableWidget(0, kColumns), "commissioningCriteria", tr("Criteria"));
   criteria_->setHorizontalHeaderLabels({tr("Verdict"), tr("Criterion"), tr("Required"), tr("Found")});
   criteria_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  criteria_->setWordWrap(true);
   setUpTable(*criteria_);
   criteria_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   criteria_->horizontalHeader()->setSectionResizeMode(kFound, QHeaderView::Stretch);
@@ -157,6 +157,9 @@ void CommissioningDialog::refresh() {
   };
   verdict_->setState(tone(acceptance.verdict), acceptanceText(acceptance.verdict));
   criteria_->setRowCount(static_cast<int>(acceptance.criteria.size()));
+  // All are seen at once: whether a machine is accepted is nothing to scroll for.
+  criteria_->setMinimumHeight(criteria_->horizontalHeader()->sizeHint().height() +
+                              criteria_->verticalHeader()->length() + 2 * criteria_->frameWidth());
   for (int row = 0; row < criteria_->rowCount(); ++row) {
     const auto& criterion = acceptance.criteria[static_cast<std::size_t>(row)];
     const QString texts[kColumns] = {verdictText(criterion.verdict), criterionText(criterion.kind),

@@ -168,7 +168,9 @@ void RecordingCommands::askMemory() { openOn<MemoryDialog>(workspace_, window_);
 void RecordingCommands::askBlackBox() { openOn<BlackBoxDialog>(workspace_, window_); }
 
 void RecordingCommands::askCommissioning() {
-  if (workspace_.shownRecord() != nullptr) openOn<CommissioningDialog>(workspace_, window_);
+  if (workspace_.shownRecord() == nullptr) return;
+  workspace_.replay().leave();  // judged is all of a recording: what is found is known of its end alone
+  openOn<CommissioningDialog>(workspace_, window_);
 }
 
 void RecordingCommands::onFramesKept(const BlackBox::Report& report) {
