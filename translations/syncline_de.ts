@@ -458,6 +458,10 @@
 <context>
     <name>DcmPanel</name>
         <message>
+            <source>filtered ±%1</source>
+            <translation>gefiltert ±%1</translation>
+        </message>
+        <message>
             <source>DCM error</source>
             <translation>DCM-Fehler</translation>
         </message>

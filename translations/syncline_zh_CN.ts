@@ -457,6 +457,10 @@
 <context>
     <name>DcmPanel</name>
         <message>
+            <source>filtered ±%1</source>
+            <translation>滤波后 ±%1</translation>
+        </message>
+        <message>
             <source>DCM error</source>
             <translation>DCM 误差</translation>
         </message>

@@ -263,6 +263,24 @@ TEST_F(LiveStripTest, LimitIsThatOfTheConfigurationThatRuns) {
   EXPECT_EQ(limit, 1023);
 }
 
+/// Of the master synchronisation the filtered error has one, and a running master may be given another.
+TEST_F(LiveStripTest, TheErrorOfTheMasterHasItsLimitToo) {
+  run(runningNetwork({"1 Drive"}, kMillisecond, 10));
+  record->add(samples(0, 100));
+  show();
+  settle();
+  ASSERT_GT(record->limits().dcm_error_ns, 0);
+  EXPECT_EQ(plot(2)->limit(), static_cast<double>(record->limits().dcm_error_ns));
+  Snapshot now;
+  now.online = true;
+  now.dcm.in_sync_limit = 900;
+  now.dcm.times_configured = 1;
+  record->add(now);
+  record->add(samples(100, 200));
+  settle();
+  EXPECT_EQ(plot(2)->limit(), 900);
+}
+
 TEST_F(LiveStripTest, CursorsMeasure) {
   show();
   record->add(samples(0, 6000));

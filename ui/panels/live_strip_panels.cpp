@@ -226,6 +226,19 @@ void DcmPanel::attach() {
   if (!hasSource()) return;
   draw(*raw_, Signal::kDcmError);
   draw(*filtered_, Signal::kDcmErrorFiltered);
+  showLimit();
+}
+
+/// Single late cycles are borne: what is held against the limit is the filtered error.
+void DcmPanel::showLimit() {
+  limits_ = source().limits();
+  const auto limit = limits_.dcm_error_ns;
+  plot()->setLimit(static_cast<double>(limit), limit > 0 ? tr("filtered \u00B1%1").arg(timeText(limit)) : QString());
+}
+
+void DcmPanel::renew() {
+  // A master may be given other ones while it runs.
+  if (hasSource() && !(limits_ == source().limits())) showLimit();
 }
 
 void DcmPanel::attachOverlay() { drawOverlay(*other_, Signal::kDcmError); }

@@ -66,9 +66,11 @@ class DcmPanel final : public TracePanel {
 
  public:
   DcmPanel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
+  [[nodiscard]] std::optional<Signal> limitSignal() const override { return Signal::kDcmErrorFiltered; }
 
  protected:
   void attach() override;
+  void renew() override;
   void attachOverlay() override;
   void colorItems() override;
   [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
@@ -78,7 +80,10 @@ class DcmPanel final : public TracePanel {
   [[nodiscard]] QString valueText(double value) const override;
 
  private:
+  void showLimit();
+
   SeriesItem *raw_, *filtered_, *other_;
+  RunLimits limits_;  // those that are drawn
 };
 
 }  // namespace syncline::ui
