@@ -49,15 +49,22 @@ void WindowOverlay::open(const QString& path) {
   overlay.read(path);
 }
 
+/// Hidden at once: until it is deleted it would take the keys of the window.
+void WindowOverlay::endProgress() {
+  if (!progress_) return;
+  progress_->hide();
+  progress_->deleteLater();
+}
+
 void WindowOverlay::fail(const QString& path, const Error& error) {
-  if (progress_) progress_->deleteLater();
+  endProgress();
   if (error.code == ErrorCode::kCancelled) return;
   workspace_.report(error, Severity::kError, tr("Overlay"));
   showError(&window_, tr("The recording %1 could not be opened.").arg(QFileInfo(path).fileName()), error);
 }
 
 void WindowOverlay::show() {
-  if (progress_) progress_->deleteLater();
+  endProgress();
   const auto& overlay = workspace_.overlay();
   if (!overlay.isOpen() || !workspace_.recording().isOpen()) return strip_.setOverlay({});
   strip_.setOverlay({overlay.run().record.get(), overlay.shift(), overlay.ownName(), overlay.name()});

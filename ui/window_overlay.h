@@ -32,6 +32,7 @@ class WindowOverlay final : public QObject {
 
  private:
   void show();
+  void endProgress();
   void fail(const QString& path, const Error& error);
 
   Workspace& workspace_;

@@ -48,8 +48,15 @@ void RecordingCommands::open(const QString& path) {
   workspace_.recording().read(path);
 }
 
+/// Hidden at once: until it is deleted it would take the keys of the window.
+void RecordingCommands::endProgress() {
+  if (!progress_) return;
+  progress_->hide();
+  progress_->deleteLater();
+}
+
 void RecordingCommands::onRead(const QString& path) {
-  if (progress_) progress_->deleteLater();
+  endProgress();
   if (!mayEndAll(window_, workspace_, tr("A recording is shown in its place."))) return workspace_.recording().drop();
   workspace_.runs().shutDown();
   workspace_.memory().remember(path);
@@ -57,7 +64,7 @@ void RecordingCommands::onRead(const QString& path) {
 }
 
 void RecordingCommands::onFailed(const QString& path, const Error& error) {
-  if (progress_) progress_->deleteLater();
+  endProgress();
   if (error.code == ErrorCode::kCancelled) return;
   workspace_.report(error, Severity::kError, tr("Open"));
   showError(&window_, tr("The recording %1 could not be opened.").arg(QFileInfo(path).fileName()), error);

@@ -44,6 +44,7 @@ class RecordingCommands final : public QObject {
   [[nodiscard]] QString saveLastText() const;
 
  private:
+  void endProgress();
   void onRead(const QString& path);
   void onFailed(const QString& path, const Error& error);
   void onEnded(const QString& path, const QString& why, const std::optional<Error>& error);
