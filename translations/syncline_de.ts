@@ -6267,14 +6267,6 @@ Einstellung %2</translation>
             <translation>Episode sichern</translation>
         </message>
         <message>
-            <source>Reading %1…</source>
-            <translation>Lese %1 …</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
-        </message>
-        <message>
             <source>Open Recording</source>
             <translation>Aufzeichnung öffnen</translation>
         </message>
@@ -10084,30 +10076,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 <context>
     <name>AcceptanceText</name>
     <message>
-        <source>not monitored</source>
-        <translation>nicht überwacht</translation>
-    </message>
-    <message>
-        <source>not ready</source>
-        <translation>nicht bereit</translation>
-    </message>
-    <message>
-        <source>settling</source>
-        <translation>schwingt ein</translation>
-    </message>
-    <message>
-        <source>in sync</source>
-        <translation>synchron</translation>
-    </message>
-    <message>
-        <source>out of sync</source>
-        <translation>nicht synchron</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
         <source>%1 for %2</source>
         <translation>%1 seit %2</translation>
     </message>
@@ -10672,14 +10640,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>No recording is shown that another could lie over.</source>
             <translation>Es wird keine Aufzeichnung gezeigt, über der eine andere liegen könnte.</translation>
-        </message>
-        <message>
-            <source>Reading %1…</source>
-            <translation>%1 wird gelesen …</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Abbrechen</translation>
         </message>
         <message>
             <source>Overlay</source>
@@ -11253,6 +11213,17 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>%1 (no values so far)</source>
             <translation>%1 (bisher ohne Werte)</translation>
+        </message>
+</context>
+<context>
+    <name>ReadingProgress</name>
+        <message>
+            <source>Reading %1…</source>
+            <translation>%1 wird gelesen …</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
         </message>
 </context>
 </TS>

@@ -6236,14 +6236,6 @@ Setting %2</source>
             <translation>保存片段</translation>
         </message>
         <message>
-            <source>Reading %1…</source>
-            <translation>正在读取 %1…</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
             <source>Open Recording</source>
             <translation>打开记录</translation>
         </message>
@@ -10026,30 +10018,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 <context>
     <name>AcceptanceText</name>
     <message>
-        <source>not monitored</source>
-        <translation>未监视</translation>
-    </message>
-    <message>
-        <source>not ready</source>
-        <translation>未就绪</translation>
-    </message>
-    <message>
-        <source>settling</source>
-        <translation>正在稳定</translation>
-    </message>
-    <message>
-        <source>in sync</source>
-        <translation>已同步</translation>
-    </message>
-    <message>
-        <source>out of sync</source>
-        <translation>失步</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
-    </message>
-    <message>
         <source>%1 for %2</source>
         <translation>%1，已持续 %2</translation>
     </message>
@@ -10614,14 +10582,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>No recording is shown that another could lie over.</source>
             <translation>未显示可供叠加的记录。</translation>
-        </message>
-        <message>
-            <source>Reading %1…</source>
-            <translation>正在读取 %1…</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
         </message>
         <message>
             <source>Overlay</source>
@@ -11195,6 +11155,17 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>%1 (no values so far)</source>
             <translation>%1（目前没有值）</translation>
+        </message>
+</context>
+<context>
+    <name>ReadingProgress</name>
+        <message>
+            <source>Reading %1…</source>
+            <translation>正在读取 %1…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
         </message>
 </context>
 </TS>

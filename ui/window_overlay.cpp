@@ -3,7 +3,6 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QProgressDialog>
 
 #include "ui/dialogs/error_dialog.h"
 #include "ui/panels/live_strip.h"
@@ -13,14 +12,12 @@
 namespace syncline::ui {
 
 WindowOverlay::WindowOverlay(Workspace& workspace, LiveStrip& strip, OverlayBar& bar, QWidget& window)
-    : QObject(&window), workspace_(workspace), strip_(strip), window_(window) {
+    : QObject(&window), workspace_(workspace), strip_(strip), window_(window), progress_(window) {
   auto& overlay = workspace_.overlay();
   connect(&overlay, &RecordingOverlay::changed, this, &WindowOverlay::show);
   connect(&overlay, &RecordingOverlay::moved, this, &WindowOverlay::show);
   connect(&overlay, &RecordingOverlay::failed, this, &WindowOverlay::fail);
-  connect(&overlay, &RecordingOverlay::progress, this, [this](int permille) {
-    if (progress_) progress_->setValue(permille);
-  });
+  connect(&overlay, &RecordingOverlay::progress, this, [this](int permille) { progress_.set(permille); });
   connect(&strip_, &LiveStrip::overlayMoved, &overlay,
           [&overlay](Nanoseconds by) { overlay.setOffset(overlay.offset() + by); });
   connect(&bar, &OverlayBar::refused, this, &WindowOverlay::refused);
@@ -37,34 +34,19 @@ void WindowOverlay::open(const QString& path) {
   auto& overlay = workspace_.overlay();
   if (overlay.isReading()) return;
   if (!workspace_.recording().isOpen()) return Q_EMIT refused(tr("No recording is shown that another could lie over."));
-  progress_ = new QProgressDialog(tr("Reading %1…").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, &window_);
-  progress_->setObjectName(QStringLiteral("overlayProgress"));
-  progress_->setWindowTitle(tr("Overlay Another Recording"));
-  progress_->setAccessibleName(tr("Overlay Another Recording"));
-  progress_->setWindowModality(Qt::WindowModal);
-  progress_->setAutoClose(false);
-  progress_->setAutoReset(false);
-  progress_->setMinimumDuration(300);
-  connect(progress_, &QProgressDialog::canceled, &overlay, &RecordingOverlay::cancel);
+  progress_.begin(path, "overlayProgress", tr("Overlay Another Recording"), [&overlay] { overlay.cancel(); });
   overlay.read(path);
 }
 
-/// Hidden at once: until it is deleted it would take the keys of the window.
-void WindowOverlay::endProgress() {
-  if (!progress_) return;
-  progress_->hide();
-  progress_->deleteLater();
-}
-
 void WindowOverlay::fail(const QString& path, const Error& error) {
-  endProgress();
+  progress_.end();
   if (error.code == ErrorCode::kCancelled) return;
   workspace_.report(error, Severity::kError, tr("Overlay"));
   showError(&window_, tr("The recording %1 could not be opened.").arg(QFileInfo(path).fileName()), error);
 }
 
 void WindowOverlay::show() {
-  endProgress();
+  progress_.end();
   const auto& overlay = workspace_.overlay();
   if (!overlay.isOpen() || !workspace_.recording().isOpen()) return strip_.setOverlay({});
   strip_.setOverlay({overlay.run().record.get(), overlay.shift(), overlay.ownName(), overlay.name()});

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <QObject>
-#include <QPointer>
 
 #include "support/result.h"
+#include "ui/dialogs/reading_progress.h"
 
-class QProgressDialog;
 class QWidget;
 
 namespace syncline::ui {
@@ -32,13 +31,12 @@ class WindowOverlay final : public QObject {
 
  private:
   void show();
-  void endProgress();
   void fail(const QString& path, const Error& error);
 
   Workspace& workspace_;
   LiveStrip& strip_;
   QWidget& window_;
-  QPointer<QProgressDialog> progress_;
+  ReadingProgress progress_;
 };
 
 }  // namespace syncline::ui

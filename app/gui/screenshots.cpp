@@ -18,9 +18,11 @@
 #include "app/gui/picture_run.h"
 #include "settings/settings_table.h"
 #include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/commissioning_dialog.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/found_dialog.h"
 #include "ui/dialogs/link_chooser.h"
+#include "ui/dialogs/memory_dialog.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/machine_building.h"
@@ -154,19 +156,35 @@ void takeQuestions(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
   workspace.document().undoStack().undo();
 }
 
-/// In place of the plots, also in the smallest window.
-void takeDistribution(Camera& camera, ui::MainWindow& window, const QString& theme) {
+/// What stands in place of the plots, in the usual and in the smallest window. `ready`: all of it is there; it is
+/// refreshed until then.
+void takeBody(Camera& camera, ui::MainWindow& window, ui::LiveStrip::Body body, const QString& name,
+              const std::function<bool()>& ready) {
   auto* strip = window.findChild<ui::LiveStrip*>();
+  strip->showBody(body);
   const auto usual = window.size();
-  strip->showBody(ui::LiveStrip::Body::kDistribution);
-  for (const auto& [size, name] : {std::pair{usual, "-distribution"}, {QSize(1024, 640), "-distribution-small"}}) {
+  for (const auto& [size, end] : {std::pair{usual, ""}, {QSize(1024, 640), "-small"}}) {
     window.resize(size);
     QApplication::processEvents();
-    strip->refresh();
-    camera.take(window, theme + QLatin1String(name));
+    static_cast<void>(waitUntil([&] {
+      strip->refresh();
+      return ready();
+    }));
+    camera.take(window, name + QLatin1String(end));
   }
   window.resize(usual);
   strip->showBody(ui::LiveStrip::Body::kPlots);
+}
+
+void takeBodies(Camera& camera, ui::MainWindow& window, const QString& theme) {
+  using Body = ui::LiveStrip::Body;
+  const auto* strip = window.findChild<ui::LiveStrip*>();
+  takeBody(camera, window, Body::kDistribution, theme + QStringLiteral("-distribution"), [] { return true; });
+  takeBody(camera, window, Body::kSlaves, theme + QStringLiteral("-slaves"),
+           [strip] { return strip->slaves()->complete(); });
+  takeBody(camera, window, Body::kCycle, theme + QStringLiteral("-cycle"),
+           [strip] { return strip->cycle()->plot()->picture().figures.count > 0; });
+  takeBody(camera, window, Body::kFree, theme + QStringLiteral("-own-plots"), [] { return true; });
 }
 
 /// Each figure in place of the plots, and one of them in the smallest window.
@@ -195,43 +213,7 @@ void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme)
   strip->showBody(ui::LiveStrip::Body::kPlots);
 }
 
-/// The SYNC0 period of a slave in place of the plots, in the usual and in the smallest window.
-void takeCycle(Camera& camera, ui::MainWindow& window, const QString& theme) {
-  auto* strip = window.findChild<ui::LiveStrip*>();
-  strip->showBody(ui::LiveStrip::Body::kCycle);
-  const auto usual = window.size();
-  for (const auto& [size, name] : {std::pair{usual, "-cycle"}, {QSize(1024, 640), "-cycle-small"}}) {
-    window.resize(size);
-    QApplication::processEvents();
-    static_cast<void>(waitUntil([strip] {
-      strip->refresh();
-      return strip->cycle()->plot()->picture().figures.count > 0;
-    }));
-    camera.take(window, theme + QLatin1String(name));
-  }
-  window.resize(usual);
-  strip->showBody(ui::LiveStrip::Body::kPlots);
-}
-
-/// All slaves in place of the plots, in the usual and in the smallest window.
-void takeSlaves(Camera& camera, ui::MainWindow& window, const QString& theme) {
-  auto* strip = window.findChild<ui::LiveStrip*>();
-  strip->showBody(ui::LiveStrip::Body::kSlaves);
-  const auto usual = window.size();
-  for (const auto& [size, name] : {std::pair{usual, "-slaves"}, {QSize(1024, 640), "-slaves-small"}}) {
-    window.resize(size);
-    QApplication::processEvents();
-    static_cast<void>(waitUntil([strip] {
-      strip->refresh();
-      return strip->slaves()->complete();
-    }));
-    camera.take(window, theme + QLatin1String(name));
-  }
-  window.resize(usual);
-  strip->showBody(ui::LiveStrip::Body::kPlots);
-}
-
-/// The last seconds of the machine out of memory, opened again.
+/// The last seconds of the machine out of memory, opened again, and in the middle of its replay.
 void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace) {
   const QTemporaryDir folder;
   const auto path = folder.filePath(QStringLiteral("machine.slrec"));
@@ -246,6 +228,11 @@ void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
     QApplication::processEvents();
     window.findChild<ui::LiveStrip*>()->refresh();
     camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-recording"));
+    auto& replay = workspace.replay();
+    replay.seek(replay.begin() / 2 + replay.end() / 2);
+    window.findChild<ui::LiveStrip*>()->refresh();
+    camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-replay"));
+    replay.leave();
   }
   workspace.recording().close();
 }
@@ -290,6 +277,12 @@ void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspac
   ui::LinkChooser chooser(workspace.environment(), {}, ui::MainWindow::tr("Scan"), &window);
   chooser.show();
   camera.take(chooser, theme + QStringLiteral("-link-chooser"));
+  ui::CommissioningDialog commissioning(workspace, &window);
+  commissioning.show();
+  camera.take(commissioning, theme + QStringLiteral("-commissioning"));
+  ui::MemoryDialog memory(workspace, &window);
+  memory.show();
+  camera.take(memory, theme + QStringLiteral("-memory"));
 }
 
 }  // namespace
@@ -313,10 +306,8 @@ bool renderScreenshots(ui::MainWindow& window, ui::Workspace& workspace, const Q
     QApplication::processEvents();
     showOverview(window);
     camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-overview"));
-    takeDistribution(camera, window, ui::theme::modeName(mode));
+    takeBodies(camera, window, ui::theme::modeName(mode));
     takeStability(camera, window, ui::theme::modeName(mode));
-    takeSlaves(camera, window, ui::theme::modeName(mode));
-    takeCycle(camera, window, ui::theme::modeName(mode));
     takePages(camera, window, workspace, ui::theme::modeName(mode));
     workspace.setExpert(true);
     takePages(camera, window, workspace, ui::theme::modeName(mode) + QStringLiteral("-expert"));

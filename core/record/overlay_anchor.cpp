@@ -17,6 +17,7 @@ std::optional<Nanoseconds> first_episode(const RunRecord& run, Trigger trigger) 
     if (watch.done()) break;
     watch.hear(event, run.samples());
   }
+  watch.hear(run.findings(), run.samples());
   while (!watch.done() && !watch.look(run.samples(), kTriggerPortion)) {
   }
   if (watch.episodes().empty()) return std::nullopt;

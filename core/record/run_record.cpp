@@ -36,13 +36,14 @@ SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_cap
 
 }  // namespace
 
-RunLimits limits_of(const NetworkConfig& config) {
+RunLimits limits_of(const NetworkConfig& config) { return limits_of(config.cycle_time(), config.dc); }
+
+RunLimits limits_of(Nanoseconds cycle_time, const DcMasterSettings& dc) {
   RunLimits limits;
-  limits.cycle_time = config.cycle_time();
-  if (!config.dc.enabled) return limits;
-  const auto& window = config.dc.sync_window;
-  if (window.enabled) limits.deviation_ns = sync_window_limit_ns(window.exponent);
-  if (config.dc.dcm.mode != DcmMode::kOff) limits.dcm_error_ns = effective_dcm_settings(config.dc.dcm).in_sync_limit;
+  limits.cycle_time = cycle_time;
+  if (!dc.enabled) return limits;
+  if (dc.sync_window.enabled) limits.deviation_ns = sync_window_limit_ns(dc.sync_window.exponent);
+  if (dc.dcm.mode != DcmMode::kOff) limits.dcm_error_ns = effective_dcm_settings(dc.dcm).in_sync_limit;
   return limits;
 }
 

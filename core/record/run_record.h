@@ -28,6 +28,7 @@ struct RunLimits {
   bool operator==(const RunLimits&) const = default;
 };
 [[nodiscard]] RunLimits limits_of(const NetworkConfig& config);
+[[nodiscard]] RunLimits limits_of(Nanoseconds cycle_time, const DcMasterSettings& dc);
 /// The magnitude that a signal is held against, in its unit; 0: none.
 [[nodiscard]] double limit_of(const RunLimits& limits, Signal signal);
 /// Register 0x0930 as the configuration sets it.

@@ -223,18 +223,22 @@ std::string notes_section(const RunRecord& run) {
 
 }  // namespace
 
-CommissioningFacts facts_of(const ReplayedRun& run, const std::string& path) {
+CommissioningFacts facts_of(const RecordingAbout& about, const std::string& path) {
   CommissioningFacts facts;
-  const auto& about = run.info.about;
-  const auto file = std::filesystem::path(path).filename();
+  const std::filesystem::path file(path);
   const auto project = std::ranges::find(about.documents, "project", &RecordedDocument::kind);
   facts.machine =
       project != about.documents.end() ? std::filesystem::path(project->name).stem().string() : file.stem().string();
-  facts.recording = file.string();
+  facts.recording = file.filename().string();
   facts.recorded_by = about.program;
   facts.link = about.link;
-  facts.ended = run.info.ended;
   facts.documents = about.documents;
+  return facts;
+}
+
+CommissioningFacts facts_of(const ReplayedRun& run, const std::string& path) {
+  auto facts = facts_of(run.info.about, path);
+  facts.ended = run.info.ended;
   if (run.only_words) facts.told = run.info.findings;
   return facts;
 }

@@ -24,7 +24,10 @@ struct CommissioningFacts {
   std::vector<RecordedFinding> told{};        // findings of which only the words are known
 };
 
-/// Those of a recording but for date and program; the machine's name is that of its project's file, else of its own.
+/// Those of a run but for date and program; the machine's name is that of its project's file. `path`: of the recording,
+/// which gives the name where there is no project; "": out of memory.
+[[nodiscard]] CommissioningFacts facts_of(const RecordingAbout& about, const std::string& path);
+/// The same of a recording, with how it ended and what was found in words.
 [[nodiscard]] CommissioningFacts facts_of(const ReplayedRun& run, const std::string& path);
 /// What was found, for judge(), also where only the words are known.
 [[nodiscard]] std::vector<Finding> severities_of(const ReplayedRun& run);

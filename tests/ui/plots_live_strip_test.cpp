@@ -279,6 +279,13 @@ TEST_F(LiveStripTest, TheErrorOfTheMasterHasItsLimitToo) {
   record->add(samples(100, 200));
   settle();
   EXPECT_EQ(plot(2)->limit(), 900);
+  // Its words can be read whatever is drawn there.
+  double words = 0, curves = 0;
+  for (auto* item : plot(2)->itemList()) {
+    if (dynamic_cast<LimitWordsItem*>(item) != nullptr) words = item->z();
+    if (dynamic_cast<SeriesItem*>(item) != nullptr) curves = std::max(curves, item->z());
+  }
+  EXPECT_GT(words, curves);
 }
 
 TEST_F(LiveStripTest, CursorsMeasure) {

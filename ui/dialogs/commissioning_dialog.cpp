@@ -15,8 +15,6 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "eni/format/eni_file.h"
-#include "eni/project/project_file.h"
 #include "eni/report/reported_eni.h"
 #include "support/output_file.h"
 #include "ui/dialogs/error_dialog.h"
@@ -48,7 +46,9 @@ CommissioningDialog::CommissioningDialog(Workspace& workspace, QWidget* parent)
   setObjectName(QStringLiteral("commissioningDialog"));
   setWindowTitle(tr("Commissioning Report"));
   build();
-  machine_->setText(QString::fromStdString(facts().machine));
+  // A project that has no file yet is "Untitled" here as in the title of the window.
+  machine_->setText(workspace.recording().isOpen() ? QString::fromStdString(facts().machine)
+                                                   : QFileInfo(workspace.document().displayName()).completeBaseName());
   refresh();
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &CommissioningDialog::refresh);
@@ -125,22 +125,11 @@ reports::Acceptance CommissioningDialog::judged() const {
 }
 
 reports::CommissioningFacts CommissioningDialog::facts() const {
-  reports::CommissioningFacts facts;
-  if (workspace_.recording().isOpen()) {
-    facts = reports::facts_of(workspace_.recording().run(), workspace_.recording().path().toStdString());
-  } else {
-    const auto& origin = workspace_.live().origin();
-    facts.machine = workspace_.document().displayName().toStdString();
-    facts.recorded_by = QStringLiteral("Syncline %1").arg(workspace_.environment().version).toStdString();
-    facts.link = workspace_.live().link().toStdString();
-    facts.documents.push_back(
-        {"project", origin.path.isEmpty() ? "project.syncline" : QFileInfo(origin.path).fileName().toStdString(),
-         eni::write_project(origin.project)});
-    facts.documents.push_back(
-        {"configuration", "configuration.eni.xml", eni::write_eni(workspace_.shownRecord()->config())});
-  }
-  if (machine_ != nullptr && !machine_->text().trimmed().isEmpty())
-    facts.machine = machine_->text().trimmed().toStdString();
+  const auto& recording = workspace_.recording();
+  auto facts = recording.isOpen() ? reports::facts_of(recording.run(), recording.path().toStdString())
+                                  : reports::facts_of(workspace_.disk().about(), {});
+  const auto typed = machine_->text().trimmed();
+  if (!typed.isEmpty()) facts.machine = typed.toStdString();
   facts.date = eni::report_date();
   facts.program = QStringLiteral("Syncline %1").arg(workspace_.environment().version).toStdString();
   return facts;

@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLineEdit>
-#include <QProgressDialog>
 #include <algorithm>
 
 #include "ui/dialogs/black_box_dialog.h"
@@ -22,11 +21,9 @@
 namespace syncline::ui {
 
 RecordingCommands::RecordingCommands(Workspace& workspace, QWidget& window)
-    : QObject(&window), workspace_(workspace), window_(window) {
+    : QObject(&window), workspace_(workspace), window_(window), progress_(window) {
   auto& recording = workspace.recording();
-  connect(&recording, &OpenedRecording::progress, this, [this](int permille) {
-    if (progress_) progress_->setValue(permille);
-  });
+  connect(&recording, &OpenedRecording::progress, this, [this](int permille) { progress_.set(permille); });
   connect(&recording, &OpenedRecording::finished, this, &RecordingCommands::onRead);
   connect(&recording, &OpenedRecording::failed, this, &RecordingCommands::onFailed);
   connect(&workspace.runs(), &NetworkRuns::recordingEnded, this, &RecordingCommands::onEnded);
@@ -36,27 +33,12 @@ RecordingCommands::RecordingCommands(Workspace& workspace, QWidget& window)
 
 void RecordingCommands::open(const QString& path) {
   if (workspace_.recording().isReading()) return;
-  progress_ = new QProgressDialog(tr("Reading %1…").arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 1000, &window_);
-  progress_->setObjectName(QStringLiteral("recordingProgress"));
-  progress_->setWindowTitle(tr("Open Recording"));
-  progress_->setAccessibleName(tr("Open Recording"));
-  progress_->setWindowModality(Qt::WindowModal);
-  progress_->setAutoClose(false);
-  progress_->setAutoReset(false);
-  progress_->setMinimumDuration(300);
-  connect(progress_, &QProgressDialog::canceled, &workspace_.recording(), &OpenedRecording::cancel);
+  progress_.begin(path, "recordingProgress", tr("Open Recording"), [this] { workspace_.recording().cancel(); });
   workspace_.recording().read(path);
 }
 
-/// Hidden at once: until it is deleted it would take the keys of the window.
-void RecordingCommands::endProgress() {
-  if (!progress_) return;
-  progress_->hide();
-  progress_->deleteLater();
-}
-
 void RecordingCommands::onRead(const QString& path) {
-  endProgress();
+  progress_.end();
   if (!mayEndAll(window_, workspace_, tr("A recording is shown in its place."))) return workspace_.recording().drop();
   workspace_.runs().shutDown();
   workspace_.memory().remember(path);
@@ -64,7 +46,7 @@ void RecordingCommands::onRead(const QString& path) {
 }
 
 void RecordingCommands::onFailed(const QString& path, const Error& error) {
-  endProgress();
+  progress_.end();
   if (error.code == ErrorCode::kCancelled) return;
   workspace_.report(error, Severity::kError, tr("Open"));
   showError(&window_, tr("The recording %1 could not be opened.").arg(QFileInfo(path).fileName()), error);

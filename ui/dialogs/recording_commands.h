@@ -2,15 +2,14 @@
 #pragma once
 
 #include <QObject>
-#include <QPointer>
 #include <QString>
 #include <optional>
 
 #include "record/black_box.h"
 #include "support/result.h"
 #include "support/types.h"
+#include "ui/dialogs/reading_progress.h"
 
-class QProgressDialog;
 class QWidget;
 
 namespace syncline::ui {
@@ -44,7 +43,6 @@ class RecordingCommands final : public QObject {
   [[nodiscard]] QString saveLastText() const;
 
  private:
-  void endProgress();
   void onRead(const QString& path);
   void onFailed(const QString& path, const Error& error);
   void onEnded(const QString& path, const QString& why, const std::optional<Error>& error);
@@ -55,7 +53,7 @@ class RecordingCommands final : public QObject {
 
   Workspace& workspace_;
   QWidget& window_;
-  QPointer<QProgressDialog> progress_;
+  ReadingProgress progress_;
 };
 
 }  // namespace syncline::ui

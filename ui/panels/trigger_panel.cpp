@@ -51,13 +51,6 @@ QString eventTitle(std::string_view code) {
   return words == nullptr ? QString() : QCoreApplication::translate("Finding", std::string(words->title).c_str());
 }
 
-QString valueOf(Signal signal, double value) {
-  const auto& row = info(signal);
-  if (row.unit == "ns") return signedTimeText(static_cast<Nanoseconds>(std::llround(value)));
-  if (row.unit == "ppm") return ppmText(value);
-  return signal == Signal::kVariable ? numberText(value) : QLocale().toString(value, 'g', 10);
-}
-
 constexpr double kLargestTime = 2e9, kLargestValue = 1e12;  // of the fields
 
 /// Of a signal it is the slave's own, of these any slave's may be wanted.
@@ -388,7 +381,7 @@ QString TriggerPanel::causeText(const TriggerEpisode& episode) const {
                   ? eventTitle(trigger.code)
                   : tr("%1 %2: %3")
                         .arg(trigger.signal == Signal::kVariable ? variable_->currentText() : source_->currentText(),
-                             condition_->currentText(), valueOf(trigger.signal, episode.value));
+                             condition_->currentText(), signalValue(trigger.signal, episode.value));
   if (episode.left_out > 0) text += tr(" (%1 more in the hold-off)").arg(countText(episode.left_out));
   return text;
 }

@@ -21,13 +21,27 @@ class LimitBandItem final : public QwtPlotItem {
   [[nodiscard]] double wanted() const { return wanted_; }
   void setColors(const QColor& fill, const QColor& line, const QColor& text_background);
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
+  /// What the limits are, for LimitWordsItem.
+  void drawWords(QPainter& painter, const QwtScaleMap& y, const QRectF& canvas) const;
 
  private:
-  void drawWanted(QPainter& painter, const QwtScaleMap& y, const QRectF& canvas) const;
+  void drawLines(QPainter& painter, const QwtScaleMap& y, const QRectF& canvas, double limit, Qt::PenStyle style) const;
+  void drawBox(QPainter& painter, const QRectF& box, const QString& text) const;
 
   double limit_ = 0, wanted_ = 0;
   QString label_, wanted_label_;
   QColor fill_, line_, background_;
+};
+
+/// The words of a band, in front of the curves: its area and its lines lie behind them. On the same axes.
+class LimitWordsItem final : public QwtPlotItem {
+ public:
+  /// The band must outlive it.
+  explicit LimitWordsItem(const LimitBandItem& band);
+  void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
+
+ private:
+  const LimitBandItem& band_;
 };
 
 }  // namespace syncline::ui

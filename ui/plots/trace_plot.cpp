@@ -48,6 +48,7 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
       cursors_(cursors),
       lines_(new QwtPlotGrid),
       band_(new LimitBandItem),
+      limit_words_(new LimitWordsItem(*band_)),
       cursor_item_(new CursorItem(cursors)),
       gaps_(new GapItem),
       marks_(new EventMarksItem),
@@ -82,8 +83,9 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
   for (const auto& axis : axes_) axisWidget(axis->id())->setMinBorderDist(kBorder, kBorder);
   axisWidget(QwtPlot::xBottom)->setMinBorderDist(kBorder, 2 * kBorder);
   for (QwtPlotItem* item :
-       {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_), static_cast<QwtPlotItem*>(cursor_item_),
-        static_cast<QwtPlotItem*>(gaps_), static_cast<QwtPlotItem*>(marks_), static_cast<QwtPlotItem*>(level_)}) {
+       {static_cast<QwtPlotItem*>(lines_), static_cast<QwtPlotItem*>(band_), static_cast<QwtPlotItem*>(limit_words_),
+        static_cast<QwtPlotItem*>(cursor_item_), static_cast<QwtPlotItem*>(gaps_), static_cast<QwtPlotItem*>(marks_),
+        static_cast<QwtPlotItem*>(level_)}) {
     item->attach(this);
   }
   connect(view_, &TimeView::changed, this, &TracePlot::markDirty);
@@ -120,6 +122,7 @@ void TracePlot::setRightReserved(bool reserved) {
 void TracePlot::setLimit(double limit, const QString& label, Side side) {
   limit_side_ = side;
   band_->setYAxis(axes_[side]->id());
+  limit_words_->setYAxis(axes_[side]->id());
   band_->setLimit(limit, label);
   markDirty();
 }

@@ -125,6 +125,7 @@ class TracePlot final : public QwtPlot {
   CursorSet* cursors_;
   QwtPlotGrid* lines_;
   LimitBandItem* band_;
+  LimitWordsItem* limit_words_;
   CursorItem* cursor_item_;
   GapItem* gaps_;
   EventMarksItem* marks_;

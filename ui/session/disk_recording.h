@@ -41,6 +41,8 @@ class DiskRecording final : public QObject {
   [[nodiscard]] const QString& path() const { return path_; }
   /// Something is on its way to the disk, also after stop().
   [[nodiscard]] bool isWriting() const { return isRecording() || saving_ || !ending_.empty(); }
+  /// What a recording of the run that goes on, or was the last one, says of it as a whole; there must be one.
+  [[nodiscard]] RecordingAbout about() const;
   /// Of the run, in the file.
   [[nodiscard]] Nanoseconds duration() const;
   [[nodiscard]] qint64 bytes() const;
@@ -77,7 +79,6 @@ class DiskRecording final : public QObject {
     std::optional<Recorder::Stop> stop;  // why it ended by itself
     std::thread thread;
   };
-  [[nodiscard]] RecordingAbout about() const;
   [[nodiscard]] RecordedDocument project() const;
   void connectRun();
   [[nodiscard]] std::vector<RecordedFinding> found() const;

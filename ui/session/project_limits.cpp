@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/dcm_settings.h"
-#include "protocol/dc_registers.h"
 #include "settings/settings_table.h"
 #include "ui/session/project_document.h"
 
@@ -17,15 +15,7 @@ constexpr int kMostExponent = 30;
 
 }  // namespace
 
-RunLimits limitsOf(const Project& project) {
-  const auto& dc = project.master.dc;
-  RunLimits limits;
-  limits.cycle_time = project.master.cycle_time;
-  if (!dc.enabled) return limits;
-  if (dc.sync_window.enabled) limits.deviation_ns = sync_window_limit_ns(dc.sync_window.exponent);
-  if (dc.dcm.mode != DcmMode::kOff) limits.dcm_error_ns = effective_dcm_settings(dc.dcm).in_sync_limit;
-  return limits;
-}
+RunLimits limitsOf(const Project& project) { return limits_of(project.master.cycle_time, project.master.dc); }
 
 Status setLimit(ProjectDocument& document, Signal signal, double magnitude) {
   const auto text = QCoreApplication::translate("LiveStrip", "Limit in the plots");

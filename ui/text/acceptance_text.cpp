@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "ui/text/glossary.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -18,27 +19,9 @@ struct AcceptanceText {
   Q_DECLARE_TR_FUNCTIONS(AcceptanceText)
 };
 
-QString stateText(SyncState state) {
-  switch (state) {
-    case SyncState::kNotMonitored:
-      return AcceptanceText::tr("not monitored");
-    case SyncState::kNotReady:
-      return AcceptanceText::tr("not ready");
-    case SyncState::kBusy:
-      return AcceptanceText::tr("settling");
-    case SyncState::kInSync:
-      return AcceptanceText::tr("in sync");
-    case SyncState::kOutOfSync:
-      return AcceptanceText::tr("out of sync");
-    case SyncState::kUnknown:
-      return AcceptanceText::tr("unknown");
-  }
-  return {};
-}
-
 QString syncText(const Criterion& criterion) {
-  if (criterion.verdict == Verdict::kNotJudged) return stateText(SyncState::kNotMonitored);
-  auto text = AcceptanceText::tr("%1 for %2").arg(stateText(criterion.state), runTimeText(criterion.state_for));
+  if (criterion.verdict == Verdict::kNotJudged) return syncStateText(SyncState::kNotMonitored);
+  auto text = AcceptanceText::tr("%1 for %2").arg(syncStateText(criterion.state), runTimeText(criterion.state_for));
   if (criterion.times_lost > 0)
     text += AcceptanceText::tr(", lost %n time(s)", nullptr, static_cast<int>(criterion.times_lost));
   if (!criterion.margin) return text + AcceptanceText::tr("; no value since it was armed");
@@ -132,8 +115,7 @@ QString foundText(const Criterion& criterion) {
     case Kind::kState: {
       const auto state = static_cast<AlState>(*criterion.found);
       if (state == AlState::kNone) return AcceptanceText::tr("unknown: a slave does not answer, or it is not told");
-      const auto name = al_state_name(state);
-      return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
+      return stateName(state);
     }
     case Kind::kSlavesInSync:
     case Kind::kMasterInSync:

@@ -50,6 +50,15 @@ TEST(OverlayAnchor, TheMomentsOfBothLieOverEachOtherToTheNanosecond) {
   EXPECT_EQ(overlay_anchor(two, OverlayAlignment::kTrigger, trigger), kTwo + 71 * kMillisecond + 7);
 }
 
+TEST(OverlayAnchor, AFindingLiesWhereItBegan) {
+  auto run = overlaid(kOne, 50);
+  run.restore({Finding{"slave-fell", Severity::kError, 0, kOne + 33 * kMillisecond, kOne + 40 * kMillisecond}});
+  Trigger trigger;
+  trigger.kind = Trigger::Kind::kFinding;
+  trigger.code = "slave-fell";
+  EXPECT_EQ(overlay_anchor(run, OverlayAlignment::kTrigger, trigger), kOne + 33 * kMillisecond);
+}
+
 TEST(OverlayAnchor, WhatARunHasNotIsNone) {
   const auto one = overlaid(kOne, 50), never = overlaid(kTwo, 1000);
   Trigger trigger;
