@@ -127,13 +127,14 @@ bool SlavesSync::follows_again(std::size_t slave, Nanoseconds time) {
   const bool present = run_.snapshot.slaves[slave].present;
   const bool was_lost = lost_[slave] != 0;
   const bool leads = static_cast<int>(slave) == run_.snapshot.dc.reference_clock;
+  const bool catches_up = present && may_follow(slave);
+  if (!catches_up) returns_[slave] = {};
   if (!present) {
     lost_[slave] = 1;
-    returns_[slave] = {};
-  } else if (was_lost && (leads || is_back(slave, time))) {
+  } else if (was_lost && (leads || (catches_up && is_back(slave, time)))) {
     lost_[slave] = 0;
   }
-  const bool follows = present && may_follow(slave) && lost_[slave] == 0;
+  const bool follows = catches_up && lost_[slave] == 0;
   returned_[slave] = present && !leads && (returned_[slave] != 0 || (was_lost && lost_[slave] == 0)) ? 1 : 0;
   return follows;
 }

@@ -168,6 +168,40 @@ TEST(SlaveChanges, WhoFollowsIsTheSameAsIfAllWereLookedAtInEachCycle) {
   }));
 }
 
+/// Only who may follow catches up: the time without a clock of its own is none in which its loop learned.
+TEST(SlaveChanges, ASlaveThatIsBackWithoutItsClockHasNotCaughtUpWhenItHasIt) {
+  Twins twins(2);
+  Nanoseconds now = 0;
+  const auto live = [&](Nanoseconds span) {
+    for (const auto end = now + span; now < end;) {
+      now += kCycle;
+      std::array<CycleSample, 2> samples;
+      for (std::size_t i = 0; i < 2; ++i) twins.lines[i].follow(now, true, true, {}, samples[i]);
+      ASSERT_TRUE(twins.agree()) << now;
+    }
+  };
+  const auto change = [&](const auto& what) { twins.both([&](WatchedLine& line) { what(line.run); }); };
+  const auto clock = [](bool on) {
+    return [on](RunState& run) {
+      run.snapshot.slaves[1].dc_enabled = on;
+      run.note_slave_change();
+    };
+  };
+  live(20 * kMillisecond);
+  change([&](RunState& run) { run.set_present(1, false, now); });
+  live(20 * kMillisecond);
+  change(clock(false));
+  change([&](RunState& run) { run.set_present(1, true, now); });
+  live(kSecond);
+  change([&](RunState& run) { run.set_al_status(1, static_cast<std::uint16_t>(AlState::kPreop), 0, now); });
+  change(clock(true));
+  live(kSecond);
+  EXPECT_FALSE(twins.lines[0].run.snapshot.slaves[1].follows);
+  change([&](RunState& run) { run.set_al_status(1, static_cast<std::uint16_t>(AlState::kOp), 0, now); });
+  live(kSecond);
+  EXPECT_TRUE(twins.lines[0].run.snapshot.slaves[1].follows);
+}
+
 TEST(SlaveChanges, MissedEventsAreTheSameAsIfEachSlaveWereLookedAtInEachCycle) {
   EXPECT_TRUE(rc::check([] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
