@@ -99,12 +99,6 @@ TEST_F(CliBlackBox, WhatCannotBeIsSaidBeforeTheRun) {
   EXPECT_THAT(none.err, HasSubstr("No such file or directory"));
 }
 
-/// As samples and frames have it: nanoseconds since 2000.
-Nanoseconds now() {
-  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count() - kDcEpochUnixSeconds * kSecond;
-}
-
 std::uint64_t size_of_all(const std::string& folder) {
   std::uint64_t sum = 0;
   std::error_code gone;  // the oldest may go meanwhile
@@ -128,7 +122,7 @@ TEST_F(CliBlackBox, KilledItIsWholeUpToTheLastSecond) {
     ASSERT_TRUE(run.wait_for_err("online: the master runs")) << run.err();
     written += 100'000 + random.next() % 200'000;
     while (size_of_all(boxes) < written) std::this_thread::sleep_for(std::chrono::microseconds(500));
-    const auto killed = now();
+    const auto killed = host_time();
     run.signal(SIGKILL);
     EXPECT_EQ(run.wait(), 128 + SIGKILL);
     written = size_of_all(boxes);

@@ -7,12 +7,21 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "support/types.h"
+
 namespace syncline::test {
+
+/// The host's time as samples and frames have it: nanoseconds since 2000.
+inline Nanoseconds host_time() {
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count() - kDcEpochUnixSeconds * kSecond;
+}
 
 /// synclinectl as a program of its own, from the folder of the tests' program; killed at the end if it still runs.
 class CliProcess {

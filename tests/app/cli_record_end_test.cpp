@@ -36,12 +36,6 @@ class CliRecordEnd : public testing::Test {
   std::string project = folder.file("m.syncline"), machine = "sim:" + folder.file("machine.toml");
 };
 
-/// As samples have it: nanoseconds since 2000.
-Nanoseconds now() {
-  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count() - 946'684'800 * kSecond;
-}
-
 TEST_F(CliRecordEnd, KilledItIsWholeUpToTheLastSecond) {
   constexpr int kRuns = 10;
   constexpr Nanoseconds kBusyHost = kSecond;  // with all of them at once
@@ -56,7 +50,7 @@ TEST_F(CliRecordEnd, KilledItIsWholeUpToTheLastSecond) {
   std::this_thread::sleep_for(std::chrono::milliseconds(1'500));
   for (int i = 0; i < kRuns; ++i) {
     std::this_thread::sleep_for(std::chrono::microseconds(random.next() % 120'000));
-    const auto killed = now();
+    const auto killed = host_time();
     runs[static_cast<std::size_t>(i)]->signal(SIGKILL);
     EXPECT_EQ(runs[static_cast<std::size_t>(i)]->wait(), 128 + SIGKILL);
     auto reader = RecordingReader::open(file(i));

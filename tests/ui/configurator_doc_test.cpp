@@ -20,7 +20,7 @@
 namespace syncline::ui {
 namespace {
 
-const std::string kBegin = "<!-- made from the pages -->\n", kEnd = "<!-- end -->\n";
+const std::string kTableBegin = "<!-- made from the pages -->\n", kTableEnd = "<!-- end -->\n";
 
 std::string fileText(const std::string& file) { return read_whole_file(file).value_or(std::string()); }
 
@@ -55,11 +55,11 @@ TEST(ConfiguratorDocument, SaysWhereEachSettingIs) {
   const auto file = test::source_dir() + "/docs/configurator.md";
   const auto table = pageTable();
   auto text = fileText(file);
-  const auto begin = text.find(kBegin), end = text.find(kEnd);
+  const auto begin = text.find(kTableBegin), end = text.find(kTableEnd);
   ASSERT_NE(begin, std::string::npos);
   ASSERT_NE(end, std::string::npos);
   if (std::getenv("SYNCLINE_WRITE_GOLDEN") != nullptr) {
-    text.replace(begin + kBegin.size(), end - begin - kBegin.size(), "\n" + table + "\n");
+    text.replace(begin + kTableBegin.size(), end - begin - kTableBegin.size(), "\n" + table + "\n");
     ASSERT_TRUE(write_whole_file(file, text).has_value());
   }
   EXPECT_NE(text.find(table), std::string::npos) << "SYNCLINE_WRITE_GOLDEN=1 test_ui writes it";

@@ -30,7 +30,7 @@ namespace {
 constexpr int kRefreshInterval = 1000;  // ms
 constexpr int kMostCount = 1'000'000'000;
 constexpr int kUsualWidth = 980;  // pixels: all that is found stands in its column
-enum Column { kVerdict, kCriterion, kRequired, kFound, kColumns };
+enum CriterionColumn { kVerdict, kCriterion, kRequired, kFound, kCriterionColumns };
 
 Status writeText(const QString& path, const std::string& text) {
   auto file = OutputFile::create(path.toStdString());
@@ -88,7 +88,7 @@ void CommissioningDialog::build() {
   layout->addLayout(columns);
   verdict_ = named(new Pill, "commissioningVerdict", tr("Result"));
   layout->addWidget(verdict_, 0, Qt::AlignLeft);
-  criteria_ = named(new QTableWidget(0, kColumns), "commissioningCriteria", tr("Criteria"));
+  criteria_ = named(new QTableWidget(0, kCriterionColumns), "commissioningCriteria", tr("Criteria"));
   criteria_->setHorizontalHeaderLabels({tr("Verdict"), tr("Criterion"), tr("Required"), tr("Found")});
   criteria_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   setUpTable(*criteria_);
@@ -151,9 +151,9 @@ void CommissioningDialog::refresh() {
                               criteria_->verticalHeader()->length() + 2 * criteria_->frameWidth());
   for (int row = 0; row < criteria_->rowCount(); ++row) {
     const auto& criterion = acceptance.criteria[static_cast<std::size_t>(row)];
-    const QString texts[kColumns] = {verdictText(criterion.verdict), criterionText(criterion.kind),
-                                     requiredText(criterion), foundText(criterion)};
-    for (int column = 0; column < kColumns; ++column) {
+    const QString texts[kCriterionColumns] = {verdictText(criterion.verdict), criterionText(criterion.kind),
+                                              requiredText(criterion), foundText(criterion)};
+    for (int column = 0; column < kCriterionColumns; ++column) {
       auto* item = criteria_->item(row, column);
       if (item == nullptr) criteria_->setItem(row, column, item = new QTableWidgetItem);
       if (item->text() != texts[column]) item->setText(texts[column]);

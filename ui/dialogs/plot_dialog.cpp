@@ -31,7 +31,7 @@
 namespace syncline::ui {
 namespace {
 
-enum Column : std::uint8_t { kSignal, kRate, kRight, kColumns };
+enum PlotColumn : std::uint8_t { kSignal, kRate, kRight, kPlotColumns };
 
 /// The same signal, however it is shown.
 bool isSame(const ViewSignal& one, const ViewSignal& other) {
@@ -114,7 +114,7 @@ QWidget* PlotDialog::buildChosen() {
   auto* side = new QWidget;
   auto* layout = new QVBoxLayout(side);
   layout->setContentsMargins(0, 0, 0, 0);
-  chosen_ = named(new QTableWidget(0, kColumns), "plotChosen", tr("Signals in the plot"));
+  chosen_ = named(new QTableWidget(0, kPlotColumns), "plotChosen", tr("Signals in the plot"));
   chosen_->setHorizontalHeaderLabels({tr("In the plot"), tr("A second"), tr("Axis right")});
   chosen_->horizontalHeaderItem(kRate)->setToolTip(tr("How many a second instead of how many: of counts"));
   chosen_->horizontalHeaderItem(kRight)->setToolTip(tr("On the value axis at the right"));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kNumberRole = Qt::UserRole + 2;
 
-QStandardItem* heading(const QString& text) {
+QStandardItem* groupItem(const QString& text) {
   auto* item = new QStandardItem(text);
   item->setEditable(false);
   item->setData(text, SignalTree::kWordsRole);
@@ -27,7 +27,7 @@ bool hasValues(const RunRecord& record, const SignalInfo& row, std::size_t slave
 
 SignalTree::SignalTree(const RunRecord& record, QObject* parent) : QStandardItemModel(parent) {
   using Scope = SignalInfo::Scope;
-  auto* bus = heading(tr("Bus"));
+  auto* bus = groupItem(tr("Bus"));
   for (const auto& row : signals()) {
     if (row.form == SignalInfo::Form::kCell || row.scope != Scope::kBus) continue;
     addSignal(*bus, record, viewSignalOf(record, {row.id, 0}), hasValues(record, row, 0));
@@ -38,14 +38,14 @@ SignalTree::SignalTree(const RunRecord& record, QObject* parent) : QStandardItem
     for (const auto& row : signals()) {
       if (row.scope != Scope::kSlave || row.form == SignalInfo::Form::kCell) continue;
       const auto signal = viewSignalOf(record, {row.id, slave});
-      if (group == nullptr) group = heading(ownerOf(record, signal));
+      if (group == nullptr) group = groupItem(ownerOf(record, signal));
       addSignal(*group, record, signal, hasValues(record, row, slave));
     }
     if (group != nullptr) appendRow(group);
   }
   const auto& variables = record.watched().variables();
   if (variables.empty()) return;
-  auto* group = heading(tr("Variables of the process image"));
+  auto* group = groupItem(tr("Variables of the process image"));
   for (std::size_t number = 0; number < variables.size(); ++number)
     addSignal(*group, record, viewSignalOf(record, {Signal::kVariable, number}), true);
   appendRow(group);

@@ -39,9 +39,10 @@ std::vector<std::uint16_t> InformationServer::list(ObjectListType type) {
   auto indices = dictionary_.indices();
   if (type == ObjectListType::kAll) return indices;
   std::erase_if(indices, [&](std::uint16_t index) {
-    const auto subs = dictionary_.sub_indices(index);
-    return std::ranges::none_of(
-        subs, [&](std::uint8_t sub) { return (dictionary_.find(index, sub)->access() & access_bit(type)) != 0; });
+    return std::ranges::none_of(dictionary_.sub_indices(index), [&](std::uint8_t sub) {
+      const auto* found = dictionary_.find(index, sub);
+      return found != nullptr && (found->access() & access_bit(type)) != 0;
+    });
   });
   return indices;
 }
@@ -64,7 +65,7 @@ coe::InformationResponse InformationServer::object(std::uint16_t index) {
   response.index = index;
   response.max_sub_index = subs.back();
   response.code = subs.back() == 0 ? coe::ObjectCode::kVariable : coe::ObjectCode::kRecord;
-  response.data_type = dictionary_.find(index, subs.front())->type();
+  if (const auto* first = dictionary_.find(index, subs.front())) response.data_type = first->type();
   response.name = dictionary_.object_name(index);
   return response;
 }
