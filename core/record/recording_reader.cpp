@@ -220,11 +220,6 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
   if (!row) return read_error(database_, row.error());
   const auto first = block.number * kSeriesPerBlock;
   row->bind(0, first).bind(1, first + (whole ? kSeriesPerBlock : kBusSeries));
-  const auto unread = [&](std::int64_t series) {
-    const auto signal = static_cast<std::size_t>(series % kBusSeries);
-    const auto key = signal < kSignalCount ? signals()[signal].key : std::string_view("a signal");
-    return damaged_recording(database_, because("{signal} of block {number} cannot be read", key, block.number));
-  };
   std::int64_t columns = 0;
   std::optional<std::int64_t> bad;
   std::array<bool, kSignalCount> there{};
@@ -250,9 +245,9 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
     return good;
   });
   if (!status) return read_error(database_, status.error());
-  if (bad) return unread(*bad);
+  if (bad) return unread(block, *bad);
   for (const auto column : {Signal::kCycle, Signal::kSendTime, Signal::kFlags}) {
-    if (!there[static_cast<std::size_t>(column)]) return unread(series_number(column));
+    if (!there[static_cast<std::size_t>(column)]) return unread(block, series_number(column));
   }
   const auto is = [](std::uint64_t cycle, std::int64_t said) { return static_cast<std::int64_t>(cycle) == said; };
   if (columns != block.columns || !is(out.front().cycle, block.first_cycle) ||
