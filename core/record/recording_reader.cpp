@@ -21,6 +21,12 @@ constexpr std::int64_t kMostSlaves = 65'535;
 /// More than anybody chooses in a run: the number is damaged.
 constexpr std::int64_t kMostLists = 1 << 20;
 
+/// What samples do not tell: of readings they do, each in its cycle.
+bool is_held(std::int64_t series) {
+  const auto signal = static_cast<std::size_t>(series % kBusSeries);
+  return signal < kSignalCount && signals()[signal].form == SignalInfo::Form::kHeld;
+}
+
 template <class T>
 T number_of(std::string_view text, T otherwise) {
   T value = otherwise;
@@ -238,7 +244,7 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
       good = row->integer(2) == block.cycles &&
              decode_column(static_cast<ColumnCodec>(codec), row->blob(3), count, cells_) &&
              take_watched_cells(watched_, *variable, cells_, out);
-    } else if (points != nullptr && codec == 0) {
+    } else if (points != nullptr && codec == 0 && is_held(series)) {
       good = read_points(*row, (*points)[series]);
     }
     if (!good) bad = series;

@@ -89,7 +89,11 @@ class RecordingReader {
   /// The cells of one block, one a cycle; kFileNotReadable, too, where it has no such column.
   [[nodiscard]] Status cells(const Block& block, Signal column, ColumnCells& out);
   using AllPoints = std::map<std::int64_t, Points>;  // by series_number()
-  /// As samples(), and in the same pass points() of all signals and slaves, whatever their number.
+  /// The samples of one block, and what it has of points() of counts and states behind what is there.
+  [[nodiscard]] Status samples(const Block& block, std::vector<CycleSample>& out, AllPoints& points) {
+    return read_block(block, out, &points);
+  }
+  /// As samples(), and in the same pass points() of all counts and states, whatever the number of slaves.
   [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints& points);
   /// Reads everything: the database's own check, all samples, each sum against its samples. The first thing that is
   /// wrong; the number of blocks that were read.
