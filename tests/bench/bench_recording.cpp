@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recording of ten million cycles, opened as the window does, against reading its bytes.
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -8,52 +7,21 @@
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "bench/long_recording.h"
 #include "bench/ratio_report.h"
 #include "findings/error_text.h"
 #include "record/first_columns.h"
-#include "record/recording_writer.h"
 #include "record/replay_run.h"
 #include "record/run_replay.h"
-#include "tests/core/record/made_samples.h"
 #include "tests/support/temporary_folder.h"
 
 namespace syncline::bench {
 namespace {
-
-constexpr std::size_t kCycles = 10'000'000, kBatch = 1'000;
-constexpr double kMiB = 1024 * 1024;
-
-NetworkConfig three_slaves() {
-  NetworkConfig config;
-  config.slaves.resize(3);
-  return config;
-}
-
-Status write_recording(const std::string& path) {
-  auto writer = RecordingWriter::create(path, about_run(three_slaves()));
-  if (!writer) return tl::unexpected(writer.error());
-  test::MadeSamples made(1);
-  for (std::size_t done = 0; done < kCycles; done += kBatch) {
-    RecordingBatch batch;
-    batch.samples = made.next(kBatch);
-    if (auto status = writer->write(batch); !status) return status;
-  }
-  return writer->finish("end of the run", {});
-}
-
-void read_bytes(const std::string& path) {
-  std::vector<char> buffer(1U << 20);
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  while (::read(file, buffer.data(), buffer.size()) > 0) {
-  }
-  ::close(file);
-}
 
 bool open_whole(const std::string& path) {
   auto reader = RecordingReader::open(path);
@@ -94,13 +62,6 @@ std::optional<double> worst_moment_ns(const std::string& path) {
   }
   replay->leave();
   return worst;
-}
-
-/// Of all threads: what is read ahead counts.
-double all_processor_seconds() {
-  timespec time{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
 struct Taken {
