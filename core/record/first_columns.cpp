@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/first_columns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,6 +17,7 @@ using Block = RecordingReader::Block;
 using Range = RecordingReader::Range;
 
 constexpr std::ptrdiff_t kNowhere = -1;
+constexpr Nanoseconds kFar = std::numeric_limits<Nanoseconds>::max() / 4;  // no run lies beyond
 
 Nanoseconds floor_div(Nanoseconds value, Nanoseconds by) { return value / by - (value % by < 0 ? 1 : 0); }
 
@@ -59,8 +62,11 @@ class FirstColumns {
     std::ptrdiff_t first = 0, last = 0;
     std::vector<Range> ranges;  // by signal
   };
+  /// Of what is further away, wherever a damaged file says that it is, one beside those that are drawn.
   [[nodiscard]] std::ptrdiff_t column_at(Nanoseconds time) const {
-    return static_cast<std::ptrdiff_t>(floor_div(time - start_, width_));
+    const auto count = static_cast<Nanoseconds>(columns_.front().size());
+    return static_cast<std::ptrdiff_t>(
+        floor_div(std::clamp(time, start_ - width_, start_ + count * width_) - start_, width_));
   }
   [[nodiscard]] bool is_drawn(std::ptrdiff_t column) const {
     return column >= 0 && static_cast<std::size_t>(column) < columns_.front().size();
@@ -216,7 +222,8 @@ std::vector<std::vector<SeriesColumn>> FirstColumns::finish() const {
 
 Result<std::vector<std::vector<SeriesColumn>>> first_columns(RecordingReader& reader, std::span<const Signal> signals,
                                                              Nanoseconds begin, Nanoseconds end, Nanoseconds width) {
-  if (signals.empty() || width <= 0 || end <= begin) return std::vector<std::vector<SeriesColumn>>(signals.size());
+  const bool somewhere = begin >= -kFar && end <= kFar && width > 0 && width <= kFar;
+  if (signals.empty() || !somewhere || end <= begin) return std::vector<std::vector<SeriesColumn>>(signals.size());
   const auto held = reader.hold();
   if (!held) return tl::unexpected(held.error());
   const auto blocks = reader.blocks();

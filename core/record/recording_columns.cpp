@@ -38,11 +38,10 @@ Status RecordingReader::ranges(const Block& block, std::span<const Signal> colum
   return status ? Status{} : read_error(database_, status.error());
 }
 
-Status RecordingReader::ranges(const Block& block, Signal column, std::vector<Range>& out) {
+Status RecordingReader::read_levels(const Block& block, std::int64_t series, std::vector<Range>& out) {
   out.clear();
   auto row = database_.prepare("SELECT levels FROM data WHERE id = ?");
   if (!row) return read_error(database_, row.error());
-  const auto series = series_number(column);
   row->bind(0, block.number * kSeriesPerBlock + series);
   const auto buckets = (static_cast<std::size_t>(block.cycles) + kLevelCycles - 1) / kLevelCycles;
   std::vector<float> pairs;

@@ -75,6 +75,7 @@ class RecordingReader {
   /// What a column of samples (sample_columns()) shows of a stretch of cycles, as it is drawn; min > max: nothing.
   struct Range {
     float min = std::numeric_limits<float>::infinity(), max = -std::numeric_limits<float>::infinity();
+    bool operator==(const Range&) const = default;
     [[nodiscard]] bool empty() const { return min > max; }
     [[nodiscard]] bool holds(const Range& other) const { return min <= other.min && other.max <= max; }
     void take(const Range& other) {
@@ -85,7 +86,9 @@ class RecordingReader {
   /// Of each of the signals, which have a value in every cycle, over one block; out of its sums.
   [[nodiscard]] Status ranges(const Block& block, std::span<const Signal> columns, std::span<Range> out);
   /// Of each kLevelCycles cycles of a block, the last of fewer; kFileNotReadable, too, where it has no such column.
-  [[nodiscard]] Status ranges(const Block& block, Signal column, std::vector<Range>& out);
+  [[nodiscard]] Status ranges(const Block& block, Signal column, std::vector<Range>& out) {
+    return read_levels(block, series_number(column), out);
+  }
   /// The cells of one block, one a cycle; kFileNotReadable, too, where it has no such column.
   [[nodiscard]] Status cells(const Block& block, Signal column, ColumnCells& out);
   using AllPoints = std::map<std::int64_t, Points>;  // by series_number()
@@ -110,8 +113,11 @@ class RecordingReader {
   static bool read_points(const SqlStatement& row, Points& out);
   /// What cannot be decoded.
   [[nodiscard]] Status unread(const Block& block, std::int64_t series) const;
+  Status read_levels(const Block& block, std::int64_t series, std::vector<Range>& out);
   Status check_sums(const Block& block, std::span<const CycleSample> samples);
   Status check_sum(const Block& block, std::int64_t series, std::string_view key, std::span<const float> values);
+  /// Those of a column, where it has a value.
+  Status check_levels(const Block& block, std::int64_t series, std::string_view key, std::span<const float> values);
   /// Which variables were watched; what there is by now.
   Status read_watched(WatchLists& watched);
   /// Whose column a series is, as a variable's number; nothing: of none that is known.

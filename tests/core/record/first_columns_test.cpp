@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "record/recording_writer.h"
 #include "record/replay_run.h"
@@ -136,10 +137,38 @@ TEST_F(FirstColumnsTest, TellWhatIsDamaged) {
   EXPECT_FALSE(first_columns(*reader_, kDrawn, first, first + whole, whole / 100));
 }
 
+TEST_F(FirstColumnsTest, AreMadeOfWhatVerifyingHoldsAgainstTheSamples) {
+  write(4, 1000);
+  ASSERT_TRUE(reader_->verify());
+  auto database = SqlDatabase::open(path_);
+  ASSERT_TRUE(database);
+  const auto where = std::to_string(2 * kSeriesPerBlock + series_number(Signal::kDcmError));
+  const auto sql = "UPDATE data SET levels = (SELECT levels FROM data WHERE id = " +
+                   std::to_string(kSeriesPerBlock + series_number(Signal::kDcmError)) + ") WHERE id = " + where;
+  ASSERT_TRUE(database->execute(sql.c_str()));
+  const auto verified = reader_->verify();
+  ASSERT_FALSE(verified);
+  EXPECT_EQ(verified.error().code, ErrorCode::kFileNotReadable);
+}
+
+TEST_F(FirstColumnsTest, PassOverTimesThatADamagedFileHasFarAway) {
+  write(6, 1000);
+  const auto first = store().first_time();
+  const auto whole = store().last_time() + 1 - first;
+  auto database = SqlDatabase::open(path_);
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(database->execute(
+      "UPDATE block SET begin_ns = -9223372036854775807, end_ns = 9223372036854775807 WHERE number = 3"));
+  const auto drawn = first_columns(*reader_, kDrawn, first, first + whole, whole / 100);
+  ASSERT_TRUE(drawn);
+  EXPECT_GE(drawn->front().size(), 100U);
+}
+
 TEST_F(FirstColumnsTest, AreNoneOfNothing) {
   write(2, 1000);
   const auto first = store().first_time();
-  for (const auto& [end, width] : {std::pair{first, Nanoseconds{10}}, std::pair{first + 10, Nanoseconds{0}}}) {
+  for (const auto& [end, width] : {std::pair{first, Nanoseconds{10}}, std::pair{first + 10, Nanoseconds{0}},
+                                   std::pair{Nanoseconds{INT64_MAX}, Nanoseconds{INT64_MAX / 8}}}) {
     const auto drawn = first_columns(*reader_, kDrawn, first, end, width);
     ASSERT_TRUE(drawn);
     for (const auto& columns : *drawn) EXPECT_TRUE(columns.empty());
