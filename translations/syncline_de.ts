@@ -11225,5 +11225,16 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>Cancel</source>
             <translation>Abbrechen</translation>
         </message>
+        <message>
+            <source>Single slaves, counts, figures and events are shown as soon as all of it is read.</source>
+            <translation>Einzelne Slaves, Zähler, Kennzahlen und Ereignisse erscheinen, sobald alles gelesen ist.</translation>
+        </message>
+</context>
+<context>
+    <name>OpeningPicture</name>
+        <message>
+            <source>First picture of the recording</source>
+            <translation>Erstes Bild der Aufzeichnung</translation>
+        </message>
 </context>
 </TS>

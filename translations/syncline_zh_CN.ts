@@ -11167,5 +11167,16 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>Cancel</source>
             <translation>取消</translation>
         </message>
+        <message>
+            <source>Single slaves, counts, figures and events are shown as soon as all of it is read.</source>
+            <translation>单个从站、计数、统计值和事件在全部读完后显示。</translation>
+        </message>
+</context>
+<context>
+    <name>OpeningPicture</name>
+        <message>
+            <source>First picture of the recording</source>
+            <translation>记录的第一幅图</translation>
+        </message>
 </context>
 </TS>

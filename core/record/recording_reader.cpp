@@ -21,6 +21,12 @@ constexpr std::int64_t kMostSlaves = 65'535;
 /// More than anybody chooses in a run: the number is damaged.
 constexpr std::int64_t kMostLists = 1 << 20;
 
+/// What samples do not tell: of readings they do, each in its cycle.
+bool is_held(std::int64_t series) {
+  const auto signal = static_cast<std::size_t>(series % kBusSeries);
+  return signal < kSignalCount && signals()[signal].form == SignalInfo::Form::kHeld;
+}
+
 template <class T>
 T number_of(std::string_view text, T otherwise) {
   T value = otherwise;
@@ -220,11 +226,6 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
   if (!row) return read_error(database_, row.error());
   const auto first = block.number * kSeriesPerBlock;
   row->bind(0, first).bind(1, first + (whole ? kSeriesPerBlock : kBusSeries));
-  const auto unread = [&](std::int64_t series) {
-    const auto signal = static_cast<std::size_t>(series % kBusSeries);
-    const auto key = signal < kSignalCount ? signals()[signal].key : std::string_view("a signal");
-    return damaged_recording(database_, because("{signal} of block {number} cannot be read", key, block.number));
-  };
   std::int64_t columns = 0;
   std::optional<std::int64_t> bad;
   std::array<bool, kSignalCount> there{};
@@ -243,16 +244,16 @@ Status RecordingReader::read_block(const Block& block, std::vector<CycleSample>&
       good = row->integer(2) == block.cycles &&
              decode_column(static_cast<ColumnCodec>(codec), row->blob(3), count, cells_) &&
              take_watched_cells(watched_, *variable, cells_, out);
-    } else if (points != nullptr && codec == 0) {
+    } else if (points != nullptr && codec == 0 && is_held(series)) {
       good = read_points(*row, (*points)[series]);
     }
     if (!good) bad = series;
     return good;
   });
   if (!status) return read_error(database_, status.error());
-  if (bad) return unread(*bad);
+  if (bad) return unread(block, *bad);
   for (const auto column : {Signal::kCycle, Signal::kSendTime, Signal::kFlags}) {
-    if (!there[static_cast<std::size_t>(column)]) return unread(series_number(column));
+    if (!there[static_cast<std::size_t>(column)]) return unread(block, series_number(column));
   }
   const auto is = [](std::uint64_t cycle, std::int64_t said) { return static_cast<std::int64_t>(cycle) == said; };
   if (columns != block.columns || !is(out.front().cycle, block.first_cycle) ||

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -67,8 +69,34 @@ class RecordingReader {
     std::vector<float> values;
   };
   [[nodiscard]] Result<Points> points(Signal signal, int slave = -1);
+  /// For who reads many small things: while it lives all of them are of one state of the file. Neither samples() nor
+  /// another one within it; the reader stays where it is.
+  [[nodiscard]] Result<SqlTransaction> hold();
+  /// What a column of samples (sample_columns()) shows of a stretch of cycles, as it is drawn; min > max: nothing.
+  struct Range {
+    float min = std::numeric_limits<float>::infinity(), max = -std::numeric_limits<float>::infinity();
+    bool operator==(const Range&) const = default;
+    [[nodiscard]] bool empty() const { return min > max; }
+    [[nodiscard]] bool holds(const Range& other) const { return min <= other.min && other.max <= max; }
+    void take(const Range& other) {
+      min = std::min(min, other.min);
+      max = std::max(max, other.max);
+    }
+  };
+  /// Of each of the signals, which have a value in every cycle, over one block; out of its sums.
+  [[nodiscard]] Status ranges(const Block& block, std::span<const Signal> columns, std::span<Range> out);
+  /// Of each kLevelCycles cycles of a block, the last of fewer; kFileNotReadable, too, where it has no such column.
+  [[nodiscard]] Status ranges(const Block& block, Signal column, std::vector<Range>& out) {
+    return read_levels(block, series_number(column), out);
+  }
+  /// The cells of one block, one a cycle; kFileNotReadable, too, where it has no such column.
+  [[nodiscard]] Status cells(const Block& block, Signal column, ColumnCells& out);
   using AllPoints = std::map<std::int64_t, Points>;  // by series_number()
-  /// As samples(), and in the same pass points() of all signals and slaves, whatever their number.
+  /// The samples of one block, and what it has of points() of counts and states behind what is there.
+  [[nodiscard]] Status samples(const Block& block, std::vector<CycleSample>& out, AllPoints& points) {
+    return read_block(block, out, &points);
+  }
+  /// As samples(), and in the same pass points() of all counts and states, whatever the number of slaves.
   [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints& points);
   /// Reads everything: the database's own check, all samples, each sum against its samples. The first thing that is
   /// wrong; the number of blocks that were read.
@@ -83,8 +111,13 @@ class RecordingReader {
   Status read_samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints* points);
   /// A row "id, codec, count, cells, times" of a series that is no column.
   static bool read_points(const SqlStatement& row, Points& out);
+  /// What cannot be decoded.
+  [[nodiscard]] Status unread(const Block& block, std::int64_t series) const;
+  Status read_levels(const Block& block, std::int64_t series, std::vector<Range>& out);
   Status check_sums(const Block& block, std::span<const CycleSample> samples);
   Status check_sum(const Block& block, std::int64_t series, std::string_view key, std::span<const float> values);
+  /// Those of a column, where it has a value.
+  Status check_levels(const Block& block, std::int64_t series, std::string_view key, std::span<const float> values);
   /// Which variables were watched; what there is by now.
   Status read_watched(WatchLists& watched);
   /// Whose column a series is, as a variable's number; nothing: of none that is known.

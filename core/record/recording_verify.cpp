@@ -23,15 +23,34 @@ Status RecordingReader::check_sums(const Block& block, std::span<const CycleSamp
       const auto number = signal.of_cycle(sample);
       return number ? static_cast<float>(as_double(*number)) : std::numeric_limits<float>::quiet_NaN();
     });
-    if (auto status = check_sum(block, series_number(signal.id), signal.key, values); !status) return status;
+    const auto series = series_number(signal.id);
+    if (auto status = check_sum(block, series, signal.key, values); !status) return status;
+    if (std::ranges::find(sample_columns(), signal.id) == sample_columns().end()) continue;
+    if (auto status = check_levels(block, series, signal.key, values); !status) return status;
   }
   for (std::size_t i = 0; i < watched_.variables().size(); ++i) {
     std::ranges::transform(samples, values.begin(),
                            [&](const CycleSample& sample) { return watched_.drawn(sample, i); });
     const auto series = series_number(Signal::kVariable, static_cast<int>(i));
-    if (auto status = check_sum(block, series, watched_.variables()[i].name, values); !status) return status;
+    const auto& name = watched_.variables()[i].name;
+    if (auto status = check_sum(block, series, name, values); !status) return status;
+    if (auto status = check_levels(block, series, name, values); !status) return status;
   }
   return {};
+}
+
+Status RecordingReader::check_levels(const Block& block, std::int64_t series, std::string_view key,
+                                     std::span<const float> values) {
+  std::vector<Range> buckets((values.size() + kLevelCycles - 1) / kLevelCycles);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isnan(values[i])) buckets[i / kLevelCycles].take({values[i], values[i]});
+  }
+  if (std::ranges::all_of(buckets, &Range::empty)) return {};
+  std::vector<Range> written;
+  if (auto status = read_levels(block, series, written); !status) return status;
+  if (written == buckets) return {};
+  return damaged_recording(
+      database_, because("the sums of {signal} in block {number} are not those of its values", key, block.number));
 }
 
 Status RecordingReader::check_sum(const Block& block, std::int64_t series, std::string_view key,
@@ -52,6 +71,7 @@ Status RecordingReader::check_sum(const Block& block, std::int64_t series, std::
   const bool same = *there ? row->integer(0) == count && static_cast<float>(row->real(1)) == low &&
                                  static_cast<float>(row->real(2)) == high
                            : count == 0;
+  row->reset();  // else it would keep writers of notes waiting
   if (same) return {};
   return damaged_recording(
       database_, because("the sums of {signal} in block {number} are not those of its values", key, block.number));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reasons/because.h"
+#include "record/blocks_ahead.h"
 #include "record/typed_values.h"
 
 namespace syncline {
@@ -92,19 +93,16 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   std::uint64_t done = 0;
   std::size_t blocks = 0;
   run.marks = OverviewMarks(run.info.blocks);
-  bool cancelled = false;
   RecordingReader::AllPoints held;
-  const auto add = [&](std::span<const CycleSample> samples) {
-    add_in_order(record, samples, events, next);
+  BlocksAhead ahead(reader, held);
+  for (std::vector<CycleSample> samples; ahead.next(samples);) {
+    add_in_order(record, std::span<const CycleSample>(samples), events, next);
     run.marks.pass(++blocks, next, record.overview_recorder());
     done += samples.size();
-    cancelled = options.progress && !options.progress(done, run.info.cycles);
-    return !cancelled;
-  };
-  const auto status = reader.samples(add, held);
-  if (cancelled) return fail(ErrorCode::kCancelled);
+    if (options.progress && !options.progress(done, run.info.cycles)) return fail(ErrorCode::kCancelled);
+  }
   for (; next < events.size(); ++next) record.add(events[next]);
-  if (!status) return tl::unexpected(status.error());
+  if (auto status = ahead.finish(); !status) return tl::unexpected(status.error());
   restore_held(held, record);
   record.restore(findings_of(run.info, run.only_words));
   record.set_notes(run.info.notes);

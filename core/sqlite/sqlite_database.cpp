@@ -153,6 +153,11 @@ Result<SqlTransaction> SqlTransaction::begin(SqlDatabase& database) {
   return SqlTransaction(database);
 }
 
+Result<SqlTransaction> SqlTransaction::begin_reading(SqlDatabase& database) {
+  if (auto status = database.execute("BEGIN"); !status) return tl::unexpected(status.error());
+  return SqlTransaction(database);
+}
+
 SqlTransaction::~SqlTransaction() {
   if (database_ != nullptr) (void)database_->execute("ROLLBACK");
 }

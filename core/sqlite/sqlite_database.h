@@ -98,6 +98,8 @@ class SqlDatabase {
 class SqlTransaction {
  public:
   [[nodiscard]] static Result<SqlTransaction> begin(SqlDatabase& database);
+  /// For reading: all that is read within is of one state of the file, and needs no lock of its own.
+  [[nodiscard]] static Result<SqlTransaction> begin_reading(SqlDatabase& database);
   SqlTransaction(SqlTransaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
   SqlTransaction& operator=(SqlTransaction&&) = delete;
   ~SqlTransaction();

@@ -7,11 +7,29 @@
 #include <cmath>
 #include <limits>
 
+#include "support/large_pages.h"
+
 namespace syncline {
 namespace {
 
 constexpr float kHuge = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t kTop = 4096;
+
+template <class T>
+void make_room(std::vector<T>& ring, std::size_t count) {
+  if (count <= ring.capacity()) return;
+  std::vector<T> larger;
+  larger.reserve(count);
+  use_large_pages(larger.data(), larger.capacity() * sizeof(T));  // before anything lies in it
+  larger.assign(ring.begin(), ring.end());
+  ring.swap(larger);
+}
+
+/// For so many more; it grows by as much as it has, so that what is there is seldom moved.
+template <class T>
+void grow(std::vector<T>& ring, std::size_t more) {
+  if (ring.capacity() - ring.size() < more) make_room(ring, std::max(ring.size() + more, 2 * ring.capacity()));
+}
 
 /// Overwrites the slot, or grows the ring by it as long as it is not full for the first time.
 template <class T>
@@ -19,6 +37,7 @@ void put(std::vector<T>& ring, std::size_t slot, T value) {
   if (slot < ring.size()) {
     ring[slot] = value;
   } else {
+    grow(ring, 1);
     ring.push_back(value);
   }
 }
@@ -27,6 +46,8 @@ template <class T>
 void put(std::vector<T>& ring, std::size_t slot, std::span<const T> values) {
   const auto known = std::min(values.size(), ring.size() - slot);
   std::copy_n(values.begin(), known, ring.begin() + static_cast<std::ptrdiff_t>(slot));
+  if (known == values.size()) return;
+  grow(ring, values.size() - known);
   ring.insert(ring.end(), values.begin() + static_cast<std::ptrdiff_t>(known), values.end());
 }
 
@@ -117,9 +138,9 @@ void MinMaxSeries::append(std::span<const Nanoseconds> times, std::span<const fl
 
 void MinMaxSeries::reserve(std::size_t samples) {
   samples = std::min(samples, static_cast<std::size_t>(capacity_));
-  if (leads_) times_->reserve(samples);
-  values_.reserve(samples);
-  for (auto& level : levels_) level.reserve(samples /= kFactor);
+  if (leads_) make_room(*times_, samples);
+  make_room(values_, samples);
+  for (auto& level : levels_) make_room(level, samples /= kFactor);
 }
 
 void MinMaxSeries::complete_buckets(std::size_t place) {

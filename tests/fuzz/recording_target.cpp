@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/recording_target.h"
 
+#include <array>
 #include <filesystem>
 
 #include "fuzz/sandbox.h"
+#include "record/first_columns.h"
 #include "record/recorder.h"
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
@@ -27,6 +29,13 @@ void run_recording(std::span<const std::uint8_t> bytes) {
   });
   (void)reader->overview(Signal::kDcmError);
   (void)reader->points(Signal::kSm2Missed, 2);
+  if (info) {
+    constexpr std::array kDrawn{Signal::kDeviation, Signal::kDcmError};
+    const auto span = static_cast<std::uint64_t>(info->end) - static_cast<std::uint64_t>(info->begin);
+    const auto width = static_cast<Nanoseconds>(span / 100 + 1);
+    const auto drawn = first_columns(*reader, kDrawn, info->begin, info->end, width);
+    if (whole) promise(drawn.has_value());
+  }
   if (info) {
     NetworkConfig config;
     config.slaves.resize(info->about.slaves.size());

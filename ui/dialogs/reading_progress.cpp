@@ -3,7 +3,10 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLabel>
 #include <QProgressDialog>
+#include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "ui/widgets/named.h"
@@ -12,6 +15,8 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kWhole = 1000, kPatienceMs = 300;
+constexpr double kOfWindow = 0.7;
+constexpr int kLeastWidth = 560, kLeastHeight = 300;
 
 struct ReadingProgressText {
   Q_DECLARE_TR_FUNCTIONS(ReadingProgress)
@@ -34,6 +39,22 @@ void ReadingProgress::begin(const QString& path, const char* name, const QString
 
 void ReadingProgress::set(int permille) {
   if (dialog_) dialog_->setValue(permille);
+}
+
+/// The dialog lays out a label, whatever that holds.
+void ReadingProgress::show(QWidget* picture) {
+  if (!dialog_) return delete picture;
+  auto* words = new QLabel(dialog_->labelText());
+  auto* room = new QLabel;
+  auto* layout = new QVBoxLayout(room);
+  layout->addWidget(words);
+  layout->addWidget(picture, 1);
+  layout->addWidget(new QLabel(
+      ReadingProgressText::tr("Single slaves, counts, figures and events are shown as soon as all of it is read.")));
+  dialog_->setLabel(room);
+  const auto wanted = window_.size() * kOfWindow;
+  dialog_->resize(std::max(wanted.width(), kLeastWidth), std::max(wanted.height(), kLeastHeight));
+  dialog_->show();
 }
 
 void ReadingProgress::end() {

@@ -19,6 +19,8 @@ class ReadingProgress final {
   void begin(const QString& path, const char* name, const QString& title, std::function<void()> cancel);
   /// Thousandths.
   void set(int permille);
+  /// Shown at once, with this in place of its words, as large as it wants to be; it belongs to the dialog then.
+  void show(QWidget* picture);
   /// Hidden at once: until it is deleted it would take the keys of the window.
   void end();
 

@@ -12,6 +12,7 @@
 #include "ui/dialogs/commissioning_dialog.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/memory_dialog.h"
+#include "ui/dialogs/opening_picture.h"
 #include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
 #include "ui/text/black_box_text.h"
@@ -19,11 +20,17 @@
 #include "ui/text/units.h"
 
 namespace syncline::ui {
+namespace {
+
+constexpr std::uint64_t kManyCycles = 1'000'000;
+
+}  // namespace
 
 RecordingCommands::RecordingCommands(Workspace& workspace, QWidget& window)
     : QObject(&window), workspace_(workspace), window_(window), progress_(window) {
   auto& recording = workspace.recording();
   connect(&recording, &OpenedRecording::progress, this, [this](int permille) { progress_.set(permille); });
+  connect(&recording, &OpenedRecording::outlined, this, &RecordingCommands::onOutlined);
   connect(&recording, &OpenedRecording::finished, this, &RecordingCommands::onRead);
   connect(&recording, &OpenedRecording::failed, this, &RecordingCommands::onFailed);
   connect(&workspace.runs(), &NetworkRuns::recordingEnded, this, &RecordingCommands::onEnded);
@@ -35,6 +42,16 @@ void RecordingCommands::open(const QString& path) {
   if (workspace_.recording().isReading()) return;
   progress_.begin(path, "recordingProgress", tr("Open Recording"), [this] { workspace_.recording().cancel(); });
   workspace_.recording().read(path);
+}
+
+/// What is read in an instant needs no picture before.
+void RecordingCommands::onOutlined(const OpenedRecording::Outline& outline) {
+  if (outline.cycles < kManyCycles) return;
+  auto& recording = workspace_.recording();
+  auto* picture = new OpeningPicture(outline);
+  connect(picture, &OpeningPicture::wanted, &recording, &OpenedRecording::picture);
+  connect(&recording, &OpenedRecording::pictured, picture, &OpeningPicture::take);
+  progress_.show(picture);
 }
 
 void RecordingCommands::onRead(const QString& path) {

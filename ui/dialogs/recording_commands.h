@@ -9,6 +9,7 @@
 #include "support/result.h"
 #include "support/types.h"
 #include "ui/dialogs/reading_progress.h"
+#include "ui/session/opened_recording.h"
 
 class QWidget;
 
@@ -43,6 +44,7 @@ class RecordingCommands final : public QObject {
   [[nodiscard]] QString saveLastText() const;
 
  private:
+  void onOutlined(const OpenedRecording::Outline& outline);
   void onRead(const QString& path);
   void onFailed(const QString& path, const Error& error);
   void onEnded(const QString& path, const QString& why, const std::optional<Error>& error);

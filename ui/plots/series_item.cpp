@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace syncline::ui {
 namespace {
@@ -64,11 +65,18 @@ SeriesItem::SeriesItem(const QString& title) : QwtPlotItem(title) { setZ(20); }
 
 void SeriesItem::setSeries(const MinMaxSeries* series) {
   held_ = nullptr;
+  given_.clear();
   if (series_ == series) return;
   series_ = series;
   columns_.clear();
   points_.clear();
   extent_.reset();
+}
+
+void SeriesItem::setColumns(std::vector<SeriesColumn> columns, Nanoseconds width) {
+  setSeries(nullptr);
+  given_ = std::move(columns);
+  given_width_ = width;
 }
 
 std::optional<MinMaxSeries::Reading> SeriesItem::valueAt(Nanoseconds time) const {
@@ -85,6 +93,7 @@ void SeriesItem::prepare(const ColumnGrid& grid) {
   grid_.origin -= shift_;
   points_.clear();
   extent_.reset();
+  if (series_ == nullptr) extent_ = extentOf(given_);
   if (series_ == nullptr || series_->empty()) return columns_.clear();
   if (held_ != nullptr) hold_until_ = held_->heard();
   const auto count = series_->count(grid_.origin, grid_.end());
@@ -145,7 +154,12 @@ void SeriesItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap
 void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y,
                              const QRectF& canvas) const {
   const ColumnMap map(x, grid_.columns);
-  const double line = std::max(1.0 / painter->device()->devicePixelRatioF(), std::min(map.width, 1.0));
+  const double ratio = painter->device()->devicePixelRatioF();
+  // Those that were given are of the grid that was asked for, which may be another one by now: their edges lie between
+  // those of pixels then, and no seam is to be seen there.
+  const bool given = series_ == nullptr && given_width_ != grid_.width;
+  const auto edge = [&](Nanoseconds time) { return std::round(map(grid_.column_of(time)) * ratio) / ratio; };
+  const double line = std::max(1.0 / ratio, std::min(map.width, 1.0));
   // Bar by bar, each smoothed by itself, the seams would be seen.
   const bool is_vector = isVector(*painter);
   QPainterPath whole;
@@ -168,7 +182,9 @@ void SeriesItem::drawColumns(QPainter* painter, const QwtScaleMap& x, const QwtS
     const double top = clampedY(y, high, canvas);
     const double bottom = clampedY(y, low, canvas);
     // Moved by less than a column, it lies between two of the plot.
-    const QRectF bar(map(grid_.column_of(column.start)), top, map.width, std::max(bottom - top, line));
+    const double left = given ? edge(column.start) : map(grid_.column_of(column.start));
+    const double wide = given ? std::max(edge(column.start + given_width_) - left, line) : map.width;
+    const QRectF bar(left, top, wide, std::max(bottom - top, line));
     if (is_vector) {
       whole.addRect(bar);
     } else {

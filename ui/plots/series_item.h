@@ -43,6 +43,8 @@ class SeriesItem final : public QwtPlotItem {
 
   /// The series must outlive the item or be replaced; null draws nothing.
   void setSeries(const MinMaxSeries* series);
+  /// What is drawn instead while there is no series: columns of `width` ns, of what is not read yet.
+  void setColumns(std::vector<SeriesColumn> columns, Nanoseconds width);
   void setShape(Shape shape) { shape_ = shape; }
   void setColor(const QColor& color) { color_ = color; }
   [[nodiscard]] const QColor& color() const { return color_; }
@@ -67,7 +69,9 @@ class SeriesItem final : public QwtPlotItem {
 
   /// What the last prepare() left to draw: columns, or points by column (x) and value (y) with a
   /// not-a-number y between what must not be joined.
-  [[nodiscard]] const std::vector<SeriesColumn>& columns() const { return columns_.columns(); }
+  [[nodiscard]] const std::vector<SeriesColumn>& columns() const {
+    return series_ == nullptr ? given_ : columns_.columns();
+  }
   [[nodiscard]] const std::vector<QPointF>& points() const { return points_; }
 
   void draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap& y, const QRectF& canvas) const override;
@@ -87,6 +91,8 @@ class SeriesItem final : public QwtPlotItem {
   Nanoseconds shift_ = 0;
   ColumnGrid grid_;  // in the time of the series
   KeptColumns columns_;
+  std::vector<SeriesColumn> given_;
+  Nanoseconds given_width_ = 0;
   std::vector<QPointF> points_;
   std::optional<MinMaxSeries::Extent> extent_;
 };

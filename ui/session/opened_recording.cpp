@@ -63,6 +63,13 @@ void OpenedRecording::keepForReplay(const ImportedRun& run, Whole& whole) {
   if (auto replay = RunReplay::open(std::move(*reader), whole.run)) whole.replay.emplace(std::move(*replay));
 }
 
+void OpenedRecording::answer(const QString& path) {
+  auto pictures = pictures_.answer(path.toStdString());
+  if (!pictures) return;
+  QMetaObject::invokeMethod(
+      this, [this, made = std::move(*pictures)] { Q_EMIT pictured(made); }, Qt::QueuedConnection);
+}
+
 /// In the reader's thread.
 OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   if (fileKind(path) == FileKind::kRunTable) {
@@ -81,9 +88,15 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
                       .detail = because("it holds no cycles: it was cut short before its first second"),
                       .file = path.toStdString()});
   }
+  QMetaObject::invokeMethod(
+      this,
+      [this, outline = Outline{info->begin, info->end, info->cycles, info->about.limits}] { Q_EMIT outlined(outline); },
+      Qt::QueuedConnection);
+  answer(path);
   int told = -1;
   ReplayOptions options;
-  options.progress = [this, &told](std::uint64_t done, std::uint64_t all) {
+  options.progress = [this, &path, &told](std::uint64_t done, std::uint64_t all) {
+    answer(path);
     const int now = static_cast<int>(done * 1000 / std::max<std::uint64_t>(all, 1));
     if (now != std::exchange(told, now)) {
       QMetaObject::invokeMethod(
@@ -104,6 +117,7 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
 
 void OpenedRecording::deliver(const QString& path, Outcome outcome) {
   if (worker_.joinable()) worker_.join();
+  pictures_.forget();
   reading_ = false;
   if (cancelled_) {
     Q_EMIT failed(path, Error{ErrorCode::kCancelled});

@@ -5,15 +5,18 @@
 #include <QString>
 #include <QTemporaryDir>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "record/import_run.h"
 #include "record/replay_run.h"
 #include "record/run_replay.h"
 #include "support/result.h"
+#include "ui/session/first_pictures.h"
 #include "ui/text/message.h"
 
 namespace syncline::ui {
@@ -29,6 +32,8 @@ class OpenedRecording final : public QObject {
 
   /// No-op while one is being read.
   void read(const QString& path);
+  /// Curves of the recording that is being read, or is going to be; pictured() follows unless it is whole before.
+  void picture(std::vector<FirstPicture> pictures) { pictures_.ask(std::move(pictures)); }
   /// Ends the reading within a block; failed() with kCancelled follows.
   void cancel();
   /// What was read last and waits: it is shown from now on.
@@ -50,8 +55,18 @@ class OpenedRecording final : public QObject {
   Status setNotes(std::vector<RunNote> notes);
   [[nodiscard]] const QString& path() const { return path_; }
 
+  /// What is known of a recording before its samples are read.
+  struct Outline {
+    Nanoseconds first = 0, last = 0;  // host clock, of its cycles
+    std::uint64_t cycles = 0;
+    RunLimits limits;
+  };
+
  Q_SIGNALS:
   void started(const QString& path);
+  /// While it is read: picture() may be asked for now. Not of tables.
+  void outlined(const syncline::ui::OpenedRecording::Outline& outline);
+  void pictured(const std::vector<syncline::ui::FirstPicture>& pictures);
   void progress(int permille);
   /// It is whole: show() or drop() it.
   void finished(const QString& path);
@@ -70,11 +85,14 @@ class OpenedRecording final : public QObject {
   };
   using Outcome = Result<Whole>;
   Outcome load(const QString& path);
+  /// Between two blocks, in the reader's thread.
+  void answer(const QString& path);
   static void keepForReplay(const ImportedRun& run, Whole& whole);
   void deliver(const QString& path, Outcome outcome);
 
   std::thread worker_;
   std::atomic<bool> cancelled_{false};
+  FirstPictures pictures_;
   bool reading_ = false;
   QString path_, next_path_;
   std::unique_ptr<Whole> shown_, next_;

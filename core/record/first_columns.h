@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "record/recording_reader.h"
+#include "trace/min_max_series.h"
+
+namespace syncline {
+
+/// The first picture of a recording, long before its samples are read: what MinMaxSeries::columns() of its samples
+/// gives for [begin, end) with columns of `width` ns (host clock), of each of the signals. Smallest and largest values
+/// are exact: they come out of the sums of whole blocks, and where a column ends within a block, of what it holds of
+/// fewer cycles. `last` of a column is not looked for, and not-a-number.
+///
+/// `signals`: of the bus, with a value in every cycle, and columns of recordings themselves (sample_columns()). A few
+/// percent of the time that reading everything takes. Of a run whose times went back within a second the cycles that
+/// no plot shows may be in their column. kFileNotReadable where it is damaged.
+[[nodiscard]] Result<std::vector<std::vector<SeriesColumn>>> first_columns(RecordingReader& reader,
+                                                                           std::span<const Signal> signals,
+                                                                           Nanoseconds begin, Nanoseconds end,
+                                                                           Nanoseconds width);
+
+}  // namespace syncline

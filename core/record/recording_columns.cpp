@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Single columns of a recording, for who needs some of it and not its samples.
+#include <algorithm>
+#include <string_view>
+
+#include "reasons/because.h"
+#include "record/recording_reader.h"
+
+namespace syncline {
+
+Status RecordingReader::unread(const Block& block, std::int64_t series) const {
+  const auto signal = static_cast<std::size_t>(series % kBusSeries);
+  const auto key = signal < kSignalCount ? signals()[signal].key : std::string_view("a signal");
+  return damaged_recording(database_, because("{signal} of block {number} cannot be read", key, block.number));
+}
+
+Result<SqlTransaction> RecordingReader::hold() {
+  auto held = SqlTransaction::begin_reading(database_);
+  if (!held) return read_error(database_, held.error());
+  return held;
+}
+
+Status RecordingReader::ranges(const Block& block, std::span<const Signal> columns, std::span<Range> out) {
+  std::ranges::fill(out, Range{});
+  if (columns.empty()) return {};
+  // What lies between them costs less than to look for each.
+  auto row = database_.prepare("SELECT id, min, max FROM summary WHERE id >= ? AND id <= ?");
+  if (!row) return read_error(database_, row.error());
+  const auto first = block.number * kSeriesPerBlock;
+  row->bind(0, first + series_number(std::ranges::min(columns)));
+  row->bind(1, first + series_number(std::ranges::max(columns)));
+  const auto status = row->each([&] {
+    const auto found = std::ranges::find(columns, row->integer(0) - first, [](Signal s) { return series_number(s); });
+    if (found == columns.end()) return;
+    out[static_cast<std::size_t>(found - columns.begin())] = {static_cast<float>(row->real(1)),
+                                                              static_cast<float>(row->real(2))};
+  });
+  return status ? Status{} : read_error(database_, status.error());
+}
+
+Status RecordingReader::read_levels(const Block& block, std::int64_t series, std::vector<Range>& out) {
+  out.clear();
+  auto row = database_.prepare("SELECT levels FROM data WHERE id = ?");
+  if (!row) return read_error(database_, row.error());
+  row->bind(0, block.number * kSeriesPerBlock + series);
+  const auto buckets = (static_cast<std::size_t>(block.cycles) + kLevelCycles - 1) / kLevelCycles;
+  std::vector<float> pairs;
+  bool good = false;
+  const auto status = row->each([&] {
+    good = decode_floats(row->blob(0), 2 * buckets, pairs);
+    for (std::size_t i = 0; good && i < buckets; ++i) {
+      // Comparisons with not-a-number are false: an empty one stays empty.
+      out.emplace_back();
+      if (pairs[2 * i] <= pairs[2 * i + 1]) out.back() = {pairs[2 * i], pairs[2 * i + 1]};
+    }
+  });
+  if (!status) return read_error(database_, status.error());
+  return good ? Status{} : unread(block, series);
+}
+
+Status RecordingReader::cells(const Block& block, Signal column, ColumnCells& out) {
+  auto row = database_.prepare("SELECT codec, count, cells FROM data WHERE id = ?");
+  if (!row) return read_error(database_, row.error());
+  const auto series = series_number(column);
+  row->bind(0, block.number * kSeriesPerBlock + series);
+  bool good = false;
+  const auto status = row->each([&] {
+    good = row->integer(1) == block.cycles && decode_column(static_cast<ColumnCodec>(row->integer(0)), row->blob(2),
+                                                            static_cast<std::size_t>(block.cycles), out);
+  });
+  if (!status) return read_error(database_, status.error());
+  return good ? Status{} : unread(block, series);
+}
+
+}  // namespace syncline

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/first_pictures.h"
+
+#include <utility>
+
+namespace syncline::ui {
+
+void FirstPictures::ask(std::vector<FirstPicture> pictures) {
+  const std::lock_guard lock(mutex_);
+  asked_ = std::move(pictures);
+  any_ = true;
+}
+
+std::optional<std::vector<FirstPicture>> FirstPictures::answer(const std::string& path) {
+  if (!any_.exchange(false)) return std::nullopt;
+  std::vector<FirstPicture> pictures;
+  {
+    const std::lock_guard lock(mutex_);
+    pictures = std::move(asked_);
+    asked_.clear();
+  }
+  // The reader of the samples is where it is.
+  if (!reader_) {
+    auto reader = RecordingReader::open(path);
+    if (!reader) return std::nullopt;
+    reader_.emplace(std::move(*reader));
+  }
+  for (auto& picture : pictures) {
+    auto columns = first_columns(*reader_, picture.signals, picture.begin, picture.end, picture.width);
+    if (!columns) return std::nullopt;
+    picture.columns = std::move(*columns);
+  }
+  return pictures;
+}
+
+void FirstPictures::forget() {
+  const std::lock_guard lock(mutex_);
+  asked_.clear();
+  any_ = false;
+  reader_.reset();
+}
+
+}  // namespace syncline::ui
