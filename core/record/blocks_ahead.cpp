@@ -21,9 +21,16 @@ void BlocksAhead::run() {
     }
     return {};
   };
-  auto status = read();
+  Status status;
+  std::exception_ptr failure;
+  try {
+    status = read();
+  } catch (...) {
+    failure = std::current_exception();  // memory that there is not: it ends who takes the blocks, not the program
+  }
   const std::lock_guard lock(mutex_);
   status_ = std::move(status);
+  failure_ = std::move(failure);
   ended_ = true;
   news_.notify_one();
 }
@@ -45,7 +52,10 @@ bool BlocksAhead::put(std::vector<CycleSample>& samples) {
 bool BlocksAhead::next(std::vector<CycleSample>& samples) {
   std::unique_lock lock(mutex_);
   news_.wait(lock, [this] { return ended_ || !ahead_.empty(); });
-  if (ahead_.empty()) return false;
+  if (ahead_.empty()) {
+    if (auto failure = std::exchange(failure_, nullptr)) std::rethrow_exception(failure);
+    return false;
+  }
   if (samples.capacity() > 0) used_.push_back(std::move(samples));
   samples = std::move(ahead_.front());
   ahead_.pop_front();

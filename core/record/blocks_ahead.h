@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -22,7 +23,7 @@ class BlocksAhead {
   ~BlocksAhead() { (void)finish(); }
 
   /// The next one, in place of what is in `samples`, whose memory is used again; false: there is no further one, or it
-  /// cannot be read.
+  /// cannot be read. What was thrown while it was read is thrown here.
   bool next(std::vector<CycleSample>& samples);
   /// Reads no further; why it could not be read to the end, or to where it was taken.
   [[nodiscard]] Status finish();
@@ -41,6 +42,7 @@ class BlocksAhead {
   std::vector<std::vector<CycleSample>> used_;
   bool ended_ = false, unwanted_ = false;
   Status status_;
+  std::exception_ptr failure_;
   std::thread thread_;  // the last: it uses all others
 };
 

@@ -14,7 +14,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr double kBetween = 2;  // logical pixels between lanes
+constexpr double kBetweenLanes = 2;  // logical pixels between lanes
 constexpr double kLabelRoom = 4;
 
 }  // namespace
@@ -71,7 +71,7 @@ void BandItem::prepare(const ColumnGrid& grid) {
 void BandItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap&, const QRectF& canvas) const {
   const double width = (x.p2() - x.p1()) / std::max(grid_.columns, 1);
   const double top = canvas.top() + 1 + lane_ * height_;
-  const double high = height_ - kBetween;
+  const double high = height_ - kBetweenLanes;
   const auto metrics = painter->fontMetrics();
   const QString title = this->title().text();
   const double label = title.isEmpty() ? 0 : metrics.horizontalAdvance(title) + 2 * kLabelRoom;
