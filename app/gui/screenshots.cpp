@@ -23,6 +23,8 @@
 #include "ui/dialogs/found_dialog.h"
 #include "ui/dialogs/link_chooser.h"
 #include "ui/dialogs/memory_dialog.h"
+#include "ui/dialogs/opening_picture.h"
+#include "ui/dialogs/reading_progress.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/machine_building.h"
@@ -33,6 +35,7 @@
 #include "ui/panels/live_strip.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
+#include "ui/session/first_pictures.h"
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"
 #include "ui/wizard/machine_draft.h"
@@ -213,6 +216,29 @@ void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme)
   strip->showBody(ui::LiveStrip::Body::kPlots);
 }
 
+/// What is seen of a long recording while its samples are read.
+void takeOpening(Camera& camera, ui::MainWindow& window, const QString& path, const QString& theme) {
+  auto reader = RecordingReader::open(path.toStdString());
+  const auto info = reader ? reader->info() : tl::unexpected(reader.error());
+  if (!info) return;
+  auto* picture = new ui::OpeningPicture({info->begin, info->end, info->cycles, info->about.limits});
+  ui::FirstPictures pictures;
+  QObject::connect(picture, &ui::OpeningPicture::wanted, picture, [&](const std::vector<ui::FirstPicture>& wanted) {
+    pictures.ask(wanted);
+    if (const auto made = pictures.answer(path.toStdString())) picture->take(*made);
+  });
+  ui::ReadingProgress progress(window);
+  progress.begin(path, "openingProgress", QCoreApplication::translate("RecordingCommands", "Open Recording"), [] {});
+  progress.show(picture);
+  progress.set(400);
+  for (int round = 0; round < 3; ++round) {  // its tick has had no time to pass; longer numbers leave fewer columns
+    QApplication::processEvents();
+    picture->refresh();
+  }
+  camera.take(*picture->window(), theme + QStringLiteral("-opening"));
+  progress.end();
+}
+
 /// The last seconds of the machine out of memory, opened again, and in the middle of its replay.
 void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace) {
   const QTemporaryDir folder;
@@ -228,6 +254,7 @@ void takeRecording(Camera& camera, ui::MainWindow& window, ui::Workspace& worksp
     QApplication::processEvents();
     window.findChild<ui::LiveStrip*>()->refresh();
     camera.take(window, ui::theme::modeName(mode) + QStringLiteral("-recording"));
+    takeOpening(camera, window, path, ui::theme::modeName(mode));
     auto& replay = workspace.replay();
     replay.seek(replay.begin() / 2 + replay.end() / 2);
     window.findChild<ui::LiveStrip*>()->refresh();

@@ -21,7 +21,7 @@ constexpr std::int64_t kMostSlaves = 65'535;
 /// More than anybody chooses in a run: the number is damaged.
 constexpr std::int64_t kMostLists = 1 << 20;
 
-/// What samples do not tell: of readings they do, each in its cycle.
+/// What samples do not tell. Earlier files also have the readings of slaves so, which stand in their cycles.
 bool is_held(std::int64_t series) {
   const auto signal = static_cast<std::size_t>(series % kBusSeries);
   return signal < kSignalCount && signals()[signal].form == SignalInfo::Form::kHeld;

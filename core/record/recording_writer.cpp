@@ -189,10 +189,8 @@ Status RecordingWriter::put_held(std::int64_t block, Nanoseconds begin) {
   std::vector<float> values;
   for (const auto& signal : signals()) {
     const bool of_slaves = signal.scope == Scope::kSlave;
-    // What single cycles tell stands in the columns.
-    if (signal.form == Form::kCell || signal.form == Form::kCycles || signal.form == Form::kDerived ||
-        (!of_slaves && signal.of_bus == nullptr))
-      continue;
+    // What single cycles tell, the reading of one slave in each among it, stands in the columns.
+    if (signal.form != Form::kHeld || (!of_slaves && signal.of_bus == nullptr)) continue;
     for (std::size_t slave = 0; slave < (of_slaves ? store.slave_count() : 1); ++slave) {
       const auto number = series_number(signal.id, of_slaves ? static_cast<int>(slave) : -1);
       const auto& series = store.series(signal.id, slave);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "trace/bus_signals.h"
+#include "trace/cycle_gap.h"
 
 namespace syncline {
 namespace {
@@ -95,7 +96,7 @@ Nanoseconds SampleStore::heard(Signal signal, std::size_t slave) const {
 }
 
 Nanoseconds SampleStore::longest_gap(Signal signal) const {
-  if (info(signal).form != Form::kReadings) return layout_.cycle_time * 5 / 2;
+  if (info(signal).form != Form::kReadings) return longest_cycle_gap(layout_.cycle_time);
   // One slave is read a cycle, in turn.
   return 4 * static_cast<Nanoseconds>(std::max<std::size_t>(layout_.slaves, 1)) * layout_.cycle_time +
          20 * kMillisecond;

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -41,13 +40,6 @@ inline void read_bytes(const std::string& path) {
   while (::read(file, buffer.data(), buffer.size()) > 0) {
   }
   ::close(file);
-}
-
-/// Of all threads of the process: what is read ahead counts.
-inline double all_processor_seconds() {
-  timespec time{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
 }  // namespace syncline::bench

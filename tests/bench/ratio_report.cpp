@@ -9,6 +9,12 @@
 namespace syncline::bench {
 namespace {
 
+double seconds_of(clockid_t clock) {
+  timespec used{};
+  clock_gettime(clock, &used);
+  return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) / 1e9;
+}
+
 std::string duration(double ns) {
   if (ns < 1e3) return fmt::format("{:.1f} ns", ns);
   if (ns < 1e6) return fmt::format("{:.2f} us", ns / 1e3);
@@ -22,11 +28,9 @@ std::string ratio_text(double ratio) {
 
 }  // namespace
 
-double processor_seconds() {
-  timespec used{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) / 1e9;
-}
+double processor_seconds() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
+
+double all_processor_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 
 double median_ns(const std::function<void()>& call, int rounds) {
   constexpr double kLongEnough = 5e6;

@@ -9,6 +9,8 @@ namespace syncline::bench {
 
 /// Processor time of the calling thread so far. What others do on the machine at the same time does not count.
 [[nodiscard]] double processor_seconds();
+/// The same of all threads of the process together.
+[[nodiscard]] double all_processor_seconds();
 
 /// Median processor time of one call in nanoseconds: `rounds` rounds, each repeated until it is long enough for
 /// the clock.

@@ -3,17 +3,16 @@
 #include "ui/dialogs/opening_picture.h"
 
 #include <gtest/gtest.h>
-#include <qwt_scale_map.h>
 
 #include <QApplication>
 #include <QImage>
-#include <QPainter>
 #include <QProgressDialog>
 #include <QTemporaryDir>
 #include <optional>
 #include <utility>
 
 #include "record/recording_writer.h"
+#include "support/item_picture.h"
 #include "support/ui_test_support.h"
 #include "tests/core/record/made_samples.h"
 #include "ui/dialogs/file_commands.h"
@@ -63,18 +62,7 @@ class OpeningPictureTest : public testing::Test {
 };
 
 QImage pictureOf(SeriesItem& item, const ColumnGrid& grid) {
-  QImage image(kPictureWidth, kPictureHeight, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  item.setColor(Qt::black);
-  item.prepare(grid);
-  QwtScaleMap x;
-  QwtScaleMap y;
-  x.setPaintInterval(0, kPictureWidth);
-  y.setScaleInterval(-1000, 1000);
-  y.setPaintInterval(kPictureHeight, 0);
-  QPainter painter(&image);
-  item.draw(&painter, x, y, QRectF(0, 0, kPictureWidth, kPictureHeight));
-  return image;
+  return test::itemPicture(item, grid, {kPictureWidth, kPictureHeight}, 1000);
 }
 
 TEST_F(OpeningPictureTest, HasThePixelsOfAllSamples) {

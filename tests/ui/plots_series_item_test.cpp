@@ -2,13 +2,13 @@
 #include "ui/plots/series_item.h"
 
 #include <gtest/gtest.h>
-#include <qwt_scale_map.h>
 
 #include <QImage>
-#include <QPainter>
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "support/item_picture.h"
 
 namespace syncline::ui {
 namespace {
@@ -19,19 +19,7 @@ constexpr int kWidth = 400, kHeight = 100;
 
 /// Canvas of kWidth x kHeight for values -50..50.
 QImage drawn(SeriesItem& item, Nanoseconds begin, Nanoseconds end) {
-  QImage image(kWidth, kHeight, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  item.setColor(Qt::black);
-  item.prepare(ColumnGrid::of(begin, end, kWidth));
-  QwtScaleMap x;
-  QwtScaleMap y;
-  x.setScaleInterval(0, 1);
-  x.setPaintInterval(0, kWidth);
-  y.setScaleInterval(-50, 50);
-  y.setPaintInterval(kHeight, 0);
-  QPainter painter(&image);
-  item.draw(&painter, x, y, QRectF(0, 0, kWidth, kHeight));
-  return image;
+  return test::itemPicture(item, ColumnGrid::of(begin, end, kWidth), {kWidth, kHeight}, 50);
 }
 
 int darkPixels(const QImage& image, int x, int top, int bottom) {

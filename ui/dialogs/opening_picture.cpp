@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "trace/cycle_gap.h"
 #include "ui/plots/legend_bar.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/trace_plot.h"
@@ -79,7 +80,7 @@ OpeningPicture::Curves& OpeningPicture::add(const QString& title, const QString&
 void OpeningPicture::addCurve(Curves& curves, Signal signal, const QString& title, Nanoseconds cycle_time) {
   const auto shape = signal == Signal::kDcmErrorFiltered ? SeriesItem::Shape::kLine : SeriesItem::Shape::kEnvelope;
   auto* item = curves.plot->addItem(title, shape);
-  item->setMaxGap(cycle_time * 5 / 2);  // see SampleStore::longest_gap()
+  item->setMaxGap(longest_cycle_gap(cycle_time));
   curves.signals.push_back(signal);
   curves.items.push_back(item);
 }

@@ -47,10 +47,14 @@ void ReadingProgress::show(QWidget* picture) {
   auto* words = new QLabel(dialog_->labelText());
   auto* room = new QLabel;
   auto* layout = new QVBoxLayout(room);
+  // The dialog keeps a margin beside it, and none above.
+  layout->setContentsMargins(0, layout->contentsMargins().top(), 0, layout->contentsMargins().bottom());
   layout->addWidget(words);
   layout->addWidget(picture, 1);
-  layout->addWidget(new QLabel(
-      ReadingProgressText::tr("Single slaves, counts, figures and events are shown as soon as all of it is read.")));
+  auto* rest = new QLabel(
+      ReadingProgressText::tr("Single slaves, counts, figures and events are shown as soon as all of it is read."));
+  rest->setWordWrap(true);
+  layout->addWidget(rest);
   dialog_->setLabel(room);
   const auto wanted = window_.size() * kOfWindow;
   dialog_->resize(std::max(wanted.width(), kLeastWidth), std::max(wanted.height(), kLeastHeight));

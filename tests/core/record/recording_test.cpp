@@ -160,6 +160,11 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
   EXPECT_TRUE(reader->verify());
   EXPECT_FALSE(std::filesystem::exists(path() + "-wal")) << "one file, when it is done";
 
+  for (int slave = 0; slave < 3; ++slave) {
+    const auto twice = reader->points(Signal::kSlaveDeviation, slave);
+    ASSERT_TRUE(twice);
+    EXPECT_TRUE(twice->times.empty()) << "readings stand in their cycles, and nowhere else";
+  }
   // What the plots hold is what the file holds.
   for (const auto& [signal, slave] : {std::pair{Signal::kSm2Missed, 2},
                                       {Signal::kLostFrames, -1},
