@@ -30,6 +30,7 @@ struct Names {
   Name operator()(const events::MasterOutOfSync&) const { return "master_sync"; }
   Name operator()(const events::DcmError&) const { return "dcm_error"; }
   Name operator()(const events::DelayFinding&) const { return "delay_finding"; }
+  Name operator()(const events::FramesWayChanged&) const { return "frames_way_changed"; }
   Name operator()(const events::DelaysMeasured&) const { return "delays_measured"; }
   Name operator()(const events::WkcError&) const { return "wkc_error"; }
   Name operator()(const events::WkcExpected&) const { return "wkc_expected"; }

@@ -37,6 +37,13 @@ Json ports_json(const SlaveEvidence& evidence) {
   return ports;
 }
 
+Json sync0_json(const Sync0Start& start, Nanoseconds now) {
+  if (start.time == 0) return nullptr;
+  return {{"never_comes", start.never},
+          {"off_ns", start.never ? Json(nullptr) : Json(start.off_ns)},
+          {"age_ms", age_json(start.time, now)}};
+}
+
 Json misses_json(const RunReport::Slave& slave, Nanoseconds now) {
   if (!slave.sm2_missed || !slave.sm2_missed->known) return nullptr;
   const auto& status = *slave.sm2_missed;
@@ -86,11 +93,13 @@ Json evidence_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"sync_error", e.outputs.sync_error},
           {"inputs_cycle_exceeded", count_json(e.inputs.exceeded, now)},
           {"inputs_shift_too_short", count_json(e.inputs.shift_too_short, now)},
+          {"sync0_start", sync0_json(e.sync0, now)},
           {"process_data_watchdog", count_json(e.process_data_watchdog, now)},
           {"pdi_watchdog", count_json(e.pdi_watchdog, now)},
           {"processing_unit_errors", count_json(e.processing_unit_errors, now)},
           {"pdi_errors", count_json(e.pdi_errors, now)},
           {"speed_counter_difference", e.speed_counter_time == 0 ? Json(nullptr) : Json(e.speed_counter_difference)},
+          {"speed_counter_age_ms", age_json(e.speed_counter_time, now)},
           {"ports", e.ports_time == 0 ? Json(nullptr) : ports_json(e)},
           {"ports_age_ms", age_json(e.ports_time, now)}};
 }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <iterator>
 
@@ -172,7 +174,11 @@ std::string to_text(const RunReport& report) {
 }
 
 bool is_good(const RunReport& report, AlState target) {
-  return report.state == target && is_synchronised(report.dc, report.dcm);
+  const auto misplaced = [](const RunReport::Slave& slave) {
+    return slave.present && slave.evidence.sync0.misplaced();
+  };
+  return report.state == target && is_synchronised(report.dc, report.dcm) &&
+         std::ranges::none_of(report.slaves, misplaced);
 }
 
 }  // namespace syncline::cli

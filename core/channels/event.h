@@ -22,8 +22,8 @@ using EventDetails =
                  events::Online, events::Offline, events::StateChanged, events::AlStatusError, events::SlaveLost,
                  events::SlaveFound, events::HotConnect, events::RecoveryStep,  //
                  events::DcInitialised, events::ReferenceClockChanged, events::SlavesInSync, events::SlavesOutOfSync,
-                 events::SlavesNotMonitored, events::SlavesSyncUnknown, events::MasterInSync, events::MasterOutOfSync,
-                 events::DcmError, events::DelayFinding, events::DelaysMeasured,  //
+                 events::FramesWayChanged, events::SlavesNotMonitored, events::SlavesSyncUnknown, events::MasterInSync,
+                 events::MasterOutOfSync, events::DcmError, events::DelayFinding, events::DelaysMeasured,  //
                  events::WkcError, events::WkcExpected, events::FramesLost, events::FramesLate, events::CyclesLeftOut,
                  events::LinkDown, events::LinkUp, events::BringUpAgain,  //
                  events::Emergency, events::DiagnosisTold, events::PortErrors, events::WatchdogExpired,

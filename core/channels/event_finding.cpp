@@ -68,6 +68,10 @@ struct ToldByEvent {
                      : tell("event-slaves-in-sync/again", subject(), std::move(deviation));
   }
   Told operator()(const events::SlavesOutOfSync& e) const;
+  Told operator()(const events::FramesWayChanged& e) const {
+    return tell("event-frames-way-changed", fig::measured<"deviation">(e.deviation_ns), subject(),
+                fig::count<"slaves">(e.slaves));
+  }
   Told operator()(const events::SlavesNotMonitored&) const { return tell("event-slaves-not-monitored"); }
   Told operator()(const events::SlavesSyncUnknown& e) const {
     return e.oldest_reading == 0 ? tell("event-slaves-sync-unknown/unled")

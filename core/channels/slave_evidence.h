@@ -37,6 +37,17 @@ struct SyncObjectCounts {
   bool operator==(const SyncObjectCounts&) const = default;
 };
 
+/// What became of a slave's SYNC0 when it was switched on: read back from 0x0984 and 0x0990.
+struct Sync0Start {
+  Nanoseconds time = 0;     // host clock of the newest reading; 0: never
+  bool never = false;       // its start time had passed: it will not come
+  std::int32_t off_ns = 0;  // later than the configuration asks for, within half of its period either way
+  /// More than clocks and registers make of themselves while they settle.
+  static constexpr std::int32_t kInPlace = 10'000;  // ns
+  [[nodiscard]] bool misplaced() const { return time != 0 && !never && (off_ns > kInPlace || off_ns < -kInPlace); }
+  bool operator==(const Sync0Start&) const = default;
+};
+
 struct SlaveEvidence {
   std::array<PortErrors, 4> ports{};
   EvidenceCount processing_unit_errors;       // 0x030C, read with the ports
@@ -48,6 +59,7 @@ struct SlaveEvidence {
   Nanoseconds speed_counter_time = 0;
   SyncObjectCounts outputs, inputs;    // 0x1C32, 0x1C33
   std::uint32_t calc_and_copy_ns = 0;  // 0x1C32:06, what the slave needs from its outputs to SYNC0; 0: not told
+  Sync0Start sync0;
   std::uint32_t mailbox_silences = 0;  // in a row: requests without an answer
   bool operator==(const SlaveEvidence&) const = default;
 };

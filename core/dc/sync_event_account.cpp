@@ -16,7 +16,8 @@ std::uint32_t& at(MissesByCause& misses, MissCause cause) { return misses[static
 
 void SyncEventAccount::observe(const Cycle& cycle) {
   any_since_reading_ = true;
-  const auto period = sync0_arrival(grid_, cycle.time).number;
+  const auto arrival = sync0_arrival(grid_, cycle.time);
+  const auto period = arrival.number;
   left_out_ += cycle.left_out;
   if (!evaluated_) {
     // The first outputs begin the account: nobody knows what came before.
@@ -32,6 +33,7 @@ void SyncEventAccount::observe(const Cycle& cycle) {
     evaluated_ = period;
   }
   if (cycle.delivered) {
+    if (delivered_ != period && arrival.phase != 0 && arrival.margin < cycle.need) ++doubtful_;
     delivered_ = std::max(delivered_.value_or(period), period);
     frames_lost_ = left_out_ = 0;
   } else {
@@ -76,10 +78,25 @@ std::uint32_t SyncEventAccount::explain(std::uint32_t debt) {
   return debt;
 }
 
+/// Misses that were thought to be good periods are late outputs where these may have been too late; what is left.
+std::uint32_t SyncEventAccount::explain_by_doubt(std::uint32_t debt) {
+  auto left = debt;
+  for (auto* pool : {&doubted_, &doubtful_}) {
+    const auto part = std::min(*pool, left);
+    *pool -= part;
+    left -= part;
+  }
+  at(by_cause_, MissCause::kFrameLate) += debt - left;
+  correct(debt - left);
+  return left;
+}
+
 void SyncEventAccount::correct(std::int64_t misses) {
-  // A good period that was a miss, or the other way round: 3 more instead of 1 less.
+  // A good period that was a miss, or the other way round: 3 more instead of 1 less. At its limit the slave gives up,
+  // and counts no further.
+  const auto most = limit_ > 0 ? std::int64_t{limit_} + kMiss - 1 : UINT16_MAX;
   const auto value = std::int64_t{integrator_} + misses * (kMiss + 1);
-  integrator_ = static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, UINT16_MAX));
+  integrator_ = static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, std::max<std::int64_t>(most, 0)));
 }
 
 void SyncEventAccount::read(std::uint32_t counter) {
@@ -95,13 +112,14 @@ void SyncEventAccount::read(std::uint32_t counter) {
     return;
   }
   // The slave may count a miss before this side has seen its period end: the last reading's are explained now or never.
-  const auto never = explain(unexplained_);
+  const auto never = explain_by_doubt(explain(unexplained_));
   correct(never);
   at(by_cause_, MissCause::kUnknown) += never;
-  unexplained_ = explain(told);
+  unexplained_ = explain_by_doubt(explain(told));
   // What was presumed before the last reading, and neither of the two told: those were good periods.
   correct(-std::int64_t{sum(carried_)});
   carried_ = std::exchange(presumed_, {});
+  doubted_ = std::exchange(doubtful_, 0);
   candidate_ = std::max(candidate_, integrator_);
 }
 
@@ -115,8 +133,10 @@ void SyncEventAccount::confirm_op() {
 }
 
 void SyncEventAccount::left_op() {
-  at(by_cause_, MissCause::kUnknown) += explain(unexplained_);
-  unexplained_ = 0;
+  const auto never = explain_by_doubt(explain(std::exchange(unexplained_, 0)));
+  correct(never);
+  candidate_ = std::max(candidate_, integrator_);
+  at(by_cause_, MissCause::kUnknown) += never;
   computed_ += explain_rest();
   highest_ = std::max(highest_, candidate_);
 }
@@ -134,6 +154,7 @@ void SyncEventAccount::entered_op() {
   evaluated_.reset();
   delivered_.reset();
   frames_lost_ = left_out_ = 0;
+  doubtful_ = doubted_ = 0;
 }
 
 std::uint32_t SyncEventAccount::missed() const {

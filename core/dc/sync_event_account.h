@@ -24,8 +24,10 @@ class SyncEventAccount {
     Nanoseconds time = 0;        // system time when the outputs were at the slave, or would have been
     bool delivered = false;      // the frame came back
     std::uint32_t left_out = 0;  // cycles that the host left out just before this one
+    Nanoseconds need = 0;        // what the slave takes at most from its outputs to SYNC0 (0x1C32:06)
   };
-  /// One bus cycle in OP.
+  /// One bus cycle in OP. Outputs that leave less than `need` to SYNC0 may have been too late, and only the slave
+  /// knows: its next reading tells.
   void observe(const Cycle& cycle);
   /// System time at which the period behind the running one begins, while cycles are regular: each delivers its outputs
   /// in the period behind the one before, and there is no error to be counted down. Such a cycle changes nothing that
@@ -69,6 +71,7 @@ class SyncEventAccount {
   void end_periods(std::int64_t ended, std::int64_t missed);
   void presume(std::uint32_t missed);
   std::uint32_t explain(std::uint32_t debt);
+  std::uint32_t explain_by_doubt(std::uint32_t debt);
   std::uint32_t explain_rest();
   void correct(std::int64_t misses);
 
@@ -78,6 +81,7 @@ class SyncEventAccount {
   std::optional<std::int64_t> delivered_;         // the last period with outputs
   std::uint32_t frames_lost_ = 0, left_out_ = 0;  // since then
   MissesByCause presumed_{}, carried_{};          // since the last reading, and left over from before it
+  std::uint32_t doubtful_ = 0, doubted_ = 0;      // periods whose outputs left less than the slave needs; likewise
   std::uint32_t unexplained_ = 0;                 // told by the last reading, and not presumed yet
   CounterTotal counter_{16, CounterTotal::End::kWraps};
   bool readable_ = false, any_since_reading_ = false;

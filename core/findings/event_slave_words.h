@@ -57,6 +57,16 @@ inline constexpr FindingWords kEventSlaves[] = {
       {"stepped",
        "slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the "
        "same side, the reference clock has stepped"}}},
+    {"event-frames-way-changed",
+     Severity::kWarning,
+     "The frames' way to slaves has changed",
+     "",
+     "",
+     "",
+     {{"",
+       "the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once "
+       "off by "
+       "{deviation}, with a delay that was measured before"}}},
     {"event-slaves-not-monitored",
      Severity::kNote,
      "Nobody looks whether slaves are in sync",

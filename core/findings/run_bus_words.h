@@ -25,6 +25,36 @@ inline constexpr FindingWords kRunBus[] = {
      {{"",
        "{slave} counts {missed:# missed SM2 event|# missed SM2 events} (0x1C32:{sub}), and for {part} of them the "
        "master saw good cycles."}}},
+    {"missed-by-moved-clock",
+     Severity::kWarning,
+     "SM2 events were missed because a clock had moved",
+     "",
+     "Mend the clock; neither the slave's firmware nor its shift is the reason.",
+     "",
+     {{"",
+       "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them while its SYNC0 did not come where its "
+       "outputs "
+       "are meant for, from {since} on: {why}."}}},
+    {"sync0-misplaced",
+     Severity::kError,
+     "A slave's SYNC0 comes at another time than configured",
+     "",
+     "Its start time (0x0990) was not taken as it was written. Start it anew; if it stays, look at the slave's "
+     "firmware, "
+     "or at who else writes its registers.",
+     "",
+     {{"",
+       "SYNC0 of {slave} comes {off} behind its place in the cycle: its outputs are there {margin} before it, and it "
+       "needs {need} for them."}}},
+    {"sync0-never-comes",
+     Severity::kError,
+     "A slave's SYNC0 does not come",
+     "",
+     "Its start time (0x0990) had passed when it was taken, or its SYNC unit was not switched on (0x0981). Let the "
+     "start "
+     "times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.",
+     "",
+     {{"", "SYNC0 of {slave} will not come: it has no start time ahead of it."}}},
     {"sync0-too-tight",
      Severity::kWarning,
      "Frames come close to SYNC0",
@@ -120,6 +150,16 @@ inline constexpr FindingWords kRunBus[] = {
      {{"",
        "{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and no slave "
        "counted an error at its ports."}}},
+    {"frames-lost-behind",
+     Severity::kWarning,
+     "Frames are lost behind a slave",
+     "",
+     "Look at the cables and plugs behind it, and at the way back: the network card and its driver receive there.",
+     "",
+     {{"",
+       "{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had "
+       "its "
+       "outputs all the same: they had passed it, and no slave counted an error at its ports."}}},
     {"frames-lost-by-noise",
      Severity::kWarning,
      "Frames are lost by noise",

@@ -81,6 +81,13 @@ inline constexpr FindingWords kRunSlaves[] = {
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good "
        "cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0."}}},
+    {"slave-refused-state",
+     Severity::kError,
+     "A slave refuses to go on",
+     "",
+     "Check {check}.",
+     "",
+     {{"", "{slave} stays in {state}: it refused to go on with AL status code {alcode}, last at {since}."}}},
     {"slave-behind",
      Severity::kWarning,
      "A slave stays behind the others",
@@ -144,6 +151,22 @@ inline constexpr FindingWords kRunSlaves[] = {
       {"stepped",
        "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
        "reference clock stepped; they came back, {count} in all."}}},
+    {"frames-way-changed",
+     Severity::kWarning,
+     "Slaves follow with delays that are not theirs any more",
+     "",
+     "Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions "
+     "are "
+     "compared across it.",
+     "",
+     {{"",
+       "{slave} went at {since}, and those behind it follow since with delays (0x0928) that were measured with it: "
+       "they are "
+       "off by up to {deviation}."},
+      {"back",
+       "{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were "
+       "measured "
+       "with it: they were off by up to {deviation}."}}},
     {"slave-clock-off",
      Severity::kWarning,
      "A slave's clock was off",

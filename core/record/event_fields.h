@@ -84,6 +84,7 @@ struct EventFields {
   void operator()(events::MasterStopped& e) { use(40, e.text); }
   void operator()(events::EventsLost& e) { use(41, e.count); }
   void operator()(events::OutputsForced& e) { use(42, e.bits); }
+  void operator()(events::FramesWayChanged& e) { use(43, e.deviation_ns, e.slaves); }
 };
 
 }  // namespace syncline

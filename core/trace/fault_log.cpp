@@ -59,6 +59,7 @@ struct MeaningOf {
   EventMeaning operator()(const events::SlavesNotMonitored&) const { return kNews; }
   EventMeaning operator()(const events::MasterInSync&) const { return kReturnToOrder; }
   EventMeaning operator()(const events::DelayFinding&) const { return kNews; }
+  EventMeaning operator()(const events::FramesWayChanged&) const { return kNews; }
   EventMeaning operator()(const events::DelaysMeasured&) const { return kNews; }
   EventMeaning operator()(const events::WkcExpected&) const { return kNews; }
   EventMeaning operator()(const events::LinkUp&) const { return kReturnToOrder; }

@@ -57,7 +57,8 @@ bool Spells::near(const Spell& spell, Nanoseconds margin) const {
 HistoryRecorder::HistoryRecorder(const NetworkConfig& config)
     : limit_ns_(sync_window_limit_ns(config.dc.sync_window.exponent)),
       cycle_(config.cycle_time()),
-      exceeded_(config.slaves.size()) {
+      counts_(config.slaves.size()),
+      missed_(config.slaves.size()) {
   history_.slaves.resize(config.slaves.size());
 }
 
@@ -84,6 +85,16 @@ void HistoryRecorder::add(const CycleSample& sample) {
   }
   add_deviation(sample);
   if (history_.reached_op && is_cyclic(sample)) add_arrival(sample);
+  add_missed(sample);
+}
+
+void HistoryRecorder::add_missed(const CycleSample& sample) {
+  if (sample.sm2_position < 0 || static_cast<std::size_t>(sample.sm2_position) >= missed_.size()) return;
+  auto& told = missed_[static_cast<std::size_t>(sample.sm2_position)];
+  const auto before = std::exchange(told, sample.slave_sm2_missed);
+  if (told > before) {
+    history_.slaves[static_cast<std::size_t>(sample.sm2_position)].missed.note(sample.send_time, told - before);
+  }
 }
 
 /// Acquisition does not count: a clock is off when it had been near.
@@ -138,6 +149,10 @@ struct HistoryRecorder::OfRun {
                                                out.deviation_ns,
                                                stepped ? dc::SyncObstacle::kClockStep : dc::SyncObstacle::kNone,
                                                {}});
+  }
+  void operator()(const events::FramesWayChanged& change) const {
+    if (history().way_changes.size() < kMostLosses)
+      history().way_changes.push_back({event.time, event.slave, change.deviation_ns});
   }
   void operator()(const events::SlavesInSync&) const { regain(history().slave_losses); }
   void operator()(const events::MasterOutOfSync& out) const {
@@ -211,17 +226,17 @@ void HistoryRecorder::add(const Snapshot& snapshot) {
     base_ = snapshot.dc.sync_base;
     set_value_ = snapshot.dcm.set_value_ns;
   }
-  for (std::size_t i = 0; i < std::min(exceeded_.size(), snapshot.slaves.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(counts_.size(), snapshot.slaves.size()); ++i) {
     const auto& evidence = snapshot.slaves[i].evidence;
-    auto& silences = history_.slaves[i].mailbox_silences;
-    silences = std::max(silences, evidence.mailbox_silences);
-    const std::array<const EvidenceCount*, 2> now{&evidence.outputs.exceeded, &evidence.inputs.exceeded};
-    const std::array<Spells*, 2> spells{&history_.slaves[i].outputs_exceeded, &history_.slaves[i].inputs_exceeded};
-    for (std::size_t n = 0; n < now.size(); ++n) {
-      const auto more = now[n]->total - exceeded_[i][n];
-      exceeded_[i][n] = now[n]->total;
-      if (more > 0) spells[n]->note(now[n]->time, more);
-    }
+    auto& slave = history_.slaves[i];
+    slave.mailbox_silences = std::max(slave.mailbox_silences, evidence.mailbox_silences);
+    const auto note = [&](std::size_t n, const EvidenceCount& count, Spells& spells) {
+      const auto before = std::exchange(counts_[i][n], count.total);
+      if (count.total > before) spells.note(count.time, count.total - before);
+    };
+    note(0, evidence.outputs.exceeded, slave.outputs_exceeded);
+    note(1, evidence.inputs.exceeded, slave.inputs_exceeded);
+    note(2, evidence.outputs.shift_too_short, slave.shift_too_short);
   }
 }
 

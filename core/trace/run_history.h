@@ -66,6 +66,7 @@ struct RunHistory {
     Spells outputs_exceeded, inputs_exceeded;
     Spells late_inputs;  // times in which it did not renew its inputs as before; count 1 each, the last one may last
     std::uint32_t mailbox_silences = 0;  // most requests in a row without an answer
+    Spells missed, shift_too_short;      // SM2 events; outputs too late for SYNC0 (0x1C32:0D)
     Spells off;                          // its own deviation over the limit after it had been within; size in ns
     bool was_near = false;
   };
@@ -86,7 +87,13 @@ struct RunHistory {
   bool reached_op = false;
   Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
-  std::vector<SyncLoss> slave_losses, master_losses;         // in OP, the first kMostLosses
+  struct WayChange {
+    Nanoseconds time = 0;
+    int slave = -1;              // that went or came back
+    std::int64_t deviation = 0;  // of those behind it, ns
+  };
+  std::vector<WayChange> way_changes;                 // the first kMostLosses
+  std::vector<SyncLoss> slave_losses, master_losses;  // in OP, the first kMostLosses
   std::vector<Slave> slaves;
   /// How much later than nominal the frame passed the reference clock, ns; in SAFEOP and OP, once OP was reached.
   Histogram frame_lateness;
@@ -105,6 +112,7 @@ class HistoryRecorder {
   void add(const CycleSample& sample);
   void add_deviation(const CycleSample& sample);
   void add_arrival(const CycleSample& sample);
+  void add_missed(const CycleSample& sample);
   void add_loss(std::vector<RunHistory::SyncLoss>& losses, const RunHistory::SyncLoss& loss) const;
   RunHistory::Slave* slave_at(int position);
 
@@ -115,7 +123,8 @@ class HistoryRecorder {
   std::int64_t limit_ns_;
   Nanoseconds cycle_, base_ = 0, set_value_ = 0;
   bool grid_known_ = false;
-  std::vector<std::array<std::uint32_t, 2>> exceeded_;  // totals seen last
+  std::vector<std::array<std::uint32_t, 3>> counts_;  // totals of the sync objects, seen last
+  std::vector<std::uint32_t> missed_;                 // SM2 events, as told last
   std::optional<Nanoseconds> last_send_;
   std::uint64_t late_frames_ = 0;  // seen last
 };

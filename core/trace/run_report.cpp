@@ -70,7 +70,8 @@ namespace {
 /// From the nominal moment at which the slave has its outputs to its next SYNC0.
 Nanoseconds sync0_margin(const RunReport::Slave& slave, Nanoseconds set_value) {
   const auto arrived = dc::outputs_arrival(-set_value, slave.propagation_delay_ns.value_or(0), slave.outputs_wire_time);
-  return dc::sync0_arrival({slave.sync0_shift, slave.sync0_cycle}, arrived).margin;
+  const auto first = slave.sync0_shift + slave.evidence.sync0.off_ns;
+  return dc::sync0_arrival({first, slave.sync0_cycle}, arrived).margin;
 }
 
 }  // namespace

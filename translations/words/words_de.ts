@@ -633,6 +633,10 @@
         <translation>Ein Slave verweigerte einen Zustand oder verließ einen von selbst</translation>
     </message>
     <message>
+        <source>A slave refuses to go on</source>
+        <translation>Ein Slave weigert sich weiterzugehen</translation>
+    </message>
+    <message>
         <source>A slave sent an emergency</source>
         <translation>Ein Slave sandte eine Emergency</translation>
     </message>
@@ -643,6 +647,14 @@
     <message>
         <source>A slave with distributed clocks stands before the reference clock</source>
         <translation>Ein Slave mit verteilter Uhr steht vor der Referenzuhr</translation>
+    </message>
+    <message>
+        <source>A slave's SYNC0 comes at another time than configured</source>
+        <translation>Das SYNC0 eines Slaves kommt zu einer anderen Zeit als konfiguriert</translation>
+    </message>
+    <message>
+        <source>A slave's SYNC0 does not come</source>
+        <translation>Das SYNC0 eines Slaves kommt nicht</translation>
     </message>
     <message>
         <source>A slave's cables IN and OUT are swapped</source>
@@ -1569,6 +1581,10 @@
         <translation>Frames werden auf einem Kabel beschädigt</translation>
     </message>
     <message>
+        <source>Frames are lost behind a slave</source>
+        <translation>Frames gehen hinter einem Slave verloren</translation>
+    </message>
+    <message>
         <source>Frames are lost by noise</source>
         <translation>Frames gehen durch Störungen verloren</translation>
     </message>
@@ -1913,6 +1929,14 @@
         <translation>Viele Master messen seine Laufzeit falsch.</translation>
     </message>
     <message>
+        <source>Its start time (0x0990) had passed when it was taken, or its SYNC unit was not switched on (0x0981). Let the start times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.</source>
+        <translation>Seine Startzeit (0x0990) war vorbei, als sie übernommen wurde, oder seine SYNC-Einheit wurde nicht eingeschaltet (0x0981). Lassen Sie die Startzeiten später beginnen (master.dc.start_time_safety_us), oder sehen Sie nach, wer sonst seine Register schreibt.</translation>
+    </message>
+    <message>
+        <source>Its start time (0x0990) was not taken as it was written. Start it anew; if it stays, look at the slave's firmware, or at who else writes its registers.</source>
+        <translation>Seine Startzeit (0x0990) wurde nicht so übernommen, wie sie geschrieben wurde. Starten Sie ihn neu; bleibt es dabei, sehen Sie nach der Firmware des Slaves, oder wer sonst seine Register schreibt.</translation>
+    </message>
+    <message>
         <source>Its working counter stays 0 in each cycle</source>
         <translation>Sein Working Counter bleibt in jedem Zyklus 0</translation>
     </message>
@@ -2013,12 +2037,32 @@
         <translation>Logische Adresse der Zustandsbits der Mailboxen</translation>
     </message>
     <message>
+        <source>Look at the cables and plugs behind it, and at the way back: the network card and its driver receive there.</source>
+        <translation>Sehen Sie nach Kabeln und Steckern dahinter und nach dem Rückweg: dort empfangen die Netzwerkkarte und ihr Treiber.</translation>
+    </message>
+    <message>
         <source>Look at the deviations of the single slaves.</source>
         <translation>Die Abweichungen der einzelnen Slaves ansehen.</translation>
     </message>
     <message>
         <source>Look at the device behind it.</source>
         <translation>Nach dem Gerät dahinter sehen.</translation>
+    </message>
+    <message>
+        <source>Mend the clock; neither the slave's firmware nor its shift is the reason.</source>
+        <translation>Bringen Sie die Uhr in Ordnung; weder die Firmware des Slaves noch seine Verschiebung ist der Grund.</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed because a clock had moved</source>
+        <translation>SM2-Ereignisse fehlten, weil eine Uhr verrückt war</translation>
+    </message>
+    <message>
+        <source>SYNC0 of {slave} comes {off} behind its place in the cycle: its outputs are there {margin} before it, and it needs {need} for them.</source>
+        <translation>SYNC0 von {slave} kommt {off} hinter seinem Platz im Zyklus: seine Ausgänge sind {margin} davor da, und er braucht {need} für sie.</translation>
+    </message>
+    <message>
+        <source>SYNC0 of {slave} will not come: it has no start time ahead of it.</source>
+        <translation>SYNC0 von {slave} wird nicht kommen: es hat keine Startzeit vor sich.</translation>
     </message>
     <message>
         <source>See that nobody stops the program: a debugger, SIGSTOP. Else look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
@@ -2035,6 +2079,18 @@
     <message>
         <source>Look for what held it: another process of higher priority, power management, the virtual machine's host.</source>
         <translation>Suchen, was ihn aufhielt: ein anderer Prozess mit höherer Priorität, Energiesparen, der Wirt der virtuellen Maschine.</translation>
+    </message>
+    <message>
+        <source>Slaves follow with delays that are not theirs any more</source>
+        <translation>Slaves folgen mit Verzögerungen, die nicht mehr ihre sind</translation>
+    </message>
+    <message>
+        <source>The frames' way to slaves has changed</source>
+        <translation>Der Weg der Frames zu Slaves hat sich geändert</translation>
+    </message>
+    <message>
+        <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
+        <translation>Ihre eigenen Ablesungen (0x092C) zeigen es nicht. Gehen Sie ohne den Slave neu online, oder bringen Sie ihn zurück, ehe Positionen über ihn hinweg verglichen werden.</translation>
     </message>
     <message>
         <source>To change nothing on it, only look.</source>
@@ -3999,6 +4055,18 @@
     <message>
         <source>The slaves are not in sync within {limit} since {since}.</source>
         <translation>Die Slaves sind seit {since} nicht innerhalb von {limit} synchron.</translation>
+    </message>
+    <message>
+        <source>its own clock was out of its place</source>
+        <translation>seine eigene Uhr war nicht an ihrem Platz</translation>
+    </message>
+    <message>
+        <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
+        <translation>der Weg der Frames hinter {subject} hat sich geändert: {slaves:# folgender Slave|alle # folgenden Slaves} auf einmal {deviation} daneben, mit einer vorher gemessenen Verzögerung</translation>
+    </message>
+    <message>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
+        <translation>{count:# Frame|# Frames} kamen nicht zurück (bis zu {most} dicht beieinander, zuerst bei {since}), und {slave} hatte seine Ausgänge trotzdem: sie waren bei ihm vorbei, und kein Slave zählte einen Fehler an seinen Ports.</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
@@ -6333,6 +6401,10 @@
         <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, {part} davon, weil der Rechner Zyklen ausließ; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
     </message>
     <message>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them while its SYNC0 did not come where its outputs are meant for, from {since} on: {why}.</source>
+        <translation>{slave} verpasste {missed:# SM2-Ereignis|# SM2-Ereignisse}, davon {part}, während sein SYNC0 nicht dort kam, wofür seine Ausgänge bestimmt sind, ab {since}: {why}.</translation>
+    </message>
+    <message>
         <source>{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}.</source>
         <translation>{slave} brauchte {count} länger als den Zyklus ({object} Cycle exceeded), zuletzt bei {last}.</translation>
     </message>
@@ -6345,8 +6417,20 @@
         <translation>{slave} bleibt in {state}, während andere weiter sind.</translation>
     </message>
     <message>
+        <source>{slave} stays in {state}: it refused to go on with AL status code {alcode}, last at {since}.</source>
+        <translation>{slave} bleibt in {state}: er weigerte sich mit AL-Statuscode {alcode}, zuletzt bei {since}.</translation>
+    </message>
+    <message>
         <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
         <translation>{slave} wich bei {since} um {deviation} von der Referenzuhr ab, und niemand überwacht das.</translation>
+    </message>
+    <message>
+        <source>{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were measured with it: they were off by up to {deviation}.</source>
+        <translation>{slave} ging bei {since} verloren und kam zurück; die dahinter folgten inzwischen mit Verzögerungen (0x0928), die mit ihm gemessen wurden: sie waren um bis zu {deviation} daneben.</translation>
+    </message>
+    <message>
+        <source>{slave} went at {since}, and those behind it follow since with delays (0x0928) that were measured with it: they are off by up to {deviation}.</source>
+        <translation>{slave} ging bei {since} verloren, und die dahinter folgen seitdem mit Verzögerungen (0x0928), die mit ihm gemessen wurden: sie sind um bis zu {deviation} daneben.</translation>
     </message>
     <message>
         <source>{subject} and {detail} have changed places.</source>

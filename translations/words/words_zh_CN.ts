@@ -633,6 +633,10 @@
         <translation>从站拒绝了状态或自行退出了状态</translation>
     </message>
     <message>
+        <source>A slave refuses to go on</source>
+        <translation>某从站拒绝继续</translation>
+    </message>
+    <message>
         <source>A slave sent an emergency</source>
         <translation>从站发送了紧急消息</translation>
     </message>
@@ -643,6 +647,14 @@
     <message>
         <source>A slave with distributed clocks stands before the reference clock</source>
         <translation>带分布式时钟的从站位于参考时钟之前</translation>
+    </message>
+    <message>
+        <source>A slave's SYNC0 comes at another time than configured</source>
+        <translation>某从站的 SYNC0 到来时刻与配置不同</translation>
+    </message>
+    <message>
+        <source>A slave's SYNC0 does not come</source>
+        <translation>某从站的 SYNC0 未到来</translation>
     </message>
     <message>
         <source>A slave's cables IN and OUT are swapped</source>
@@ -1569,6 +1581,10 @@
         <translation>帧在某根电缆上损坏</translation>
     </message>
     <message>
+        <source>Frames are lost behind a slave</source>
+        <translation>帧在某从站之后丢失</translation>
+    </message>
+    <message>
         <source>Frames are lost by noise</source>
         <translation>帧因干扰丢失</translation>
     </message>
@@ -1913,6 +1929,14 @@
         <translation>许多主站会错误地测量其传输延迟。</translation>
     </message>
     <message>
+        <source>Its start time (0x0990) had passed when it was taken, or its SYNC unit was not switched on (0x0981). Let the start times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.</source>
+        <translation>其启动时间（0x0990）在生效时已经过去，或其 SYNC 单元未启用（0x0981）。请让启动时间更晚开始（master.dc.start_time_safety_us），或检查是否还有其他程序写其寄存器。</translation>
+    </message>
+    <message>
+        <source>Its start time (0x0990) was not taken as it was written. Start it anew; if it stays, look at the slave's firmware, or at who else writes its registers.</source>
+        <translation>其启动时间（0x0990）未按写入值生效。请重新启动该从站；若仍如此，请检查从站固件，或是否还有其他程序写其寄存器。</translation>
+    </message>
+    <message>
         <source>Its working counter stays 0 in each cycle</source>
         <translation>其工作计数器在每个周期都保持为 0</translation>
     </message>
@@ -2013,12 +2037,32 @@
         <translation>邮箱状态位的逻辑地址</translation>
     </message>
     <message>
+        <source>Look at the cables and plugs behind it, and at the way back: the network card and its driver receive there.</source>
+        <translation>请检查其后的电缆和插头，以及返回路径：网卡及其驱动在那里接收。</translation>
+    </message>
+    <message>
         <source>Look at the deviations of the single slaves.</source>
         <translation>查看各个从站的偏差。</translation>
     </message>
     <message>
         <source>Look at the device behind it.</source>
         <translation>检查它后面的设备。</translation>
+    </message>
+    <message>
+        <source>Mend the clock; neither the slave's firmware nor its shift is the reason.</source>
+        <translation>请修复时钟；原因既不是从站固件，也不是其偏移。</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed because a clock had moved</source>
+        <translation>因时钟偏移而丢失 SM2 事件</translation>
+    </message>
+    <message>
+        <source>SYNC0 of {slave} comes {off} behind its place in the cycle: its outputs are there {margin} before it, and it needs {need} for them.</source>
+        <translation>{slave} 的 SYNC0 比其在周期中的位置晚 {off}：其输出在 SYNC0 之前 {margin} 到达，而它需要 {need} 处理。</translation>
+    </message>
+    <message>
+        <source>SYNC0 of {slave} will not come: it has no start time ahead of it.</source>
+        <translation>{slave} 的 SYNC0 不会到来：其前方没有启动时间。</translation>
     </message>
     <message>
         <source>See that nobody stops the program: a debugger, SIGSTOP. Else look below the operating system: the host of a virtual machine, firmware (system management interrupts), power states, drivers that hold interrupts off. Run the master on a machine of its own.</source>
@@ -2035,6 +2079,18 @@
     <message>
         <source>Look for what held it: another process of higher priority, power management, the virtual machine's host.</source>
         <translation>查找阻塞它的原因：优先级更高的进程、电源管理、虚拟机的宿主机。</translation>
+    </message>
+    <message>
+        <source>Slaves follow with delays that are not theirs any more</source>
+        <translation>从站使用已不再有效的延迟跟随</translation>
+    </message>
+    <message>
+        <source>The frames' way to slaves has changed</source>
+        <translation>帧到从站的路径已改变</translation>
+    </message>
+    <message>
+        <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
+        <translation>它们自己的读数（0x092C）不会显示这一点。在跨该从站比较位置之前，请在没有该从站的情况下重新上线，或恢复该从站。</translation>
     </message>
     <message>
         <source>To change nothing on it, only look.</source>
@@ -3999,6 +4055,18 @@
     <message>
         <source>The slaves are not in sync within {limit} since {since}.</source>
         <translation>从 {since} 起从站的偏差不在 {limit} 之内。</translation>
+    </message>
+    <message>
+        <source>its own clock was out of its place</source>
+        <translation>其自身时钟偏离了应有位置</translation>
+    </message>
+    <message>
+        <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
+        <translation>{subject} 之后的帧路径已改变：{slaves:# 个跟随的从站|全部 # 个跟随的从站}同时偏差 {deviation}，使用的是此前测得的延迟</translation>
+    </message>
+    <message>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
+        <translation>{count:# 个帧|# 个帧}未返回（密集时最多 {most} 个，首次在 {since}），而 {slave} 仍收到了输出：这些帧已经过它，且没有从站在端口上计到错误。</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
@@ -6333,6 +6401,10 @@
         <translation>{slave} 错过了 {missed} 个 SM2 事件，其中 {part} 个是因为主机漏掉周期；其错误计数器达到 {integrator}（限值：{limit}）。</translation>
     </message>
     <message>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them while its SYNC0 did not come where its outputs are meant for, from {since} on: {why}.</source>
+        <translation>{slave} 丢失 {missed:# 个 SM2 事件|# 个 SM2 事件}，其中 {part} 个发生在其 SYNC0 未在输出所针对的时刻到来期间，自 {since} 起：{why}。</translation>
+    </message>
+    <message>
         <source>{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}.</source>
         <translation>{slave} 有 {count}所需时间超过其周期（{object} cycle exceeded），最近一次在 {last}。</translation>
     </message>
@@ -6345,8 +6417,20 @@
         <translation>{slave} 停留在 {state}，而其他从站已进入更高的状态。</translation>
     </message>
     <message>
+        <source>{slave} stays in {state}: it refused to go on with AL status code {alcode}, last at {since}.</source>
+        <translation>{slave} 停留在 {state}：它以 AL 状态码 {alcode} 拒绝继续，最近一次在 {since}。</translation>
+    </message>
+    <message>
         <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
         <translation>{slave} 在 {since} 时与其参考时钟的偏差为 {deviation}，且无人监视。</translation>
+    </message>
+    <message>
+        <source>{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were measured with it: they were off by up to {deviation}.</source>
+        <translation>{slave} 在 {since} 离线后又恢复；期间其后的从站使用包含它时测得的延迟（0x0928）跟随：偏差曾最大为 {deviation}。</translation>
+    </message>
+    <message>
+        <source>{slave} went at {since}, and those behind it follow since with delays (0x0928) that were measured with it: they are off by up to {deviation}.</source>
+        <translation>{slave} 在 {since} 离线，其后的从站此后使用包含它时测得的延迟（0x0928）跟随：偏差最大为 {deviation}。</translation>
     </message>
     <message>
         <source>{subject} and {detail} have changed places.</source>

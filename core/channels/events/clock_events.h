@@ -39,6 +39,13 @@ struct SlavesOutOfSync {
   std::size_t over_limit = 0;     // slaves, by their own readings
 };
 
+/// The event's slave went or came back, and the frames' way to those behind it is another one than when their delays
+/// (0x0928) were measured: all that follow are off by the difference, and soon do not show it in their own readings.
+struct FramesWayChanged {
+  std::int64_t deviation_ns = 0;  // the largest, magnitude
+  std::size_t slaves = 0;         // over the limit, by their own readings
+};
+
 struct SlavesNotMonitored {};
 
 /// Nobody leads, or the readings are too old to say anything.

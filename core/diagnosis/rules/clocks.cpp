@@ -116,10 +116,34 @@ void find_left_window(const RunReport& report, Findings& findings) {
   findings.push_back(std::move(finding));
 }
 
+/// What no reading shows: who follows with the delay of a way that is not there any more.
+void find_changed_ways(const RunReport& report, Findings& findings) {
+  for (std::size_t i = 0; i < report.slaves.size(); ++i) {
+    std::optional<Nanoseconds> first;
+    std::int64_t largest = 0;
+    for (const auto& change : report.history.way_changes) {
+      if (change.slave != static_cast<int>(i)) continue;
+      if (!first) first = change.time;
+      largest = std::max(largest, change.deviation);
+    }
+    if (!first) continue;
+    const bool back = report.slaves[i].present;
+    findings.push_back({code::kFramesWayChanged,
+                        Severity::kWarning,
+                        static_cast<int>(i),
+                        *first,
+                        back ? report.history.slaves[i].absences.last() : report.history.end,
+                        {slave_figure(report, static_cast<int>(i)), moment_figure(report, "since", *first),
+                         time_figure("deviation", largest)}});
+    if (back) findings.back().facts = sentence_of(*find_finding_words(code::kFramesWayChanged), "back");
+  }
+}
+
 }  // namespace
 
 void find_clocks(const RunReport& report, Findings& findings) {
   if (!report.dc.enabled) return;
+  find_changed_ways(report, findings);
   if (!report.dc.monitored) return find_unmonitored(report, findings);
   if (report.dc.state != SyncState::kInSync) return find_out_of_sync(report, findings);
   find_left_window(report, findings);

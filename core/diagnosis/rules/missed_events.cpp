@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "diagnosis/rules/moved_clocks.h"
 #include "diagnosis/rules/rules.h"
 
 namespace syncline::diagnosis {
@@ -61,7 +62,7 @@ std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::S
   const auto margin = slave.sync0_margin.value_or(0);
   const auto need = slave.evidence.calc_and_copy_ns;
   return {time_figure("margin", margin), time_figure("lateness", lateness), time_figure("need", need),
-          time_figure("more", advised(lateness + need - margin))};
+          time_figure("more", advised(worst_lateness(report) + need - margin))};
 }
 
 dc::MissCause main_cause(const Sm2MissedStatus& status) {
@@ -91,11 +92,26 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
              f.place.slave == slave.position;
     };
     if (std::ranges::any_of(findings, told)) continue;  // with all its figures
+    if (slave.evidence.sync0.misplaced()) continue;     // told as that
     const auto& status = *slave.sm2_missed;
     const auto cause = main_cause(status);
     const bool by_absence = cause == dc::MissCause::kUnknown ||
                             (cause == dc::MissCause::kFrameLost && !lost_while_there(report, slave.position));
     if (by_absence && was_cut_off(report, slave, status.missed)) continue;
+    if (cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate) {
+      if (const auto moved = sync0_had_moved(report, slave.position, report.history.slaves[slave.position].missed)) {
+        findings.push_back(
+            {code::kMissedByMovedClock,
+             Severity::kWarning,
+             slave.position,
+             moved->since,
+             report.history.slaves[slave.position].missed.last(),
+             {slave_figure(report, slave.position), count_figure("missed", status.missed, status.at_least),
+              count_figure("part", std::min<std::uint64_t>(moved->counted, status.missed)),
+              phrase_figure("why", moved->why), moment_figure(report, "since", moved->since)}});
+        continue;
+      }
+    }
     Finding finding{
         code_of(cause, was_locked(report)),
         Severity::kWarning,

@@ -48,6 +48,8 @@ void find_short_cycle(const RunReport& report, Findings& findings);
 
 /// How late one frame in a thousand is against its nominal place, or the latest of fewer frames; ns.
 [[nodiscard]] Nanoseconds usual_worst_lateness(const RunReport& report);
+/// How late the latest was, up to half a cycle: what an advice must cover; ns.
+[[nodiscard]] Nanoseconds worst_lateness(const RunReport& report);
 /// Rounded up to 10 us: nobody sets SYNC0 finer by hand.
 [[nodiscard]] Nanoseconds advised(Nanoseconds amount);
 /// Adapter and slaves are told apart by when: what is away together with the master's own adapter is its doing.

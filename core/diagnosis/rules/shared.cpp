@@ -37,6 +37,8 @@ Figure text_figure(std::string_view name, std::string text) {
 
 Nanoseconds usual_worst_lateness(const RunReport& report) { return report.history.frame_lateness.percentile(0.999); }
 
+Nanoseconds worst_lateness(const RunReport& report) { return report.history.frame_lateness.max(); }
+
 Nanoseconds advised(Nanoseconds amount) {
   constexpr Nanoseconds kStep = 10 * kMicrosecond;
   return std::max(kStep, (amount + kStep - 1) / kStep * kStep);

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "diagnosis/rules/missed_events.h"
+#include "diagnosis/rules/moved_clocks.h"
 #include "diagnosis/rules/rules.h"
 #include "families/families.h"
 #include "protocol/al_state.h"
@@ -50,6 +51,15 @@ bool clock_had_moved(const RunReport& report, int slave, Nanoseconds fall) {
   });
 }
 
+/// Who gives up by the rule of his family has reached his limit, whatever was computed meanwhile.
+std::uint64_t integrator_at_fall(const RunReport& report, const RunReport::Slave& slave) {
+  const auto computed = slave.sm2_missed->integrator_highest;
+  const auto& emergency = report.history.slaves[slave.position].emergency;
+  const auto* family = families::find(slave.identity);
+  const bool by_limit = family != nullptr && family->error_limit && emergency == family->error_limit->error_code;
+  return by_limit ? std::max(computed, slave.sm2_missed->limit) : computed;
+}
+
 Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto& fall = report.history.slaves[slave.position].fall;
   const auto since = fall ? fall->time : report.history.begin;
@@ -65,23 +75,41 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     return finding;
   if (slave.sm2_missed->missed == 0) {
     const bool in_time = usual_worst_lateness(report) < *slave.sync0_margin;
-    const bool by_itself =
-        fall && in_time && cycles_were_good(report, fall->time) && !clock_had_moved(report, slave.position, fall->time);
+    const bool by_itself = fall && in_time && !slave.evidence.sync0.misplaced() &&
+                           cycles_were_good(report, fall->time) && !clock_had_moved(report, slave.position, fall->time);
     if (by_itself) finding.code = code::kSlaveFellByItself;
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
     return finding;
   }
   finding.code = code::kSlaveFellByMisses;
   finding.figures.push_back(count_figure("missed", slave.sm2_missed->missed, slave.sm2_missed->at_least));
-  finding.figures.push_back(count_figure("integrator", slave.sm2_missed->integrator_highest));
+  finding.figures.push_back(count_figure("integrator", integrator_at_fall(report, slave)));
   finding.figures.push_back(count_figure("limit", slave.sm2_missed->limit));
   const auto cause = main_cause(*slave.sm2_missed);
-  finding.figures.push_back(phrase_figure("cause", miss_cause_words(cause)));
+  const auto moved = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate
+                         ? sync0_had_moved(report, slave.position, report.history.slaves[slave.position].missed)
+                         : std::nullopt;
+  finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
-  if (cause == dc::MissCause::kFrameLate && was_locked(report)) finding.code = code::kSlaveFellByLateFrames;
+  if (cause == dc::MissCause::kFrameLate && !moved && was_locked(report)) finding.code = code::kSlaveFellByLateFrames;
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
   return finding;
+}
+
+/// Its error was acknowledged, and nobody could lead it further.
+Finding refused(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& fall = *report.history.slaves[slave.position].fall;
+  return {code::kSlaveRefused,
+          Severity::kError,
+          slave.position,
+          fall.time,
+          report.history.end,
+          {slave_figure(report, slave.position),
+           {"state", Unit::kAlStatus, slave.al_status},
+           {"alcode", Unit::kAlCode, fall.al_status_code},
+           moment_figure(report, "since", fall.time),
+           phrase_figure("check", al_status_code_text(fall.al_status_code).check)}};
 }
 
 }  // namespace
@@ -96,6 +124,11 @@ void find_states(const RunReport& report, Findings& findings) {
     if ((slave.al_status & kAlErrorFlag) != 0) {
       findings.push_back(fallen(report, slave));
     } else if (al_state_of(slave.al_status) < highest) {
+      if (slave.evidence.sync0.never) continue;  // told as that
+      if (report.history.slaves[slave.position].fall) {
+        findings.push_back(refused(report, slave));
+        continue;
+      }
       findings.push_back({code::kSlaveBehind,
                           Severity::kWarning,
                           slave.position,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "diagnosis/rules/rules.h"
+#include "protocol/al_state.h"
 #include "protocol/port_damage.h"
 #include "protocol/registers.h"
 
@@ -91,6 +92,23 @@ Finding lost(const RunReport& report, std::string_view code, Severity severity, 
            moment_figure(report, "since", losses.first), slave_figure(report, slave)}};
 }
 
+/// The last in frame order whose own counter proves that lost frames had brought it its outputs; -1: none does. Only
+/// who was in OP all the time counts every frame.
+int passed_by_lost_frames(const RunReport& report, const Losses& losses) {
+  constexpr std::uint64_t kEnough = 4;  // fewer may have fallen into other times
+  constexpr auto kFrameLost = static_cast<std::size_t>(dc::MissCause::kFrameLost);
+  int last = -1;
+  for (const auto& slave : report.slaves) {
+    const auto& missed = slave.sm2_missed;
+    const bool counts =
+        slave.sync0_cycle > 0 && missed && missed->known && missed->valid && missed->time + kReadLater >= losses.last;
+    const bool in_op = slave.present && al_state_of(slave.al_status) == AlState::kOp;
+    if (!counts || !in_op || report.history.slaves[slave.position].fall || losses.count < kEnough) continue;
+    if (kEnough * missed->by_cause[kFrameLost] <= losses.count) last = slave.position;
+  }
+  return last;
+}
+
 }  // namespace
 
 void find_port_errors(const RunReport& report, Findings& findings) {
@@ -127,7 +145,12 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
       by_slave.add(spell);
     }
   }
-  if (unexplained.count > 0) findings.push_back(lost(report, code::kFramesLost, Severity::kWarning, -1, unexplained));
+  if (unexplained.count > 0) {
+    const auto passed = report.history.reached_op ? passed_by_lost_frames(report, unexplained) : -1;
+    const auto code = passed < 0 ? code::kFramesLost : code::kFramesLostBehind;
+    findings.push_back(lost(report, code, Severity::kWarning, passed, unexplained));
+    findings.back().place.slave = passed;
+  }
   if (by_noise.count > 0) {
     findings.push_back(lost(report, code::kFramesLostByNoise, Severity::kWarning, noisy.slave, by_noise));
     findings.back().figures.push_back({"port", Unit::kPort, static_cast<std::int64_t>(noisy.port)});

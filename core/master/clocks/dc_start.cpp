@@ -8,6 +8,7 @@
 
 #include "config/sync_grid.h"
 #include "dc/clock_registers.h"
+#include "dc/sync0_arrival.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
@@ -102,30 +103,46 @@ std::int64_t ahead_of(std::uint64_t next, std::uint64_t now, bool wide) {
   return wide ? static_cast<std::int64_t>(next - now) : static_cast<std::int32_t>(next - now);
 }
 
-std::optional<Error> judge(const SyncReading& reading, const SlaveConfig& slave, std::size_t position) {
+DcStartReading judge(const SyncReading& reading, const SlaveConfig& slave, std::size_t position) {
   constexpr std::size_t kActivationAt = 1, kStatusAt = 4, kNextAt = 0x10;
   const std::span<const std::uint8_t> unit(reading.unit);
   const auto name = fmt::format("slave {} ({})", position, slave.name);
+  DcStartReading result{position, {}, {}};
   if ((unit[kActivationAt] & 0x01) == 0) {
-    return Error{ErrorCode::kDcSetup, name, because("its SYNC unit is not active (0x0981)")};
+    result.error = Error{ErrorCode::kDcSetup, name, because("its SYNC unit is not active (0x0981)")};
+    return result;
   }
-  if (!reading.read_time.done()) return std::nullopt;
+  if (!reading.read_time.done()) return result;
   const auto next = load_le<std::uint64_t>(unit.subspan(kNextAt));
   const auto now = load_le<std::uint64_t>(reading.time);
   // A clock of 32 bits leaves the upper word of both at zero.
   const bool wide = (next >> 32) != 0 && (now >> 32) != 0;
   const auto ahead = ahead_of(next, now, wide);
   // Between the two readings of a frame a pulse may come.
-  if ((unit[kStatusAt] & 0x01) == 0 || ahead > 0) return std::nullopt;
-  return Error{ErrorCode::kDcSetup, name,
-               because("its SYNC0 will never come: the start time {start} (0x0990) had passed by {late} ns at {time}",
-                       next, -ahead, now)};
+  if ((unit[kStatusAt] & 0x01) == 0 || ahead > 0) {
+    result.next = static_cast<Nanoseconds>(next);
+  } else {
+    result.error =
+        Error{ErrorCode::kDcSetup, name,
+              because("its SYNC0 will never come: the start time {start} (0x0990) had passed by {late} ns at {time}",
+                      next, -ahead, now)};
+  }
+  return result;
 }
 
 }  // namespace
 
-Result<std::vector<DcStartFault>> check_dc_start(Bus& bus, const NetworkConfig& config,
-                                                 std::span<const std::size_t> slaves) {
+Nanoseconds sync0_off_grid(const NetworkConfig& config, const SlaveDcConfig& dc, Nanoseconds next, Nanoseconds base,
+                           Nanoseconds now) {
+  const auto period = dc.cycle_time0 > 0 ? dc.cycle_time0 : config.cycle_time();
+  constexpr Nanoseconds kLowWord = 0xFFFFFFFF;
+  if (next <= kLowWord) next = dc::extend_32bit(static_cast<std::uint32_t>(next), now);
+  const dc::Sync0Grid grid{base + dc.shift_time, period};
+  return dc::wrap_to_half(dc::sync0_arrival(grid, next).phase, period);
+}
+
+Result<std::vector<DcStartReading>> read_dc_start(Bus& bus, const NetworkConfig& config,
+                                                  std::span<const std::size_t> slaves) {
   std::vector<std::size_t> asked;
   for (const auto slave : slaves) {
     const auto& dc = config.slaves[slave].dc;
@@ -141,17 +158,16 @@ Result<std::vector<DcStartFault>> check_dc_start(Bus& bus, const NetworkConfig& 
     reads.push_back({Command::kFprd, device_address(station, reg::kCyclicUnitControl), readings[i].unit});
     reads.push_back({Command::kFprd, device_address(station, reg::kSystemTime), readings[i].time});
   }
-  if (reads.empty()) return std::vector<DcStartFault>{};
+  if (reads.empty()) return std::vector<DcStartReading>{};
   if (auto status = bus.transact(reads); !status) return tl::unexpected(status.error());
-  std::vector<DcStartFault> faults;
+  std::vector<DcStartReading> result;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     readings[i].read_unit = reads[2 * i];
     readings[i].read_time = reads[2 * i + 1];
     if (!readings[i].read_unit.done()) continue;  // gone: the next sweep tells
-    if (auto error = judge(readings[i], config.slaves[asked[i]], asked[i]))
-      faults.push_back({asked[i], std::move(*error)});
+    result.push_back(judge(readings[i], config.slaves[asked[i]], asked[i]));
   }
-  return faults;
+  return result;
 }
 
 }  // namespace syncline

@@ -49,15 +49,21 @@ struct DcStartPace {
                                                       const DcStartTimeCallback& callback = {},
                                                       Nanoseconds until_active = 0);
 
-/// A slave whose SYNC0 will not come.
-struct DcStartFault {
+/// What became of the SYNC signals of a slave.
+struct DcStartReading {
   std::size_t slave = 0;
-  Error error;
+  std::optional<Error> error;       // its SYNC0 will not come
+  std::optional<Nanoseconds> next;  // its next SYNC0, system time, as wide as its clock
 };
-/// Reads back what became of the SYNC signals of slaves that were led to SAFEOP: a fault for each whose unit is not
-/// active or whose SYNC0 will never come, because its start time has passed. Errors of the bus.
-[[nodiscard]] Result<std::vector<DcStartFault>> check_dc_start(Bus& bus, const NetworkConfig& config,
-                                                               std::span<const std::size_t> slaves);
+/// Reads them back from slaves that were led to SAFEOP and answer: an error for each whose unit is not active or whose
+/// SYNC0 will never come, because its start time has passed. Errors of the bus.
+[[nodiscard]] Result<std::vector<DcStartReading>> read_dc_start(Bus& bus, const NetworkConfig& config,
+                                                                std::span<const std::size_t> slaves);
+
+/// How much later than in the grid that begins at `base` (shifted by the slave's own shift) its SYNC0 comes, within
+/// half of its period either way. `now`: system time, to which a counter of 32 bits is completed.
+[[nodiscard]] Nanoseconds sync0_off_grid(const NetworkConfig& config, const SlaveDcConfig& dc, Nanoseconds next,
+                                         Nanoseconds base, Nanoseconds now);
 
 /// The time in such data, extended to 64 bit where it is none.
 [[nodiscard]] Nanoseconds written_start_time(std::span<const std::uint8_t> data, Nanoseconds now);

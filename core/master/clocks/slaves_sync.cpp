@@ -241,6 +241,18 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
   tell_culprit(time);
 }
 
+/// A slave that has just gone, or whose cable has healed and that is not set up yet: without it frames take a shorter
+/// way than the delays were measured with, and a longer one again.
+std::optional<std::size_t> SlavesSync::who_moves(Nanoseconds time) const {
+  constexpr Nanoseconds kJust = kSecond;
+  const auto& slaves = run_.snapshot.slaves;
+  const auto moves = std::ranges::find_if(slaves, [time](const SlaveStatus& slave) {
+    return !slave.present && (!slave.cable_broken || time - slave.absent_since < kJust);
+  });
+  if (moves == slaves.end()) return std::nullopt;
+  return static_cast<std::size_t>(moves - slaves.begin());
+}
+
 /// The wire-ored value names nobody: told when every slave has been read since. Only who was seen over the limit is
 /// to blame, of several the one that was furthest away, and none when all have moved alike: that was the reference
 /// clock.
@@ -254,7 +266,13 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
   out_count_ = std::max(out_count_, evidence.over);
   out_alike_ = out_alike_ || evidence.all_alike();
   if (!all_read_since(*out_since_) && time - *out_since_ < kCulpritPatience) return;
-  run_.event(*out_since_, out_alike_ ? -1 : out_culprit_, events::SlavesOutOfSync{out_by_, out_count_});
+  const auto who = out_alike_ ? who_moves(time) : std::nullopt;
+  if (who) {
+    run_.event(*out_since_, -1, events::SlavesOutOfSync{out_by_, 0});
+    run_.event(*out_since_, static_cast<int>(*who), events::FramesWayChanged{out_by_, out_count_});
+  } else {
+    run_.event(*out_since_, out_alike_ ? -1 : out_culprit_, events::SlavesOutOfSync{out_by_, out_count_});
+  }
   out_since_.reset();
 }
 

@@ -45,6 +45,7 @@ class SlavesSync {
   void look_closer(Nanoseconds time);
   void tell(dc::SyncVerdict::Edge edge, Nanoseconds time);
   void tell_culprit(Nanoseconds time);
+  [[nodiscard]] std::optional<std::size_t> who_moves(Nanoseconds time) const;
   [[nodiscard]] bool all_read_since(Nanoseconds time) const;
 
   RunState& run_;

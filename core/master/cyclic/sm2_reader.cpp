@@ -148,6 +148,7 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
       return;
     case Item::kCalcAndCopy:
       evidence.calc_and_copy_ns = value;
+      events_.set_calc_and_copy(counter.slave, value);
       return;
     case Item::kMissed:
       return take_missed(counter, value, now, sample);

@@ -33,7 +33,7 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
     place_[i] = slaves_.size();
     // Until it is read, the limit is what its start-up commands write, or what its family is delivered with.
     const auto limit = families::error_limit(slaves[i]).value_or(0);
-    slaves_.push_back({i, period, dc->shift_time, outputs_wire_time(run.config(), i), {}, {}, limit, 0, {}, {}});
+    slaves_.push_back({i, period, dc->shift_time, outputs_wire_time(run.config(), i), {}, {}, limit, 0, 0, {}, {}});
   }
 }
 
@@ -65,7 +65,10 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
     return;
   }
   slave.in_op_since = time;
-  if (!slave.account) slave.account.emplace(dc::Sync0Grid{sync_.base() + slave.shift, slave.period});
+  if (!slave.account) {
+    const auto off = run_.snapshot.slaves[slave.position].evidence.sync0.off_ns;
+    slave.account.emplace(dc::Sync0Grid{sync_.base() + slave.shift + off, slave.period});
+  }
   slave.account->set_limit(slave.limit);
   slave.before = slave.account;
   slave.account->entered_op();
@@ -113,12 +116,12 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
       if (together.period == 0) together.period = slave.period;
       all_regular = all_regular && slave.period == together.period;
       together.begin = std::max(together.begin, *slave.next - delay);
-      together.end = std::min(together.end, *slave.next - delay + slave.period);
+      together.end = std::min(together.end, *slave.next - delay + slave.period - slave.need);
       continue;
     }
     settle(slave);
     // The gap that made a slave fall may be told in the same cycle as its fall: first the gap, then the state.
-    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped};
+    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped, slave.need};
     const bool was_in_op = slave.in_op_since.has_value();
     if (was_in_op) slave.account->observe(cycle);
     follow_state(slave, outputs.send_time);
@@ -136,7 +139,7 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
 
 bool SyncEventWatch::observe_regular(Slave& slave, Nanoseconds time) const {
   const auto since = time - *slave.next;
-  if (since < 0 || since >= slave.period || !in_op(run_.snapshot.slaves[slave.position])) return false;
+  if (since < 0 || since >= slave.period - slave.need || !in_op(run_.snapshot.slaves[slave.position])) return false;
   *slave.next += slave.period;
   ++slave.regular;
   return true;
@@ -184,6 +187,11 @@ void SyncEventWatch::set_limit(std::size_t position, std::uint32_t limit) {
   slave->limit = limit;
   if (slave->before) slave->before->set_limit(limit);
   if (slave->account) slave->account->set_limit(limit);
+}
+
+void SyncEventWatch::set_calc_and_copy(std::size_t position, Nanoseconds time) {
+  // With more than its period no outputs would ever be in time, and all would stand in doubt.
+  if (auto* slave = find(position)) slave->need = std::clamp<Nanoseconds>(time, 0, slave->period - 1);
 }
 
 void SyncEventWatch::publish(const Slave& slave) {

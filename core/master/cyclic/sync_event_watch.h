@@ -24,6 +24,8 @@ class SyncEventWatch {
   /// A reading of the slave's counter of missed events.
   void read(std::size_t slave, std::uint32_t counter);
   void set_limit(std::size_t slave, std::uint32_t limit);
+  /// What the slave takes from its outputs to SYNC0 (0x1C32:06), ns.
+  void set_calc_and_copy(std::size_t slave, Nanoseconds time);
   /// All that are in OP are looked at together, in closed form, until one of them changes.
   [[nodiscard]] bool together() const { return together_.has_value(); }
 
@@ -35,6 +37,7 @@ class SyncEventWatch {
     std::optional<dc::SyncEventAccount> account;
     std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
     std::uint32_t limit = 0, told = 0;
+    Nanoseconds need = 0;  // see SyncEventAccount::Cycle
     std::optional<Nanoseconds> in_op_since, at_limit_since;
     // While all of its cycles are regular they are counted only, and the account gets them when it is asked:
     std::optional<Nanoseconds> next{};  // begin of the period in which the next outputs are to come

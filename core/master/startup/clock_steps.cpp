@@ -135,21 +135,44 @@ Status ClockSteps::join(const SlaveList& slaves) {
   return join.run(others, reference.leader());
 }
 
+/// What is read is evidence, too: it stays with the slave.
+Result<std::vector<DcStartReading>> ClockSteps::read_sync_signals(const SlaveList& slaves) {
+  auto readings = read_dc_start(bus_, run_.config(), slaves);
+  if (!readings) return readings;
+  const auto now = bus_.clock().now();
+  for (const auto& reading : *readings) {
+    auto& start = run_.snapshot.slaves[reading.slave].evidence.sync0;
+    start = {now, reading.error.has_value(), 0};
+    // Who gives the start times himself has a grid of his own.
+    if (!reading.next || sync_.start_time()) continue;
+    start.off_ns = static_cast<std::int32_t>(sync0_off_grid(run_.config(), *run_.config().slaves[reading.slave].dc,
+                                                            *reading.next, sync_.base(), sync_.reference_time_at(now)));
+  }
+  return readings;
+}
+
 Result<SlaveList> ClockSteps::without_sync_signals(const SlaveList& slaves) {
   SlaveList without;
   if (!sync_.active()) return without;
-  const auto faults = check_dc_start(bus_, run_.config(), slaves);
-  if (!faults) return tl::unexpected(faults.error());
-  for (const auto& fault : *faults) without.push_back(fault.slave);
+  const auto readings = read_sync_signals(slaves);
+  if (!readings) return tl::unexpected(readings.error());
+  for (const auto& reading : *readings) {
+    if (reading.error) without.push_back(reading.slave);
+  }
   return without;
 }
 
 Status ClockSteps::check_sync_signals(const SlaveList& slaves) {
   if (!sync_.active()) return {};
-  const auto faults = check_dc_start(bus_, run_.config(), slaves);
-  if (!faults) return tl::unexpected(faults.error());
-  for (const auto& fault : *faults) run_.error(fault.error, bus_.clock().now());
-  return faults->empty() ? Status{} : fail(faults->front().error);
+  const auto readings = read_sync_signals(slaves);
+  if (!readings) return tl::unexpected(readings.error());
+  Status result;
+  for (const auto& reading : *readings) {
+    if (!reading.error) continue;
+    run_.error(*reading.error, bus_.clock().now());
+    if (result) result = fail(*reading.error);
+  }
+  return result;
 }
 
 }  // namespace syncline

@@ -36,6 +36,7 @@ class ClockSteps {
 
  private:
   void note(const DcNetwork& network);
+  Result<std::vector<DcStartReading>> read_sync_signals(const SlaveList& slaves);
   /// False when it does not within 30 s.
   Result<bool> comes_true(bool (SyncWatch::*in_sync)() const);
   /// Of a slave that was never measured, ns: a usual hop behind the one that it hangs at.

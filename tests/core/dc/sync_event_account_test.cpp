@@ -75,6 +75,56 @@ std::uint32_t of(const SyncEventAccount& account, MissCause cause) {
   return account.by_cause()[static_cast<std::size_t>(cause)];
 }
 
+/// 100 us before SYNC0, where the drive needs 150 us at most.
+class TightBench : public ::testing::Test {
+ protected:
+  TightBench() {
+    account.set_limit(9);
+    cycle(400'000);
+    account.read(0);
+  }
+  void cycle(Nanoseconds margin) { account.observe({kFirst + ++number_ * kPeriod - margin, true, 0, 150'000}); }
+  SyncEventAccount account{{kFirst, kPeriod}};
+
+ private:
+  std::int64_t number_ = 0;
+};
+
+TEST_F(TightBench, BlamesOutputsThatLeftLessThanTheSlaveNeeds) {
+  for (int i = 0; i < 20; ++i) cycle(i == 5 || i == 6 ? 100'000 : 400'000);
+  account.read(2);
+  account.read(2);
+  EXPECT_EQ(of(account, MissCause::kFrameLate), 2U);
+  EXPECT_EQ(of(account, MissCause::kUnknown), 0U);
+  EXPECT_GE(account.integrator_highest() + account.integrator(), 6U);
+}
+
+TEST_F(TightBench, CountsNoMissThatTheSlaveDoesNotTell) {
+  for (int i = 0; i < 20; ++i) cycle(100'000);
+  account.read(0);
+  account.confirm_op();
+  EXPECT_EQ(account.missed(), 0U);
+  EXPECT_EQ(account.integrator_highest(), 0U);
+}
+
+TEST_F(TightBench, LeavesToTheFirmwareWhatWasInTime) {
+  for (int i = 0; i < 20; ++i) cycle(i == 5 ? 100'000 : 400'000);
+  account.read(3);
+  account.read(3);
+  EXPECT_EQ(of(account, MissCause::kFrameLate), 1U);
+  EXPECT_EQ(of(account, MissCause::kUnknown), 2U);
+}
+
+TEST_F(TightBench, NeverReachesMoreThanTheLimitAtWhichTheSlaveGivesUp) {
+  for (int i = 0; i < 60; ++i) cycle(400'000);
+  account.read(40);
+  cycle(400'000);
+  account.read(40);
+  account.left_op();
+  EXPECT_GE(account.integrator_highest(), 9U);
+  EXPECT_LE(account.integrator_highest(), 11U) << "the last miss adds three";
+}
+
 TEST(SyncEventAccount, BlamesLostFramesForTheMissesThatTheyCause) {
   Bench bench;
   bench.good(10);

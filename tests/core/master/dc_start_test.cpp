@@ -89,14 +89,31 @@ TEST(DcStart, StartTimeThatHasPassedIsFoundByReadingBack) {
   activate(0, static_cast<std::uint64_t>(bed.clock.now() + 5 * kMillisecond));
   activate(1, static_cast<std::uint64_t>(bed.clock.now() - 5 * kMillisecond));
   const std::array<std::size_t, 3> all{0, 1, 2};
-  const auto errors = check_dc_start(bed.access(), bed.config(), all);
-  ASSERT_TRUE(errors);
-  ASSERT_EQ(errors->size(), 2U);
-  EXPECT_EQ((*errors)[0].slave, 1U);
-  EXPECT_NE((*errors)[0].error.subject.find("slave 1"), std::string::npos);
-  EXPECT_NE((*errors)[0].error.detail.text().find("will never come"), std::string::npos);
-  EXPECT_NE((*errors)[1].error.subject.find("slave 2"), std::string::npos);  // nobody activated it
-  EXPECT_NE((*errors)[1].error.detail.text().find("not active"), std::string::npos);
+  const auto readings = read_dc_start(bed.access(), bed.config(), all);
+  ASSERT_TRUE(readings);
+  ASSERT_EQ(readings->size(), 3U);
+  EXPECT_FALSE((*readings)[0].error);
+  ASSERT_TRUE((*readings)[0].next);
+  EXPECT_GT(*(*readings)[0].next, bed.clock.now());
+  ASSERT_TRUE((*readings)[1].error);
+  EXPECT_NE((*readings)[1].error->subject.find("slave 1"), std::string::npos);
+  EXPECT_NE((*readings)[1].error->detail.text().find("will never come"), std::string::npos);
+  ASSERT_TRUE((*readings)[2].error) << "nobody activated it";
+  EXPECT_NE((*readings)[2].error->subject.find("slave 2"), std::string::npos);
+  EXPECT_NE((*readings)[2].error->detail.text().find("not active"), std::string::npos);
+}
+
+TEST(DcStart, Sync0IsOffItsGridByWhatTheSlaveTookOtherwise) {
+  NetworkConfig config;
+  SlaveDcConfig dc;
+  dc.cycle_time0 = 500'000;
+  dc.shift_time = 30'000;
+  const Nanoseconds base = 7 * kSecond + 123, now = 20 * kSecond;
+  const Nanoseconds placed = base + dc.shift_time + Nanoseconds{27'000} * dc.cycle_time0;
+  EXPECT_EQ(sync0_off_grid(config, dc, placed, base, now), 0);
+  EXPECT_EQ(sync0_off_grid(config, dc, placed + 40'000, base, now), 40'000);
+  EXPECT_EQ(sync0_off_grid(config, dc, placed - 40'000, base, now), -40'000);
+  EXPECT_EQ(sync0_off_grid(config, dc, (placed + 40'000) & 0xFFFFFFFF, base, now), 40'000) << "a clock of 32 bits";
 }
 
 TEST(DcStart, TheTimeUntilActiveFollowsTheStepsThatWereSeen) {
