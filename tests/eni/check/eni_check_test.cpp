@@ -41,6 +41,15 @@ TEST(EniCheck, AMachineOfOursIsWithoutFinding) {
   EXPECT_THAT(codes(eni::write_eni(checked_machine(EniDialect::kTwinCat))), testing::ElementsAre("ENI-DIA-02"));
 }
 
+/// All that a project can ask of a slave's identity: what we write for it is without finding.
+TEST(EniCheck, AMachineOfOursWhoseDeviceIdsAndAliasesAreCheckedIsWithoutFinding) {
+  Project project = sample::project({sample::coupler(), sample::servo(), sample::servo()});
+  project.slaves[1].check.device_id = 5;
+  project.slaves[2].alias = 6;
+  project.slaves[2].check.alias = true;
+  EXPECT_THAT(codes(eni::write_eni(compile(project)->config)), IsEmpty());
+}
+
 TEST(EniCheck, EachRuleFindsWhatItIsForAndNothingElse) {
   for (const RuleCase& rule : all_cases()) {
     NetworkConfig config = checked_machine(rule.twincat ? EniDialect::kTwinCat : EniDialect::kEcEngineer);
