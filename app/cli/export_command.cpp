@@ -10,6 +10,7 @@
 #include "app/cli/findings_text.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
+#include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
 #include "eni/report/reported_eni.h"
 #include "eni/xml/xml_text.h"
@@ -60,6 +61,12 @@ Status write(const ExportOptions& options, const LoadedConfig& loaded) {
   return eni::save_reported_eni(reported, options.output, options.report);
 }
 
+/// Of an ENI that is exported again `check` tells, whoever wrote it.
+std::vector<Finding> wrong_in_export(const ExportOptions& options, const LoadedConfig& loaded) {
+  if (loaded.is_eni || options.format != "eni") return {};
+  return eni::errors_of_export(content(options, loaded.config));
+}
+
 void export_file(Context& context, const ExportOptions& options) {
   if (!options.report.empty() && options.format != "eni")
     return context.fail_with_words("--report goes with an ENI, not with --format " + options.format, kUsage);
@@ -69,8 +76,10 @@ void export_file(Context& context, const ExportOptions& options) {
   const bool refused = has_errors(loaded->findings);
   if (!refused) {
     if (const auto status = write(options, *loaded); !status) return context.fail_with(status.error());
+    for (auto& finding : wrong_in_export(options, *loaded)) loaded->findings.push_back(std::move(finding));
   }
-  if (refused) context.exit_code = kAnswerIsNo;
+  const bool wrong = has_errors(loaded->findings);
+  if (wrong) context.exit_code = kAnswerIsNo;
   const auto slaves = loaded->config.slaves.size();
   if (options.json) {
     return context.print({{"file", options.output},
@@ -86,6 +95,9 @@ void export_file(Context& context, const ExportOptions& options) {
   } else {
     context.console.out << fmt::format("{}: {}\n", options.output, counted(slaves, "slave"));
     if (!options.report.empty()) context.console.out << fmt::format("{}: report\n", options.report);
+    if (wrong)
+      context.console.err << fmt::format("synclinectl: {} was written; masters may refuse it for the errors above\n",
+                                         options.output);
   }
 }
 

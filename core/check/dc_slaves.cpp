@@ -7,6 +7,7 @@
 #include "check/network_view.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "settings/predicates.h"
 
 namespace syncline::checker {
 namespace {
@@ -109,7 +110,7 @@ class DcSlaveCheck {
   }
 
   void check_cycle(const SlaveDcConfig& dc) {
-    if (dc.shift_time >= dc.cycle_time0 || dc.shift_time <= -dc.cycle_time0) {
+    if (!settings::within_period(dc.shift_time, dc.cycle_time0)) {
       add("ENI-DC-19", dc_place(), fig::time<"shift">(dc.shift_time), fig::time<"cycle">(dc.cycle_time0));
     }
     const auto fits = [&](const CyclicTask& task) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <unordered_map>
+
 #include "check/network_view.h"
 #include "config/command_text.h"
 #include "protocol/registers.h"
+#include "support/le_number.h"
 
 namespace syncline::checker {
 namespace {
@@ -62,10 +66,43 @@ void check_identity(const NetworkView& view, std::size_t slave, Findings& findin
   }
 }
 
+struct ExpectedAlias {
+  std::uint16_t alias = 0;
+  std::size_t cmd = 0;
+};
+
+/// The alias that a command on the way to PREOP expects in 0x0012; 0 is that of slaves that have none.
+std::optional<ExpectedAlias> expected_alias(const SlaveConfig& config) {
+  for (std::size_t i = 0; i < config.init_cmds.size(); ++i) {
+    const InitCmd& cmd = config.init_cmds[i];
+    if (!has(cmd, Transition::kIP) || cmd.ado != reg::kStationAlias || is_logical(cmd.command) || writes(cmd.command) ||
+        !cmd.validate || cmd.validate->type != ValidateType::kEqual || cmd.validate->data.size() != 2 ||
+        std::ranges::any_of(cmd.validate->mask, [](auto byte) { return byte != 0xFF; })) {
+      continue;
+    }
+    const auto alias = le_number(cmd.validate->data);
+    if (alias != 0) return ExpectedAlias{static_cast<std::uint16_t>(alias), i};
+  }
+  return std::nullopt;
+}
+
+void check_aliases(const NetworkView& view, Findings& findings) {
+  std::unordered_map<std::uint16_t, std::size_t> used;
+  for (std::size_t i = 0; i < view.config.slaves.size(); ++i) {
+    const auto expected = expected_alias(view.config.slaves[i]);
+    if (!expected) continue;
+    if (const auto [other, is_new] = used.emplace(expected->alias, i); !is_new) {
+      findings.add("ENI-REF-12", {PlaceKind::kSlaveInitCmd, i, expected->cmd}, fig::count<"alias">(expected->alias),
+                   view.slave<"slave">(other->second));
+    }
+  }
+}
+
 }  // namespace
 
 void check_identities(const NetworkView& view, Findings& findings) {
   for (std::size_t i = 0; i < view.config.slaves.size(); ++i) check_identity(view, i, findings);
+  check_aliases(view, findings);
 }
 
 }  // namespace syncline::checker

@@ -18,10 +18,36 @@ bool is_needed(Transition transition) {
   return transition == Transition::kIP || transition == Transition::kPS || transition == Transition::kSO;
 }
 
-/// State that a command waits for, if it reads AL status and compares.
+AlState state_of_letter(char letter) {
+  switch (letter) {
+    case 'P':
+      return AlState::kPreop;
+    case 'B':
+      return AlState::kBoot;
+    case 'S':
+      return AlState::kSafeop;
+    case 'O':
+      return AlState::kOp;
+    default:
+      return AlState::kInit;
+  }
+}
+
+AlState origin(Transition transition) { return state_of_letter(transition_name(transition).front()); }
+
+/// Bits of the low byte that are compared.
+std::uint8_t compared_bits(const InitCmdValidate& expected) {
+  return expected.mask.empty() ? 0xFF : expected.mask.front();
+}
+
+/// State that a command waits for, if it reads AL status and compares the state there. One that waits for another bit
+/// only, as for the device ID to be loaded, waits for no state.
 std::optional<AlState> awaited_state(const InitCmd& cmd) {
-  if (cmd.ado != reg::kAlStatus || is_logical(cmd.command) || !cmd.validate || cmd.validate->data.empty())
+  constexpr std::uint8_t kState = 0x0F;
+  if (cmd.ado != reg::kAlStatus || is_logical(cmd.command) || !cmd.validate || cmd.validate->data.empty() ||
+      (compared_bits(*cmd.validate) & kState) == 0) {
     return std::nullopt;
+  }
   return al_state_of(cmd.validate->data.front());
 }
 
@@ -29,8 +55,7 @@ std::optional<AlState> awaited_state(const InitCmd& cmd) {
 bool expects_error(const InitCmd& cmd) {
   constexpr std::uint8_t kError = 0x10;
   const InitCmdValidate& expected = *cmd.validate;
-  const std::uint8_t mask = expected.mask.empty() ? 0xFF : expected.mask.front();
-  return expected.type == ValidateType::kEqual && (expected.data.front() & mask & kError) != 0;
+  return expected.type == ValidateType::kEqual && (expected.data.front() & compared_bits(expected) & kError) != 0;
 }
 
 class StateCheck {
@@ -69,8 +94,9 @@ class StateCheck {
   /// Each request on a transition is waited for before the next one, and nothing else is.
   void check_waits(Transition transition, bool must_wait) {
     constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-    std::size_t open = kNone;  // request that nothing has waited for yet
-    AlState requested = AlState::kInit;
+    std::size_t open = kNone;            // request that nothing has waited for yet
+    AlState there = origin(transition);  // a request of the state that a slave is in is answered
+    AlState requested = there;
     bool any = false;
     const auto unanswered = [&] {
       if (open == kNone || !must_wait) return;
@@ -83,7 +109,7 @@ class StateCheck {
       if (!has(cmd, transition)) continue;
       if (const auto request = requested_state(cmd)) {
         unanswered();
-        open = i;
+        open = *request == there ? kNone : i;
         requested = *request;
         any = true;
       } else if (const auto awaited = awaited_state(cmd); awaited && any) {
@@ -93,7 +119,10 @@ class StateCheck {
                         fig::text<"transition">(std::string(transition_name(transition))),
                         fig::text<"state">(std::string(al_state_name(*awaited))));
         }
-        if (*awaited == requested) continue;
+        if (*awaited == requested) {
+          there = requested;
+          continue;
+        }
         findings_.add("ENI-STATE-04", {PlaceKind::kSlaveInitCmd, slave_, i},
                       fig::text<"transition">(std::string(transition_name(transition))),
                       fig::text<"awaited">(std::string(al_state_name(*awaited))),
@@ -110,20 +139,7 @@ class StateCheck {
 
 }  // namespace
 
-AlState target(Transition transition) {
-  switch (transition_name(transition).back()) {
-    case 'P':
-      return AlState::kPreop;
-    case 'B':
-      return AlState::kBoot;
-    case 'S':
-      return AlState::kSafeop;
-    case 'O':
-      return AlState::kOp;
-    default:
-      return AlState::kInit;
-  }
-}
+AlState target(Transition transition) { return state_of_letter(transition_name(transition).back()); }
 
 std::optional<AlState> requested_state(const InitCmd& cmd) {
   const auto value = written_number(cmd, reg::kAlControl, 1);

@@ -137,6 +137,21 @@ void check_addresses(std::vector<Finding>& out, const std::vector<SlavePlan>& sl
   }
 }
 
+/// Each check of an alias, and each hot-connect group that is found by one.
+void check_aliases(std::vector<Finding>& out, const std::vector<SlavePlan>& slaves) {
+  std::map<std::uint16_t, const SlavePlan*> used;
+  for (const SlavePlan& slave : slaves) {
+    const SlaveSettings& settings = *slave.settings;
+    const bool found_by_alias = (!settings.hot_connect.empty() || settings.optional) && !settings.check.device_id;
+    if (settings.alias == 0 || !(settings.check.alias || found_by_alias)) continue;
+    if (const auto [other, is_new] = used.emplace(settings.alias, &slave); !is_new) {
+      FindingList findings(out, slave.position);
+      findings.add("alias-twice", fig::count<"alias">(settings.alias),
+                   fig::slave<"slave">(other->second->position, other->second->settings->name));
+    }
+  }
+}
+
 /// A slave whose cables are swapped stands behind those at its port A (config/entry_ports.h).
 void check_wiring(std::vector<Finding>& out, const std::vector<SlavePlan>& slaves) {
   std::vector<std::optional<PreviousPort>> wiring;
@@ -172,6 +187,7 @@ void find_master_problems(std::vector<Finding>& out, const Project& project, con
   check_tasks(findings, project.master);
   check_logical_start(findings, project.master, config);
   check_addresses(out, slaves);
+  check_aliases(out, slaves);
   check_wiring(out, slaves);
   check_sync_units(out, project.master, slaves);
 }

@@ -51,6 +51,15 @@ void check_mandatory(FindingList& findings, const SlavePlan& slave, const Assign
   }
 }
 
+/// A device is made to be told something where its ESI assigns outputs.
+void check_outputs_assigned(FindingList& findings, const SlavePlan& slave) {
+  const auto& pdos = slave.device().rx_pdos;
+  const bool missed = std::ranges::any_of(pdos, &Pdo::mandatory);  // check_mandatory() says so
+  if (!slave.settings->assigned_rx_pdos.empty() || missed) return;
+  if (std::ranges::any_of(pdos, [](const Pdo& pdo) { return pdo.sync_manager.has_value(); }))
+    findings.add("outputs-not-assigned");
+}
+
 /// Without the object 0x1C1x the device goes on with its own assignment, and its SyncManager length does not fit ours.
 void check_assignable(FindingList& findings, const SlavePlan& slave, const Assignment& assignment) {
   const auto& mailbox = slave.device().mailbox;
@@ -192,6 +201,7 @@ void find_pdo_problems(FindingList& findings, const SlavePlan& slave) {
     check_mandatory(findings, slave, assignment);
     check_assignable(findings, slave, assignment);
   }
+  check_outputs_assigned(findings, slave);
   check_sizes(findings, slave);
   check_changed(findings, slave);
   check_fixed_entries(findings, slave);

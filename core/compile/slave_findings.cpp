@@ -14,6 +14,7 @@
 #include "compile/pdo_findings.h"
 #include "config/dc_times.h"
 #include "protocol/dc_registers.h"
+#include "settings/limits.h"
 #include "settings/predicates.h"
 
 namespace syncline::compiler {
@@ -79,6 +80,19 @@ void check_watchdog(FindingList& findings, const SlavePlan& slave) {
   }
 }
 
+/// What the user took away: devices whose makers left it out have reasons for it.
+void check_outputs_guarded(FindingList& findings, const SlavePlan& slave) {
+  const bool outputs = std::ranges::any_of(
+      slave.channels, [](const ProcessDataChannel& channel) { return channel.is_output() && channel.bit_length > 0; });
+  if (!outputs) return;
+  const WatchdogSettings& user = slave.settings->watchdog;
+  if (user.outputs == false) {
+    findings.add_at("watchdog.outputs", "outputs-stay/trigger");
+  } else if (user.process_data == 0U) {
+    findings.add("outputs-stay");
+  }
+}
+
 void check_mailbox(FindingList& findings, const SlavePlan& slave) {
   constexpr std::uint16_t kMailboxHeader = 6;
   if (slave.device().mailbox && !slave.mailbox) {
@@ -102,18 +116,55 @@ void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes
   if (times.cycle_time1 < 0) {
     findings.add("sync1-before-sync0", fig::time<"time">(-times.cycle_time1));
   }
+  if (activate.sync0() && times.cycle_time0 > 0 && !settings::within_period(times.shift_time, times.cycle_time0)) {
+    findings.add("sync0-shift-beyond-cycle", fig::time<"shift">(times.shift_time),
+                 fig::time<"cycle">(times.cycle_time0));
+  }
+}
+
+void check_sync_times(FindingList& findings, const DcTimes& times) {
+  const auto most = fig::time<"most">(limits::kLargestSyncTime);
+  if (!settings::is_sync_time(times.cycle_time0)) {
+    findings.add("sync-time-too-long", fig::time<"time">(times.cycle_time0), most);
+  }
+  if (!settings::is_sync_time(times.cycle_time1)) {
+    findings.add_at("dc.sync1.cycle_us", "sync-time-too-long/sync1", fig::time<"time">(times.cycle_time1), most);
+  }
+  if (!settings::is_sync_time(times.shift_time)) {
+    findings.add_at("dc.sync0.shift_us", "sync-time-too-long/shift", fig::time<"time">(times.shift_time), most);
+  }
+}
+
+/// The setting of a SYNC unit that is not auto, "" where all are.
+std::string set_of_unit(const SyncUnitSettings& unit, const char* name) {
+  const char* part = unit.cycle_factor ? "factor" : unit.user_cycle ? "cycle_us" : unit.shift ? "shift_us" : "";
+  return *part == 0 ? std::string() : fmt::format("dc.{}.{}", name, part);
+}
+
+/// The ENI is the same with and without these settings.
+void check_unused_units(FindingList& findings, const DcSlaveSettings& user, const DcOpMode* mode) {
+  const auto sync0 = set_of_unit(user.sync0, "sync0"), sync1 = set_of_unit(user.sync1, "sync1");
+  if (user.op_mode.empty()) {
+    if (!sync0.empty()) findings.add_at(sync0, "sync-settings-unused/off", fig::text<"signal">("SYNC0"));
+    if (!sync1.empty()) findings.add_at(sync1, "sync-settings-unused/off", fig::text<"signal">("SYNC1"));
+  } else if (mode != nullptr && !sync1.empty() && !AssignActivate{mode->assign_activate}.sync1()) {
+    findings.add_at(sync1, "sync-settings-unused", fig::text<"signal">("SYNC1"), fig::text<"mode">(mode->name));
+  }
 }
 
 void check_dc(FindingList& findings, const SlavePlan& slave) {
   const DcSlaveSettings& user = slave.settings->dc;
+  const DcOpMode* mode = selected_op_mode(*slave.settings);
+  if (slave.device().dc) check_unused_units(findings, user, mode);
   if (user.op_mode.empty()) {
     return;
   }
-  const DcOpMode* mode = selected_op_mode(*slave.settings);
   if (mode == nullptr) {
     findings.add("operation-mode-missing", fig::text<"mode">(user.op_mode));
   } else if (slave.dc_commands()) {
-    check_sync_units(findings, *mode, dc_times(*mode, user, slave.cycle_time), slave.cycle_time);
+    const DcTimes times = dc_times(*mode, user, slave.cycle_time);
+    check_sync_units(findings, *mode, times, slave.cycle_time);
+    check_sync_times(findings, times);
   }
 }
 
@@ -146,6 +197,7 @@ void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave, cons
   check_hot_connect(findings, slave);
   check_device_id(findings, slave);
   check_watchdog(findings, slave);
+  check_outputs_guarded(findings, slave);
   check_eoe(findings, slave);
   check_mailbox(findings, slave);
   check_dc(findings, slave);

@@ -178,6 +178,8 @@ std::string describe(const Finding& finding) {
     auto text = fill_finding_template(words, finding);
     if (!text.empty() && !begins_with_own_text(words, finding) && text.front() >= 'a' && text.front() <= 'z')
       text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    // The rules of the checker are set behind a place, without an end of their own.
+    if (!text.empty() && std::string_view(".!?:").find(text.back()) == std::string_view::npos) text += '.';
     return text;
   };
   auto text = sentence(facts_template(finding));

@@ -14,6 +14,8 @@ inline constexpr Nanoseconds kShortestCycle = 31'250, kLongestCycle = 100 * kMil
 inline constexpr Nanoseconds kLongestTaskCycle = 10 * kSecond;
 /// What 32 bits of nanoseconds hold: 0x09A0, 0x09A4, 0x1C32, 0x1C33, 0xF800:04.
 inline constexpr Nanoseconds kLargestTime32 = 0xFFFF'FFFF;
+/// What the ENI holds of the times of a slave's SYNC signals (xs:int of DC/CycleTime0, CycleTime1 and ShiftTime).
+inline constexpr Nanoseconds kLargestSyncTime = 0x7FFF'FFFF;
 inline constexpr std::int64_t kLargestWord = 0xFFFF;
 inline constexpr std::int64_t kLongestTimeoutMs = 600'000;
 /// Of a settle time of the slaves or of the master.

@@ -25,6 +25,10 @@ bool keeps_step(Nanoseconds sync_period, Nanoseconds cycle, Nanoseconds rounding
   return is_multiple(sync_period, cycle, rounding) || is_multiple(cycle, sync_period, rounding);
 }
 
+bool within_period(Nanoseconds shift, Nanoseconds sync_period) { return shift < sync_period && shift > -sync_period; }
+
+bool is_sync_time(Nanoseconds time) { return time >= -limits::kLargestSyncTime && time <= limits::kLargestSyncTime; }
+
 bool has_clock(const SlaveSettings& slave) { return slave.device.dc.has_value(); }
 bool has_mailbox(const SlaveSettings& slave) { return slave.device.mailbox.has_value(); }
 bool has_coe(const SlaveSettings& slave) { return has_mailbox(slave) && slave.device.mailbox->coe; }

@@ -17,6 +17,12 @@ namespace syncline::settings {
 /// (files hold whole microseconds).
 [[nodiscard]] bool keeps_step(Nanoseconds sync_period, Nanoseconds cycle, Nanoseconds rounding = 1);
 
+/// The shift of a SYNC signal lies within one period of it to either side: further on it counts modulo the period.
+[[nodiscard]] bool within_period(Nanoseconds shift, Nanoseconds sync_period);
+
+/// The ENI and the registers hold this time of a SYNC signal.
+[[nodiscard]] bool is_sync_time(Nanoseconds time);
+
 [[nodiscard]] bool is_position(std::size_t slaves, std::int64_t position);
 
 // What a device must have for a setting to mean something.

@@ -112,7 +112,7 @@ std::vector<Setting> unit_rows(int unit, const char* register_text, const char* 
            .eni = eni},
           [part](auto& slave) -> auto& { return (slave.dc.*part).cycle_factor; }),
       with_automatic(slave_setting(
-                         name + ".cycle_us", microseconds(1, limits::kLargestTime32),
+                         name + ".cycle_us", microseconds(1, limits::kLargestSyncTime),
                          {.label = "Cycle",
                           .help = "Cycle of " + upper + " (" + register_text + "), before the factor.",
                           .object = register_text,
@@ -120,7 +120,7 @@ std::vector<Setting> unit_rows(int unit, const char* register_text, const char* 
                          [part](auto& slave) -> auto& { return (slave.dc.*part).user_cycle; }),
                      [unit](const Project& p, const Place& place) { return cycle_of_mode(p, place, unit); }),
       with_automatic(slave_setting(
-                         name + ".shift_us", microseconds(-limits::kLargestTime32, limits::kLargestTime32),
+                         name + ".shift_us", microseconds(-limits::kLargestSyncTime, limits::kLargestSyncTime),
                          {.label = "Shift",
                           .help = "Shift of " + upper + "; auto as in the ESI.",
                           .object = shift_register,

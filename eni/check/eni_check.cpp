@@ -76,6 +76,17 @@ Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_n
   return check;
 }
 
+std::vector<Finding> errors_of_export(std::string_view text) {
+  auto check = check_eni_text(text, "ENI");
+  if (!check) return {finding_of(check.error())};
+  std::erase_if(check->findings, [](const Finding& finding) { return finding.severity != Severity::kError; });
+  for (Finding& finding : check->findings) {
+    if (finding.place.key.empty())
+      finding.place.key = setting_at(find_finding_words(finding.code)->setting, finding.place.slave);
+  }
+  return check->findings;
+}
+
 Result<EniCheck> check_eni(const std::string& path) {
   const auto text = read_file(path);
   return text ? check_eni_text(*text, path) : fail(text.error());

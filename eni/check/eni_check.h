@@ -25,4 +25,8 @@ struct EniCheck {
 [[nodiscard]] Result<EniCheck> check_eni(const std::string& path);
 [[nodiscard]] Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_name);
 
+/// What another master would refuse in an ENI that our writer made of a project: the errors among the findings of
+/// check_eni_text(), with the settings that cure them.
+[[nodiscard]] std::vector<Finding> errors_of_export(std::string_view text);
+
 }  // namespace syncline::eni

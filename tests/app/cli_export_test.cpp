@@ -56,6 +56,28 @@ TEST_F(CliExport, SpellsAsTheDialectAndSaysThatTheLayoutStays) {
   EXPECT_EQ(cli_run({"export", project_, "-o", other, "--dialect", "twincat"}).err.find("layout"), std::string::npos);
 }
 
+TEST_F(CliExport, SaysWhatCheckWouldSayOfWhatItWrote) {
+  ASSERT_EQ(cli_run({"project", "set", project_, "slave.3.startup.0=PS 0x1C12:00=00"}).code, cli::kDone);
+  auto run = cli_run({"export", project_, "-o", eni_});
+  EXPECT_EQ(run.code, cli::kAnswerIsNo);
+  EXPECT_THAT(run.err, HasSubstr("0x1c12"));
+  EXPECT_THAT(run.err, HasSubstr("was written"));
+  EXPECT_EQ(cli_run({"check", eni_}).code, cli::kAnswerIsNo) << "the same";
+  run = cli_run({"export", project_, "-o", eni_, "--json"});
+  EXPECT_EQ(run.code, cli::kAnswerIsNo);
+  EXPECT_EQ(run.json()["written"], true);
+  EXPECT_EQ(run.json()["findings"].back()["code"], "ENI-COE-01");
+  EXPECT_EQ(run.json()["findings"].back()["slave"], 3);
+  EXPECT_EQ(cli_run({"export", eni_, "-o", folder_.file("again.xml")}).code, cli::kDone) << "it is no project's";
+}
+
+TEST_F(CliExport, TimesThatNoEniHoldsAreNotTaken) {
+  EXPECT_EQ(cli_run({"project", "set", project_, "slave.3.dc.sync0.shift_us=2147484"}).code, cli::kUsage);
+  EXPECT_EQ(cli_run({"project", "set", project_, "slave.3.dc.sync0.shift_us=-2147483.647"}).code, cli::kDone);
+  EXPECT_EQ(cli_run({"project", "set", project_, "slave.3.dc.sync1.shift_us=2147484"}).code, cli::kUsage);
+  EXPECT_EQ(cli_run({"project", "set", project_, "slave.3.dc.sync0.cycle_us=2147484"}).code, cli::kUsage);
+}
+
 TEST_F(CliExport, WritesTablesAHeaderAndADrawing) {
   for (const auto& file : {project_, eni_}) {
     EXPECT_THAT(exported(file, "csv", "image.csv"), StartsWith("direction,name,data_type,bits,byte,bit,comment\r\n"));

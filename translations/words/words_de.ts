@@ -8352,5 +8352,105 @@
         <source>the disk has {left} MiB left, a black box needs {needed} MiB with what is kept free</source>
         <translation>auf dem Datenträger sind {left} MiB frei, eine Blackbox braucht mit dem, was frei bleibt, {needed} MiB</translation>
     </message>
+    <message>
+        <source>A SYNC time that neither registers nor ENI hold</source>
+        <translation>Eine SYNC-Zeit, die weder Register noch ENI fassen</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time.</source>
+        <translation>Eine kürzere Zeit wählen.</translation>
+    </message>
+    <message>
+        <source>The cycle of SYNC0 is {time}; registers and ENI hold up to {most}.</source>
+        <translation>Der Zyklus von SYNC0 ist {time}; Register und ENI fassen höchstens {most}.</translation>
+    </message>
+    <message>
+        <source>SYNC1 would come {time} after SYNC0; registers and ENI hold up to {most}.</source>
+        <translation>SYNC1 käme {time} nach SYNC0; Register und ENI fassen höchstens {most}.</translation>
+    </message>
+    <message>
+        <source>The shift of SYNC0 is {time}; registers and ENI hold up to {most}.</source>
+        <translation>Die Verschiebung von SYNC0 ist {time}; Register und ENI fassen höchstens {most}.</translation>
+    </message>
+    <message>
+        <source>The shift of SYNC0 is longer than its cycle</source>
+        <translation>Die Verschiebung von SYNC0 ist länger als ihr Zyklus</translation>
+    </message>
+    <message>
+        <source>Choose a shift within the cycle of SYNC0.</source>
+        <translation>Eine Verschiebung innerhalb des Zyklus von SYNC0 wählen.</translation>
+    </message>
+    <message>
+        <source>SYNC0 is shifted by {shift}, its cycle is {cycle}: the shift counts modulo the cycle, and SYNC0 starts later.</source>
+        <translation>SYNC0 ist um {shift} verschoben, ihr Zyklus ist {cycle}: Die Verschiebung zählt modulo Zyklus, und SYNC0 beginnt später.</translation>
+    </message>
+    <message>
+        <source>Times of a SYNC signal that does not come</source>
+        <translation>Zeiten eines SYNC-Signals, das nicht kommt</translation>
+    </message>
+    <message>
+        <source>Choose an operation mode with that signal, or set its times back to auto.</source>
+        <translation>Eine Betriebsart mit diesem Signal wählen oder seine Zeiten auf auto zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>{signal} is set, and the operation mode &quot;{mode}&quot; does not generate it: what is set has no effect.</source>
+        <translation>{signal} ist eingestellt, und die Betriebsart „{mode}“ erzeugt es nicht: Die Einstellung bleibt ohne Wirkung.</translation>
+    </message>
+    <message>
+        <source>{signal} is set, and distributed clocks are off for this slave: what is set has no effect.</source>
+        <translation>{signal} ist eingestellt, und verteilte Uhren sind für diesen Slave aus: Die Einstellung bleibt ohne Wirkung.</translation>
+    </message>
+    <message>
+        <source>Outputs stay as they are when frames stop</source>
+        <translation>Ausgänge bleiben stehen, wenn keine Frames mehr kommen</translation>
+    </message>
+    <message>
+        <source>Let the process data watchdog guard them, unless something else stops the machine.</source>
+        <translation>Den Prozessdaten-Watchdog über sie wachen lassen, wenn nicht anderes die Maschine stillsetzt.</translation>
+    </message>
+    <message>
+        <source>The process data watchdog is switched off: outputs keep their last values when frames stop.</source>
+        <translation>Der Prozessdaten-Watchdog ist abgeschaltet: Ausgänge behalten ihre letzten Werte, wenn keine Frames mehr kommen.</translation>
+    </message>
+    <message>
+        <source>Outputs do not trigger the process data watchdog: they keep their last values when frames stop.</source>
+        <translation>Ausgänge lösen den Prozessdaten-Watchdog nicht aus: Sie behalten ihre letzten Werte, wenn keine Frames mehr kommen.</translation>
+    </message>
+    <message>
+        <source>Two slaves are known by the same alias</source>
+        <translation>Zwei Slaves werden an demselben Alias erkannt</translation>
+    </message>
+    <message>
+        <source>Give each of them an alias of its own, here and in its EEPROM.</source>
+        <translation>Jedem einen eigenen Alias geben, hier und in seinem EEPROM.</translation>
+    </message>
+    <message>
+        <source>It is known by the alias {alias}, and so is {slave}: nobody could tell if they were exchanged.</source>
+        <translation>Er wird am Alias {alias} erkannt, und {slave} auch: Niemand sähe, wenn sie vertauscht wären.</translation>
+    </message>
+    <message>
+        <source>A device with outputs gets none</source>
+        <translation>Ein Gerät mit Ausgängen bekommt keine</translation>
+    </message>
+    <message>
+        <source>Assign a PDO, if the device is to be told anything.</source>
+        <translation>Ein PDO zuordnen, wenn das Gerät etwas gesagt bekommen soll.</translation>
+    </message>
+    <message>
+        <source>The device has outputs, and no PDO is assigned for them: it gets no set values.</source>
+        <translation>Das Gerät hat Ausgänge, und für sie ist kein PDO zugeordnet: Es bekommt keine Sollwerte.</translation>
+    </message>
+    <message>
+        <source>Exchanged with each other they pass the check of their aliases, and get each other&apos;s outputs</source>
+        <translation>Miteinander vertauscht bestehen sie die Prüfung ihrer Aliase und bekommen die Ausgänge des anderen</translation>
+    </message>
+    <message>
+        <source>Give each slave an alias of its own, in the file and in the device</source>
+        <translation>Jedem Slave einen eigenen Alias geben, in der Datei und im Gerät</translation>
+    </message>
+    <message>
+        <source>its alias is checked to be {alias}, and so is that of {slave}</source>
+        <translation>sein Alias wird auf {alias} geprüft, und der von {slave} auch</translation>
+    </message>
 </context>
 </TS>

@@ -8352,5 +8352,105 @@
         <source>the disk has {left} MiB left, a black box needs {needed} MiB with what is kept free</source>
         <translation>磁盘剩余 {left} MiB，黑匣子连同需要留空的部分需要 {needed} MiB</translation>
     </message>
+    <message>
+        <source>A SYNC time that neither registers nor ENI hold</source>
+        <translation>寄存器和 ENI 都放不下的 SYNC 时间</translation>
+    </message>
+    <message>
+        <source>Choose a shorter time.</source>
+        <translation>请选择较短的时间。</translation>
+    </message>
+    <message>
+        <source>The cycle of SYNC0 is {time}; registers and ENI hold up to {most}.</source>
+        <translation>SYNC0 的周期为 {time}；寄存器和 ENI 最多容纳 {most}。</translation>
+    </message>
+    <message>
+        <source>SYNC1 would come {time} after SYNC0; registers and ENI hold up to {most}.</source>
+        <translation>SYNC1 将在 SYNC0 之后 {time} 到来；寄存器和 ENI 最多容纳 {most}。</translation>
+    </message>
+    <message>
+        <source>The shift of SYNC0 is {time}; registers and ENI hold up to {most}.</source>
+        <translation>SYNC0 的偏移为 {time}；寄存器和 ENI 最多容纳 {most}。</translation>
+    </message>
+    <message>
+        <source>The shift of SYNC0 is longer than its cycle</source>
+        <translation>SYNC0 的偏移长于其周期</translation>
+    </message>
+    <message>
+        <source>Choose a shift within the cycle of SYNC0.</source>
+        <translation>请选择 SYNC0 周期以内的偏移。</translation>
+    </message>
+    <message>
+        <source>SYNC0 is shifted by {shift}, its cycle is {cycle}: the shift counts modulo the cycle, and SYNC0 starts later.</source>
+        <translation>SYNC0 偏移 {shift}，其周期为 {cycle}：偏移按周期取模计算，SYNC0 会更晚开始。</translation>
+    </message>
+    <message>
+        <source>Times of a SYNC signal that does not come</source>
+        <translation>为不会出现的 SYNC 信号设置了时间</translation>
+    </message>
+    <message>
+        <source>Choose an operation mode with that signal, or set its times back to auto.</source>
+        <translation>请选择带有该信号的运行模式，或将其时间恢复为自动。</translation>
+    </message>
+    <message>
+        <source>{signal} is set, and the operation mode &quot;{mode}&quot; does not generate it: what is set has no effect.</source>
+        <translation>已设置 {signal}，但运行模式“{mode}”不产生该信号：该设置不起作用。</translation>
+    </message>
+    <message>
+        <source>{signal} is set, and distributed clocks are off for this slave: what is set has no effect.</source>
+        <translation>已设置 {signal}，但该从站的分布式时钟已关闭：该设置不起作用。</translation>
+    </message>
+    <message>
+        <source>Outputs stay as they are when frames stop</source>
+        <translation>帧停止时输出保持不变</translation>
+    </message>
+    <message>
+        <source>Let the process data watchdog guard them, unless something else stops the machine.</source>
+        <translation>除非有其他手段使机器停止，否则请让过程数据看门狗监视输出。</translation>
+    </message>
+    <message>
+        <source>The process data watchdog is switched off: outputs keep their last values when frames stop.</source>
+        <translation>过程数据看门狗已关闭：帧停止时输出保持最后的值。</translation>
+    </message>
+    <message>
+        <source>Outputs do not trigger the process data watchdog: they keep their last values when frames stop.</source>
+        <translation>输出不触发过程数据看门狗：帧停止时输出保持最后的值。</translation>
+    </message>
+    <message>
+        <source>Two slaves are known by the same alias</source>
+        <translation>两个从站以相同的别名识别</translation>
+    </message>
+    <message>
+        <source>Give each of them an alias of its own, here and in its EEPROM.</source>
+        <translation>请为每个从站分配各自的别名，此处和其 EEPROM 中都要设置。</translation>
+    </message>
+    <message>
+        <source>It is known by the alias {alias}, and so is {slave}: nobody could tell if they were exchanged.</source>
+        <translation>它以别名 {alias} 识别，{slave} 也是如此：即使两者互换也无法察觉。</translation>
+    </message>
+    <message>
+        <source>A device with outputs gets none</source>
+        <translation>带输出的设备没有得到输出</translation>
+    </message>
+    <message>
+        <source>Assign a PDO, if the device is to be told anything.</source>
+        <translation>如果需要向设备发送数据，请分配一个 PDO。</translation>
+    </message>
+    <message>
+        <source>The device has outputs, and no PDO is assigned for them: it gets no set values.</source>
+        <translation>设备有输出，但没有为其分配 PDO：它得不到设定值。</translation>
+    </message>
+    <message>
+        <source>Exchanged with each other they pass the check of their aliases, and get each other&apos;s outputs</source>
+        <translation>两者互换后仍能通过别名检查，并得到对方的输出</translation>
+    </message>
+    <message>
+        <source>Give each slave an alias of its own, in the file and in the device</source>
+        <translation>为每个从站分配各自的别名，文件和设备中都要设置</translation>
+    </message>
+    <message>
+        <source>its alias is checked to be {alias}, and so is that of {slave}</source>
+        <translation>其别名被检查是否为 {alias}，{slave} 的别名也是如此</translation>
+    </message>
 </context>
 </TS>

@@ -108,6 +108,74 @@ TEST(Findings, OperationMode) {
   EXPECT_THAT(found(project), ElementsAre("error slave.3.dc.sync1.shift_us"));
 }
 
+TEST(Findings, TimesOfSyncSignalsThatNobodyHolds) {
+  Project project = sample::small_machine();
+  auto& dc = project.slaves[3].dc;
+  dc.sync0.shift = 999'999;
+  EXPECT_THAT(found(project), IsEmpty());
+  dc.sync0.shift = kMillisecond;
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.dc.sync0.shift_us"));
+  dc.sync0.shift = -kMillisecond;
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.dc.sync0.shift_us"));
+  dc.sync0.shift = 2'147'484 * kMicrosecond;
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.dc.sync0.shift_us", "error slave.3.dc.sync0.shift_us"));
+  dc.sync0.shift.reset();
+  project.master.cycle_time = 10 * kMillisecond;
+  dc.sync0.cycle_factor = 214;
+  EXPECT_THAT(found(project), IsEmpty());
+  dc.sync0.cycle_factor = 215;  // 2.15 s
+  EXPECT_THAT(found(project), ElementsAre("error slave.3.dc.sync0.cycle_us"));
+}
+
+TEST(Findings, TimesOfSyncSignalsThatDoNotCome) {
+  Project project = sample::small_machine();
+  auto& slave = project.slaves[3];
+  slave.dc.sync1.shift = 100;
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.dc.sync1.shift_us"));
+  slave.device.dc->op_modes[0].assign_activate = 0x0700;
+  EXPECT_THAT(found(project), IsEmpty());
+  slave.dc.sync0.user_cycle = kMillisecond;
+  slave.dc.op_mode.clear();
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.dc.sync0.cycle_us", "warning slave.3.dc.sync1.shift_us"));
+}
+
+TEST(Findings, OutputsThatNothingTakesAwayWhenFramesStop) {
+  Project project = sample::small_machine();
+  auto& servo = project.slaves[3];
+  servo.watchdog.process_data = 0;
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.watchdog.process_data"));
+  servo.watchdog.process_data.reset();
+  servo.watchdog.outputs = false;
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.watchdog.outputs"));
+  servo.watchdog.outputs = true;
+  EXPECT_THAT(found(project), IsEmpty());
+  project.slaves[1].watchdog.process_data = 0;  // has inputs only
+  EXPECT_THAT(found(project), IsEmpty());
+}
+
+TEST(Findings, ADriveThatIsToldNothing) {
+  Project project = sample::small_machine();
+  project.slaves[3].assigned_rx_pdos.clear();
+  EXPECT_THAT(found(project), ElementsAre("info slave.3.pdo.rx"));
+}
+
+TEST(Findings, AliasesThatTwoSlavesAreKnownBy) {
+  Project project = sample::small_machine();
+  project.slaves[2].alias = project.slaves[3].alias = 7;
+  EXPECT_THAT(found(project), IsEmpty()) << "nobody asks for them";
+  project.slaves[2].check.alias = project.slaves[3].check.alias = true;
+  EXPECT_THAT(found(project), ElementsAre("error slave.3.alias"));
+  project.slaves[3].check.alias = false;
+  project.slaves[3].optional = true;
+  EXPECT_THAT(found(project), ElementsAre("error slave.3.alias"));
+  project.slaves[3].check.device_id = 3;
+  EXPECT_THAT(found(project), testing::Not(testing::Contains("error slave.3.alias")));
+  project.slaves[2].alias = project.slaves[3].alias = 0;
+  project.slaves[3] = sample::small_machine().slaves[3];
+  project.slaves[3].check.alias = true;
+  EXPECT_THAT(found(project), IsEmpty()) << "0 says that there is none";
+}
+
 TEST(Findings, Topology) {
   Project project = sample::small_machine();
   project.slaves[1].previous.reset();

@@ -41,6 +41,30 @@ TEST(EniCheck, AMachineOfOursIsWithoutFinding) {
   EXPECT_THAT(codes(eni::write_eni(checked_machine(EniDialect::kTwinCat))), testing::ElementsAre("ENI-DIA-02"));
 }
 
+/// All that a project can ask of a slave's identity: what we write for it is without finding.
+TEST(EniCheck, AMachineOfOursWhoseDeviceIdsAndAliasesAreCheckedIsWithoutFinding) {
+  Project project = sample::project({sample::coupler(), sample::servo(), sample::servo()});
+  project.slaves[1].check.device_id = 5;
+  project.slaves[2].alias = 6;
+  project.slaves[2].check.alias = true;
+  EXPECT_THAT(codes(eni::write_eni(compile(project)->config)), IsEmpty());
+}
+
+TEST(EniCheck, WhatIsWrongInAnExportIsItsErrorsWithTheirSettings) {
+  NetworkConfig config = checked_machine();
+  EXPECT_THAT(eni::errors_of_export(eni::write_eni(config)), IsEmpty());
+  config.slaves[kDrive].dc->shift_time = 2'147'483'648;
+  EXPECT_EQ(eni::errors_of_export(eni::write_eni(config)).front().code, "ENI-XML-05");
+  config = checked_machine();
+  config.slaves[kLastDrive].hot_connect = HotConnectConfig{"A", 9, {}};
+  const auto others = eni::errors_of_export(eni::write_eni(config));
+  ASSERT_FALSE(others.empty());
+  for (const auto& error : others) EXPECT_EQ(error.severity, Severity::kError);
+  const auto group = std::ranges::find(others, "ENI-HC-01", &Finding::code);
+  ASSERT_NE(group, others.end());
+  EXPECT_EQ(group->place.key, "slave.4.hot_connect");
+}
+
 TEST(EniCheck, EachRuleFindsWhatItIsForAndNothingElse) {
   for (const RuleCase& rule : all_cases()) {
     NetworkConfig config = checked_machine(rule.twincat ? EniDialect::kTwinCat : EniDialect::kEcEngineer);

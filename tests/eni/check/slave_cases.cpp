@@ -54,6 +54,16 @@ std::vector<RuleCase> reference_cases() {
        }},
       {"ENI-REF-10",
        [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kSiiData, false).validate->data[0] ^= 0x10; }},
+      {"ENI-REF-12",
+       [](NetworkConfig& c) {
+         for (const auto slave : {kDrive, kLastDrive}) {
+           auto cmd = alias_check(9);
+           cmd.transitions = {Transition::kIP};
+           cmd.adp = c.slaves[slave].auto_increment_address;
+           cmd.validate->mask.clear();
+           c.slaves[slave].init_cmds.push_back(cmd);
+         }
+       }},
       {"ENI-HC-01", [](NetworkConfig& c) { c.slaves[kLastDrive].hot_connect = group("A", 2, {alias_check(7)}); }},
       {"ENI-HC-02",
        [](NetworkConfig& c) {
