@@ -4914,6 +4914,14 @@ Einstellung %2</translation>
             <translation>Befund: %1</translation>
         </message>
         <message>
+            <source>Reset to &amp;default</source>
+            <translation>Auf &amp;Standard zurücksetzen</translation>
+        </message>
+        <message>
+            <source>Reset: %1</source>
+            <translation>Zurücksetzen: %1</translation>
+        </message>
+        <message>
             <source>Show in &amp;ENI</source>
             <translation>In der ENI &amp;zeigen</translation>
         </message>

@@ -4896,6 +4896,14 @@ Setting %2</source>
             <translation>检查结果：%1</translation>
         </message>
         <message>
+            <source>Reset to &amp;default</source>
+            <translation>恢复默认值(&amp;D)</translation>
+        </message>
+        <message>
+            <source>Reset: %1</source>
+            <translation>恢复默认：%1</translation>
+        </message>
+        <message>
             <source>Show in &amp;ENI</source>
             <translation>在 ENI 中显示(&amp;E)</translation>
         </message>

@@ -2,7 +2,6 @@
 #include <signal.h>
 
 #include <QApplication>
-#include <QCommandLineParser>
 #include <QScreen>
 #include <QSettings>
 #include <QSocketNotifier>
@@ -11,16 +10,15 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <string_view>
 
-#include "app/cli/cli.h"
 #include "app/composition/eeprom_journal.h"
 #include "app/composition/slave_eeprom.h"
 #include "app/composition/state_folder.h"
 #include "app/gui/bus_functions.h"
 #include "app/gui/fault_pictures.h"
+#include "app/gui/options.h"
 #include "app/gui/recording_picture.h"
 #include "app/gui/screenshots.h"
 #include "link/pcap_link.h"
@@ -40,150 +38,6 @@ namespace {
 using namespace syncline;
 
 const QString kThemeSetting = QStringLiteral("theme"), kExpertSetting = QStringLiteral("expert");
-
-struct Options {
-  QString file, link, theme, screenshots, faults, language, overlay;
-  bool demo = false, reset_settings = false;
-  int exit_after_ms = 0;
-  PictureOptions picture;  // without a name to write to: none is wanted
-};
-
-/// What makes a picture of a recording, without a window.
-struct PictureSwitches {
-  QCommandLineOption out{
-      QStringLiteral("picture"),
-      QStringLiteral("Write a picture of the recording that is named to OUT (.png, .svg, .pdf), then "
-                     "exit; needs no display. Exit codes as synclinectl's."),
-      QStringLiteral("OUT")};
-  QCommandLineOption view{QStringLiteral("view"),
-                          QStringLiteral("With --picture: overview, plots (default), distribution, stability, cycle, "
-                                         "slaves or free."),
-                          QStringLiteral("NAME")};
-  QCommandLineOption own_view{QStringLiteral("own-view"),
-                              QStringLiteral("With --picture --view free: a view of the project in the recording; the "
-                                             "first one without it."),
-                              QStringLiteral("NAME")};
-  QCommandLineOption from{
-      QStringLiteral("from"),
-      QStringLiteral("With --picture: begin of the range since the recording's, e.g. 1.5s or 2min."),
-      QStringLiteral("TIME")};
-  QCommandLineOption to{QStringLiteral("to"), QStringLiteral("With --picture: end of the range."),
-                        QStringLiteral("TIME")};
-  QCommandLineOption signal{
-      QStringLiteral("signal"),
-      QStringLiteral("With --picture: a signal of distribution or stability, e.g. dcm_error_ns, or deviation_ns@3 of "
-                     "slave 3; up to four times. Of the view free any signal, e.g. al_status@3, as often as wanted."),
-      QStringLiteral("KEY")};
-  QCommandLineOption figure{QStringLiteral("figure"),
-                            QStringLiteral("With --picture --view stability: adev, tdev, mtie or spectrum."),
-                            QStringLiteral("NAME")};
-  QCommandLineOption slave{
-      QStringLiteral("slave"),
-      QStringLiteral("With --picture: the slave that the plots draw in any case, whose cycle it is."),
-      QStringLiteral("POSITION")};
-  QCommandLineOption size{QStringLiteral("size"),
-                          QStringLiteral("With --picture: its size in pixels of a screen; a PNG has twice as many."),
-                          QStringLiteral("WxH")};
-
-  QCommandLineOption align{
-      QStringLiteral("align"),
-      QStringLiteral("With --picture --overlay: what lies over each other, begin (default) or armed."),
-      QStringLiteral("MOMENT")};
-  QCommandLineOption offset{
-      QStringLiteral("offset"),
-      QStringLiteral("With --picture --overlay: how much later the other recording is drawn, e.g. 1.5s or -20ms."),
-      QStringLiteral("TIME")};
-
-  [[nodiscard]] QList<QCommandLineOption> all() const {
-    return {out, view, own_view, from, to, signal, figure, slave, size, align, offset};
-  }
-  [[nodiscard]] PictureOptions of(const QCommandLineParser& parser) const {
-    return {{},
-            parser.value(out),
-            parser.value(view),
-            parser.value(own_view),
-            parser.value(from),
-            parser.value(to),
-            parser.value(figure),
-            parser.value(slave),
-            parser.value(size),
-            {},
-            parser.value(align),
-            parser.value(offset),
-            parser.values(signal)};
-  }
-};
-
-[[noreturn]] void refuse(const QString& words) {
-  std::fprintf(stderr, "syncline: %s\n", qUtf8Printable(words));
-  std::exit(cli::kUsage);
-}
-
-Options parse(const QCoreApplication& app) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral("EtherCAT configurator and live synchronisation monitor"));
-  parser.addHelpOption();
-  parser.addVersionOption();
-  const QCommandLineOption demo(QStringLiteral("demo"),
-                                QStringLiteral("Scan the simulated demonstration machine and go online."));
-  const QCommandLineOption link(QStringLiteral("link"), QStringLiteral("Bus to use: sim:FILE[?virtual] or nic:NAME."),
-                                QStringLiteral("LINK"));
-  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
-                                 QStringLiteral("NAME"));
-  const QCommandLineOption language(
-      QStringLiteral("language"),
-      QStringLiteral("Language of the window: en, de or zh_CN; default is that of View > Language."),
-      QStringLiteral("CODE"));
-  const QCommandLineOption screenshots(
-      QStringLiteral("screenshots"), QStringLiteral("Write a picture of every page in both themes to DIR, then exit."),
-      QStringLiteral("DIR"));
-  const QCommandLineOption exit_after(QStringLiteral("exit-after"), QStringLiteral("Close after SECONDS."),
-                                      QStringLiteral("SECONDS"));
-  const QCommandLineOption reset(
-      QStringLiteral("reset-settings"),
-      QStringLiteral("Forget what the window remembers (layout, theme, language, expert settings, recent projects), "
-                     "then start."));
-  const QCommandLineOption faults(
-      QStringLiteral("faults"),
-      QStringLiteral("With --screenshots: the overview of each scenario of FOLDER instead of the pages."),
-      QStringLiteral("FOLDER"));
-  const QCommandLineOption overlay(
-      QStringLiteral("overlay"),
-      QStringLiteral("Another recording, laid over the one that is named: in the window, or with --picture."),
-      QStringLiteral("RECORDING"));
-  const PictureSwitches picture;
-  parser.addOption(overlay);
-  parser.addOptions({demo, link, theme, language, screenshots, faults, exit_after, reset});
-  parser.addOptions(picture.all());
-  parser.addPositionalArgument(QStringLiteral("file"),
-                               QStringLiteral("Project, ENI, ESI, capture, recording or scenario to open."),
-                               QStringLiteral("[file]"));
-  if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
-  parser.process(app);
-  Options options;
-  if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().constFirst();
-  options.picture = picture.of(parser);
-  options.picture.file = options.file;
-  options.overlay = options.picture.overlay = parser.value(overlay);
-  if (!options.overlay.isEmpty() && options.file.isEmpty())
-    refuse(QStringLiteral("--overlay: name the recording that it lies over, too"));
-  if (!parser.isSet(picture.out)) {
-    for (const auto& option : picture.all()) {
-      if (parser.isSet(option)) refuse(QStringLiteral("--%1 goes with --picture").arg(option.names().constFirst()));
-    }
-  } else if (options.picture.out.isEmpty()) {
-    refuse(QStringLiteral("--picture: name the file to write"));
-  }
-  options.link = parser.value(link);
-  options.theme = parser.value(theme);
-  options.screenshots = parser.value(screenshots);
-  options.faults = parser.value(faults);
-  options.language = parser.value(language);
-  options.demo = parser.isSet(demo);
-  options.reset_settings = parser.isSet(reset);
-  options.exit_after_ms = static_cast<int>(parser.value(exit_after).toDouble() * 1000);
-  return options;
-}
 
 /// A slave whose EEPROM is half written may not come up at its next power-on.
 ui::EepromRepairs eeprom_repairs() {
@@ -311,7 +165,7 @@ int main(int argc, char* argv[]) {
     const QCoreApplication text(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("syncline"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
-    parse(text);  // prints and ends
+    static_cast<void>(parse_options(text));  // prints and ends
   }
   const bool draws = draws_a_picture(argc, argv);
   if (draws) {
@@ -323,7 +177,7 @@ int main(int argc, char* argv[]) {
   QApplication::setOrganizationName(QStringLiteral("syncline"));
   QApplication::setApplicationVersion(QStringLiteral(SYNCLINE_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("org.syncline.Syncline"));
-  const auto options = parse(app);
+  const auto options = parse_options(app);
   if (draws) {
     ui::installTranslation(options.language);
     ui::theme::apply(ui::theme::Mode::kLight);

@@ -149,6 +149,23 @@ TEST_F(EniPageTest, WritesAReportBesideTheEniWhereItIsWanted) {
   EXPECT_EQ(reportFile(QStringLiteral("a/m.xml")), QStringLiteral("a/m.report.html"));
 }
 
+TEST_F(EniPageTest, TellsWhatIsWrongInWhatWasExported) {
+  open();
+  const QTemporaryDir folder;
+  const auto eni = folder.filePath(QStringLiteral("m.eni.xml"));
+  const auto texts = [this] {
+    QStringList out;
+    const auto& model = workspace_.messages();
+    for (int row = 0; row < model.rowCount(); ++row) out << model.index(row, MessageModel::kText).data().toString();
+    return out.join(u'\n');
+  };
+  ASSERT_TRUE(window_.files().exportTo(eni));
+  EXPECT_FALSE(texts().contains(QStringLiteral("0x1c12")));
+  set("slave.3.startup.0", "PS 0x1C12:00=00");
+  ASSERT_TRUE(window_.files().exportTo(eni)) << "it is written";
+  EXPECT_TRUE(texts().contains(QStringLiteral("0x1c12"))) << qPrintable(texts());
+}
+
 TEST_F(EniPageTest, WritesNeitherEniNorReportWhereOneCannotBe) {
   open();
   field<QCheckBox>("eniReport").setChecked(true);

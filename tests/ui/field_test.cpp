@@ -5,6 +5,8 @@
 #include <QAction>
 #include <QButtonGroup>
 #include <QCheckBox>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QRadioButton>
 #include <QTabWidget>
 #include <QTableView>
@@ -16,6 +18,7 @@
 #include <set>
 
 #include "eni/project/project_file.h"
+#include "settings/default_value.h"
 #include "support/project_window.h"
 #include "support/ui_test_support.h"
 #include "ui/editors/choice_edit.h"
@@ -389,7 +392,34 @@ class EveryKey : public Fields {
     EXPECT_EQ(project(), before) << key;
     steps().redo();
     EXPECT_EQ(project(), after) << key;
+    expectReset(bound);
+    EXPECT_EQ(project(), after) << key;
     steps().undo();
+  }
+
+  /// The field's menu takes the default in one undo step, and does not offer it where it is there.
+  void expectReset(const FieldBinder::Bound& bound) {
+    const auto place = bound.place();
+    if (!place) return;  // the edit took the field away
+    const auto& key = bound.setting->key;
+    const auto usual = settings::default_value(*bound.setting, project(), *place);
+    const auto point = bound.widget->mapToGlobal(QPoint(3, 3));
+    QContextMenuEvent wanted(QContextMenuEvent::Mouse, QPoint(3, 3), point);
+    QApplication::sendEvent(bound.widget, &wanted);
+    auto* menu = bound.widget->findChild<QMenu*>(QStringLiteral("fieldMenu"));
+    ASSERT_NE(menu, nullptr) << key;
+    auto* reset = menu->findChild<QAction*>(QStringLiteral("fieldReset"));
+    ASSERT_NE(reset, nullptr) << key;
+    const bool differs = usual && *usual != read(bound, project());
+    EXPECT_EQ(reset->isEnabled(), differs) << key;
+    if (differs) {
+      const int base = steps().index();
+      reset->trigger();
+      ASSERT_EQ(steps().index(), base + 1) << key;
+      EXPECT_EQ(bound.setting->read(project(), *place), *usual) << key;
+      steps().undo();
+    }
+    delete menu;
   }
 
   void expectValue(const FieldBinder::Bound& bound, const settings::Value& value, const Act& act) {

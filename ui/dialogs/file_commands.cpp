@@ -186,14 +186,16 @@ void FileCommands::exportEni() {
 }
 
 bool FileCommands::exportTo(const QString& path) {
-  if (auto status = ui::exportEni(workspace_, path); !status) {
-    workspace_.report(status.error(), Severity::kError, tr("Export"));
-    showError(&window_, tr("The ENI could not be written."), status.error());
+  const auto wrong = ui::exportEni(workspace_, path);
+  if (!wrong) {
+    workspace_.report(wrong.error(), Severity::kError, tr("Export"));
+    showError(&window_, tr("The ENI could not be written."), wrong.error());
     return false;
   }
   workspace_.inform(tr("Export"), workspace_.eni().reported()
                                       ? tr("ENI written to %1, report to %2").arg(path, reportFile(path))
                                       : tr("ENI written to %1").arg(path));
+  workspace_.tellOfExport(*wrong);
   return true;
 }
 

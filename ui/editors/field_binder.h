@@ -16,6 +16,7 @@
 class QButtonGroup;
 class QCheckBox;
 class QLabel;
+class QMenu;
 
 namespace syncline::ui {
 
@@ -127,6 +128,9 @@ class FieldBinder final : public QObject {
 
  private:
   using Where = std::function<std::optional<settings::Place>()>;
+  /// The field that is or holds the widget; null: none does.
+  [[nodiscard]] const Bound* boundOf(const QWidget* widget) const;
+  void addReset(QMenu& menu, const Bound& bound);
   /// The rows of a key with several places.
   struct Items {
     Card* card = nullptr;

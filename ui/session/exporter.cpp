@@ -4,13 +4,14 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
 #include "eni/report/reported_eni.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
 
-Status exportEni(Workspace& workspace, const QString& path) {
+Result<std::vector<Finding>> exportEni(Workspace& workspace, const QString& path) {
   const auto dialect = workspace.eni().dialect();
   const auto compiled = dialect == EniDialect::kEcEngineer ? workspace.configuration().current()
                                                            : compile(workspace.document().project(), {dialect});
@@ -23,11 +24,12 @@ Status exportEni(Workspace& workspace, const QString& path) {
       .program = QStringLiteral("Syncline %1").arg(workspace.environment().version).toStdString(),
       .date = eni::report_date(),
       .findings = compiled->findings};
-  auto status = workspace.eni().reported()
-                    ? eni::save_reported_eni(reported, path.toStdString(), reportFile(path).toStdString())
-                    : eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect));
-  if (status) workspace.eni().noteExport();
-  return status;
+  const auto status = workspace.eni().reported()
+                          ? eni::save_reported_eni(reported, path.toStdString(), reportFile(path).toStdString())
+                          : eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect));
+  if (!status) return tl::unexpected(status.error());
+  workspace.eni().noteExport();
+  return eni::errors_of_export(eni::write_eni(compiled->config, eni::style_of(dialect)));
 }
 
 QString reportFile(const QString& path) {

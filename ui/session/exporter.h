@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QString>
+#include <vector>
 
+#include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline::ui {
@@ -12,7 +14,8 @@ class Workspace;
 /// Writes the ENI of the project as it is now, in the dialect of its preview, with its report where that is wanted:
 /// both or none. Fails when the project cannot be compiled
 /// or the file cannot be written; findings of severity error do not stop it (the messages show them).
-[[nodiscard]] Status exportEni(Workspace& workspace, const QString& path);
+/// Returns what the checker finds wrong in what was written.
+[[nodiscard]] Result<std::vector<Finding>> exportEni(Workspace& workspace, const QString& path);
 
 /// Where the report of an ENI goes: "m.report.html" beside "m.eni.xml" or "m.xml".
 [[nodiscard]] QString reportFile(const QString& path);

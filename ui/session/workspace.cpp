@@ -260,6 +260,14 @@ void Workspace::showFindings() {
   messages_.setFindings(std::move(lines));
 }
 
+void Workspace::tellOfExport(const std::vector<Finding>& wrong) {
+  for (const auto& finding : wrong) {
+    auto line = messageOf(finding, document_.project());
+    line.time = QDateTime::currentDateTime();
+    messages_.append(std::move(line));
+  }
+}
+
 void Workspace::tellOfScan(const QString& link, const ScanOutcome& outcome) {
   setLink(link);
   for (const auto& warning : outcome.built.warnings) {

@@ -115,6 +115,8 @@ class Workspace final : public QObject {
   /// A line in the message window.
   void report(const Error& error, Severity severity, const QString& source);
   void inform(const QString& source, const QString& text);
+  /// What the checker finds wrong in an ENI that was exported, a line each.
+  void tellOfExport(const std::vector<Finding>& wrong);
 
  Q_SIGNALS:
   void expertChanged();

@@ -6,9 +6,11 @@
 #include <rapidcheck.h>
 
 #include "families/families.h"
+#include "settings/default_value.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
 #include "support/random_project.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline::settings {
 namespace {
@@ -107,6 +109,23 @@ TEST(SettingsTable, ASyncUnitThatIsOffStandsForNoTime) {
   EXPECT_EQ(effective_value(row("slave.N.dc.sync1.shift_us"), project, place), Value{});
   project.slaves[0].device.dc->op_modes[0].assign_activate = 0x0700;
   EXPECT_NE(effective_value(row("slave.N.dc.sync1.shift_us"), project, place), Value{});
+}
+
+TEST(SettingsTable, TheDefaultOfASlaveIsThatOfItsDevice) {
+  Project project = sample::small_machine();
+  auto& servo = project.slaves[3];
+  const Place place{3};
+  const auto usual = servo.dc.op_mode;
+  servo.dc.op_mode.clear();
+  servo.assigned_rx_pdos.clear();
+  servo.station_address = 7;
+  EXPECT_EQ(default_value(row("slave.N.dc.op_mode"), project, place), Value{usual});
+  EXPECT_EQ(default_value(row("slave.N.pdo.rx"), project, place), Value{std::vector<std::uint16_t>{0x1600}});
+  EXPECT_EQ(default_value(row("slave.N.station_address"), project, place), Value{std::int64_t{1004}});
+  EXPECT_EQ(default_value(row("slave.N.alias"), project, Place{9}), std::nullopt) << "there is no such slave";
+  EXPECT_EQ(default_value(row("slave.N.startup.K"), project, Place{3, 99}), std::nullopt);
+  project.master.cycle_time = 5 * kMillisecond;
+  EXPECT_EQ(default_value(row("master.cycle_time_us"), project, {}), Value{kMillisecond});
 }
 
 TEST(SettingsTable, TheDevicesFamilyLimitsItsErrorCounter) {

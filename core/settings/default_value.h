@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "settings/setting.h"
+
+namespace syncline::settings {
+
+/// What the setting has in a new project, or in a slave of this device that was just added; nothing for an item of a
+/// list that such a slave does not have. Pure.
+[[nodiscard]] std::optional<Value> default_value(const Setting& setting, const Project& project, const Place& place);
+
+}  // namespace syncline::settings
