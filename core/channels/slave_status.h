@@ -16,6 +16,7 @@ struct SlaveStatus {
   bool present = false;          // answers
   bool cable_broken = false;     // nothing comes back over the cable from the one that it hangs at
   Nanoseconds absent_since = 0;  // host clock; while it does not answer
+  Nanoseconds moved = 0;         // host clock: when it went or came, or its cable broke or healed, last; 0: never
   bool dc_enabled = false;
   bool is_reference_clock = false;
   bool follows = false;  // the reference clock: there, with a clock, behind it in frame order

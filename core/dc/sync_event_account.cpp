@@ -45,7 +45,9 @@ void SyncEventAccount::observe(const Cycle& cycle) {
 void SyncEventAccount::end_periods(std::int64_t ended, std::int64_t missed) {
   const auto good = static_cast<std::uint32_t>(std::clamp<std::int64_t>(ended - missed, 0, UINT16_MAX));
   if (at_limit()) return;  // it has given up, or the next reading tells otherwise
-  integrator_ -= std::min(integrator_, good);
+  const auto counted_down = std::min(integrator_, good);
+  integrator_ -= counted_down;
+  counted_down_ += counted_down;
   for (std::int64_t i = 0; i < std::min<std::int64_t>(missed, UINT16_MAX) && !at_limit(); ++i) {
     integrator_ += kMiss;
     presume(1);
@@ -91,12 +93,15 @@ std::uint32_t SyncEventAccount::explain_by_doubt(std::uint32_t debt) {
   return left;
 }
 
+/// Good periods that were misses, or, negative, the other way round. A miss is 3 more; what a good period has counted
+/// down is given back, which is nothing while there was no error. At its limit the slave gives up, and counts no
+/// further.
 void SyncEventAccount::correct(std::int64_t misses) {
-  // A good period that was a miss, or the other way round: 3 more instead of 1 less. At its limit the slave gives up,
-  // and counts no further.
-  const auto most = limit_ > 0 ? std::int64_t{limit_} + kMiss - 1 : UINT16_MAX;
-  const auto value = std::int64_t{integrator_} + misses * (kMiss + 1);
-  integrator_ = static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, std::max<std::int64_t>(most, 0)));
+  const auto back = std::clamp<std::int64_t>(misses, 0, counted_down_);
+  counted_down_ -= static_cast<std::uint32_t>(back);
+  const auto value = std::int64_t{integrator_} + misses * kMiss + (misses < 0 ? misses : back);
+  const std::int64_t most = limit_ > 0 ? limit_ + kMiss - 1 : UINT16_MAX;
+  integrator_ = static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, most));
 }
 
 void SyncEventAccount::read(std::uint32_t counter) {
@@ -120,6 +125,7 @@ void SyncEventAccount::read(std::uint32_t counter) {
   correct(-std::int64_t{sum(carried_)});
   carried_ = std::exchange(presumed_, {});
   doubted_ = std::exchange(doubtful_, 0);
+  counted_down_ = 0;
   candidate_ = std::max(candidate_, integrator_);
 }
 
@@ -148,8 +154,9 @@ std::uint32_t SyncEventAccount::explain_rest() {
   return rest;
 }
 
-void SyncEventAccount::entered_op() {
-  integrator_ = candidate_ = 0;
+void SyncEventAccount::entered_op(const Sync0Grid& grid) {
+  grid_ = grid;
+  integrator_ = candidate_ = counted_down_ = 0;
   counter_.begin_anew();
   evaluated_.reset();
   delivered_.reset();

@@ -52,8 +52,8 @@ class SyncEventAccount {
   void confirm_op();
   /// The slave left OP: what it did not tell any more is taken from what was computed.
   void left_op();
-  /// OP again: the error counter begins at 0; the sums stay.
-  void entered_op();
+  /// OP again, with SYNC0 as it was started this time: the error counter begins at 0; the sums stay.
+  void entered_op(const Sync0Grid& grid);
   /// 0x10F1:02, at which the slave gives up; 0: never, or not known.
   void set_limit(std::uint32_t limit) { limit_ = limit; }
 
@@ -82,6 +82,7 @@ class SyncEventAccount {
   std::uint32_t frames_lost_ = 0, left_out_ = 0;  // since then
   MissesByCause presumed_{}, carried_{};          // since the last reading, and left over from before it
   std::uint32_t doubtful_ = 0, doubted_ = 0;      // periods whose outputs left less than the slave needs; likewise
+  std::uint32_t counted_down_ = 0;                // of the error counter, since the last reading
   std::uint32_t unexplained_ = 0;                 // told by the last reading, and not presumed yet
   CounterTotal counter_{16, CounterTotal::End::kWraps};
   bool readable_ = false, any_since_reading_ = false;

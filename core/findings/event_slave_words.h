@@ -64,9 +64,8 @@ inline constexpr FindingWords kEventSlaves[] = {
      "",
      "",
      {{"",
-       "the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once "
-       "off by "
-       "{deviation}, with a delay that was measured before"}}},
+       "the frames' way behind {subject} has changed: {slaves:# slave there is|# slaves there are} at once off by "
+       "{deviation}, with delays that were measured before"}}},
     {"event-slaves-not-monitored",
      Severity::kNote,
      "Nobody looks whether slaves are in sync",

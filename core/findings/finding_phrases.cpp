@@ -81,6 +81,7 @@ constexpr std::string_view kPhrases[] = {
     "frames came behind the SYNC0 they were meant for",
     "not seen by the master; look at its firmware and at frames that are damaged in front of it",
     "its own clock was out of its place",
+    "its SYNC0 was started at another place",
     "no limit",
     "one of the slaves",
     "no reference clock leads",

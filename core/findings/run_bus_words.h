@@ -33,26 +33,26 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      {{"",
        "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them while its SYNC0 did not come where its "
-       "outputs "
-       "are meant for, from {since} on: {why}."}}},
+       "outputs are meant for, from {since} on: {why}."}}},
     {"sync0-misplaced",
      Severity::kError,
      "A slave's SYNC0 comes at another time than configured",
      "",
      "Its start time (0x0990) was not taken as it was written. Start it anew; if it stays, look at the slave's "
-     "firmware, "
-     "or at who else writes its registers.",
+     "firmware, or at who else writes its registers.",
      "",
      {{"",
        "SYNC0 of {slave} comes {off} behind its place in the cycle: its outputs are there {margin} before it, and it "
+       "needs {need} for them."},
+      {"early",
+       "SYNC0 of {slave} comes {off} before its place in the cycle: its outputs are there {margin} before it, and it "
        "needs {need} for them."}}},
     {"sync0-never-comes",
      Severity::kError,
      "A slave's SYNC0 does not come",
      "",
      "Its start time (0x0990) had passed when it was taken, or its SYNC unit was not switched on (0x0981). Let the "
-     "start "
-     "times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.",
+     "start times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.",
      "",
      {{"", "SYNC0 of {slave} will not come: it has no start time ahead of it."}}},
     {"sync0-too-tight",
@@ -158,8 +158,7 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      {{"",
        "{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had "
-       "its "
-       "outputs all the same: they had passed it, and no slave counted an error at its ports."}}},
+       "its outputs all the same: they had passed it, and no slave counted an error at its ports."}}},
     {"frames-lost-by-noise",
      Severity::kWarning,
      "Frames are lost by noise",
@@ -218,9 +217,8 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      {{"",
        "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
-       "out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel's threads {thread} kept "
-       "a "
-       "processor longest, {slice} at a time."}}},
+       "out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel's threads {thread} "
+       "kept a processor longest, {slice} at a time."}}},
     {"host-held-by-program",
      Severity::kWarning,
      "Another program with real-time priority held the host",

@@ -155,18 +155,15 @@ inline constexpr FindingWords kRunSlaves[] = {
      Severity::kWarning,
      "Slaves follow with delays that are not theirs any more",
      "",
-     "Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions "
-     "are "
-     "compared across it.",
+     "Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before "
+     "positions are compared across it.",
      "",
      {{"",
        "{slave} went at {since}, and those behind it follow since with delays (0x0928) that were measured with it: "
-       "they are "
-       "off by up to {deviation}."},
+       "they are off by up to {deviation}."},
       {"back",
        "{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were "
-       "measured "
-       "with it: they were off by up to {deviation}."}}},
+       "measured with it: they were off by up to {deviation}."}}},
     {"slave-clock-off",
      Severity::kWarning,
      "A slave's clock was off",

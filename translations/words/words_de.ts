@@ -2057,6 +2057,10 @@
         <translation>SM2-Ereignisse fehlten, weil eine Uhr verrückt war</translation>
     </message>
     <message>
+        <source>SYNC0 of {slave} comes {off} before its place in the cycle: its outputs are there {margin} before it, and it needs {need} for them.</source>
+        <translation>SYNC0 von {slave} kommt {off} vor seinem Platz im Zyklus: seine Ausgänge sind {margin} davor da, und er braucht {need} für sie.</translation>
+    </message>
+    <message>
         <source>SYNC0 of {slave} comes {off} behind its place in the cycle: its outputs are there {margin} before it, and it needs {need} for them.</source>
         <translation>SYNC0 von {slave} kommt {off} hinter seinem Platz im Zyklus: seine Ausgänge sind {margin} davor da, und er braucht {need} für sie.</translation>
     </message>
@@ -4057,12 +4061,16 @@
         <translation>Die Slaves sind seit {since} nicht innerhalb von {limit} synchron.</translation>
     </message>
     <message>
+        <source>its SYNC0 was started at another place</source>
+        <translation>sein SYNC0 wurde an anderer Stelle gestartet</translation>
+    </message>
+    <message>
         <source>its own clock was out of its place</source>
         <translation>seine eigene Uhr war nicht an ihrem Platz</translation>
     </message>
     <message>
-        <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
-        <translation>der Weg der Frames hinter {subject} hat sich geändert: {slaves:# folgender Slave|alle # folgenden Slaves} auf einmal {deviation} daneben, mit einer vorher gemessenen Verzögerung</translation>
+        <source>the frames' way behind {subject} has changed: {slaves:# slave there is|# slaves there are} at once off by {deviation}, with delays that were measured before</source>
+        <translation>der Weg der Frames hinter {subject} hat sich geändert: {slaves:# Slave dort ist|# Slaves dort sind} auf einmal {deviation} daneben, mit vorher gemessenen Verzögerungen</translation>
     </message>
     <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>

@@ -2057,6 +2057,10 @@
         <translation>因时钟偏移而丢失 SM2 事件</translation>
     </message>
     <message>
+        <source>SYNC0 of {slave} comes {off} before its place in the cycle: its outputs are there {margin} before it, and it needs {need} for them.</source>
+        <translation>{slave} 的 SYNC0 比其在周期中的位置早 {off}：其输出在 SYNC0 之前 {margin} 到达，而它需要 {need} 处理。</translation>
+    </message>
+    <message>
         <source>SYNC0 of {slave} comes {off} behind its place in the cycle: its outputs are there {margin} before it, and it needs {need} for them.</source>
         <translation>{slave} 的 SYNC0 比其在周期中的位置晚 {off}：其输出在 SYNC0 之前 {margin} 到达，而它需要 {need} 处理。</translation>
     </message>
@@ -4057,12 +4061,16 @@
         <translation>从 {since} 起从站的偏差不在 {limit} 之内。</translation>
     </message>
     <message>
+        <source>its SYNC0 was started at another place</source>
+        <translation>其 SYNC0 在其他位置启动</translation>
+    </message>
+    <message>
         <source>its own clock was out of its place</source>
         <translation>其自身时钟偏离了应有位置</translation>
     </message>
     <message>
-        <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
-        <translation>{subject} 之后的帧路径已改变：{slaves:# 个跟随的从站|全部 # 个跟随的从站}同时偏差 {deviation}，使用的是此前测得的延迟</translation>
+        <source>the frames' way behind {subject} has changed: {slaves:# slave there is|# slaves there are} at once off by {deviation}, with delays that were measured before</source>
+        <translation>{subject} 之后的帧路径已改变：其后 {slaves:# 个从站|# 个从站}同时偏差 {deviation}，使用的是此前测得的延迟</translation>
     </message>
     <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>

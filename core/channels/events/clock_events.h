@@ -40,7 +40,7 @@ struct SlavesOutOfSync {
 };
 
 /// The event's slave went or came back, and the frames' way to those behind it is another one than when their delays
-/// (0x0928) were measured: all that follow are off by the difference, and soon do not show it in their own readings.
+/// (0x0928) were measured: those are off by the difference, and soon do not show it in their own readings.
 struct FramesWayChanged {
   std::int64_t deviation_ns = 0;  // the largest, magnitude
   std::size_t slaves = 0;         // over the limit, by their own readings

@@ -99,7 +99,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
                             (cause == dc::MissCause::kFrameLost && !lost_while_there(report, slave.position));
     if (by_absence && was_cut_off(report, slave, status.missed)) continue;
     if (cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate) {
-      if (const auto moved = sync0_had_moved(report, slave.position, report.history.slaves[slave.position].missed)) {
+      if (const auto moved = sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)) {
         findings.push_back(
             {code::kMissedByMovedClock,
              Severity::kWarning,

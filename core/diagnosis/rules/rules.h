@@ -23,6 +23,7 @@ void find_absent_slaves(const RunReport& report, Findings& findings);
 void find_states(const RunReport& report, Findings& findings);
 void find_clocks(const RunReport& report, Findings& findings);
 void find_master_sync(const RunReport& report, Findings& findings);
+void find_misplaced_sync0(const RunReport& report, Findings& findings);
 void find_missed_outputs(const RunReport& report, Findings& findings);
 void find_tight_sync0(const RunReport& report, Findings& findings);
 void find_firmware(const RunReport& report, Findings& findings);

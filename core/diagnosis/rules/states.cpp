@@ -42,15 +42,6 @@ bool cycles_were_good(const RunReport& report, Nanoseconds fall) {
          !history.stalls.near(before, 0);
 }
 
-/// Its clock left its place about then: SYNC0 came at another time than the outputs were meant for.
-bool clock_had_moved(const RunReport& report, int slave, Nanoseconds fall) {
-  constexpr Nanoseconds kBefore = kSecond;
-  return std::ranges::any_of(report.history.slave_losses, [&](const RunHistory::SyncLoss& loss) {
-    const bool concerns = loss.slave < 0 || loss.slave == slave;
-    return concerns && loss.time > fall - kBefore && loss.time < fall + kReadLater;
-  });
-}
-
 /// Who gives up by the rule of his family has reached his limit, whatever was computed meanwhile.
 std::uint64_t integrator_at_fall(const RunReport& report, const RunReport::Slave& slave) {
   const auto computed = slave.sm2_missed->integrator_highest;
@@ -75,8 +66,8 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     return finding;
   if (slave.sm2_missed->missed == 0) {
     const bool in_time = usual_worst_lateness(report) < *slave.sync0_margin;
-    const bool by_itself = fall && in_time && !slave.evidence.sync0.misplaced() &&
-                           cycles_were_good(report, fall->time) && !clock_had_moved(report, slave.position, fall->time);
+    const bool by_itself =
+        fall && in_time && cycles_were_good(report, fall->time) && !sync0_had_moved_at(report, slave, fall->time);
     if (by_itself) finding.code = code::kSlaveFellByItself;
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
     return finding;
@@ -87,7 +78,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   finding.figures.push_back(count_figure("limit", slave.sm2_missed->limit));
   const auto cause = main_cause(*slave.sm2_missed);
   const auto moved = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate
-                         ? sync0_had_moved(report, slave.position, report.history.slaves[slave.position].missed)
+                         ? sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)
                          : std::nullopt;
   finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));

@@ -12,7 +12,7 @@ namespace {
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
-  if (outputs.total > 0 && !slave.evidence.sync0.misplaced() && !sync0_had_moved(report, slave.position, spells)) {
+  if (outputs.total > 0 && !sync0_had_moved(report, slave, spells)) {
     const auto margin = slave.sync0_margin.value_or(0);
     const Nanoseconds need = slave.evidence.calc_and_copy_ns;
     const auto more = advised(need - margin + worst_lateness(report));
@@ -59,32 +59,10 @@ void find_too_tight(const RunReport& report, const RunReport::Slave& slave, Find
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(findings.back().figures));
 }
 
-void find_misplaced(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
-  const auto& start = slave.evidence.sync0;
-  if (start.never) {
-    findings.push_back({code::kSync0Never,
-                        Severity::kError,
-                        slave.position,
-                        start.time,
-                        report.history.end,
-                        {slave_figure(report, slave.position)}});
-  } else if (slave.evidence.sync0.misplaced()) {
-    findings.push_back({code::kSync0Misplaced,
-                        Severity::kError,
-                        slave.position,
-                        start.time,
-                        report.history.end,
-                        {slave_figure(report, slave.position), time_figure("off", start.off_ns),
-                         time_figure("margin", slave.sync0_margin.value_or(0)),
-                         time_figure("need", slave.evidence.calc_and_copy_ns)}});
-  }
-}
-
 }  // namespace
 
 void find_tight_sync0(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
-    find_misplaced(report, slave, findings);
     find_shift_too_short(report, slave, findings);
     find_too_tight(report, slave, findings);
   }

@@ -93,17 +93,18 @@ Finding lost(const RunReport& report, std::string_view code, Severity severity, 
 }
 
 /// The last in frame order whose own counter proves that lost frames had brought it its outputs; -1: none does. Only
-/// who was in OP all the time counts every frame.
+/// who was in OP all the time counts every frame, and only a cycle of one frame has all outputs in that which was lost.
 int passed_by_lost_frames(const RunReport& report, const Losses& losses) {
   constexpr std::uint64_t kEnough = 4;  // fewer may have fallen into other times
   constexpr auto kFrameLost = static_cast<std::size_t>(dc::MissCause::kFrameLost);
   int last = -1;
+  if (losses.count < kEnough || report.wire_time != report.first_wire_time) return last;
   for (const auto& slave : report.slaves) {
     const auto& missed = slave.sm2_missed;
     const bool counts =
         slave.sync0_cycle > 0 && missed && missed->known && missed->valid && missed->time + kReadLater >= losses.last;
     const bool in_op = slave.present && al_state_of(slave.al_status) == AlState::kOp;
-    if (!counts || !in_op || report.history.slaves[slave.position].fall || losses.count < kEnough) continue;
+    if (!counts || !in_op || report.history.slaves[slave.position].fall) continue;
     if (kEnough * missed->by_cause[kFrameLost] <= losses.count) last = slave.position;
   }
   return last;

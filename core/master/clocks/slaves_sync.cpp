@@ -2,6 +2,7 @@
 #include "master/clocks/slaves_sync.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace syncline {
 namespace {
@@ -234,6 +235,7 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
       out_culprit_ = -1;
       out_count_ = 0;
       out_alike_ = false;
+      way_of_.reset();
       break;
     case dc::SyncVerdict::Edge::kNone:
       break;
@@ -241,16 +243,33 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
   tell_culprit(time);
 }
 
-/// A slave that has just gone, or whose cable has healed and that is not set up yet: without it frames take a shorter
-/// way than the delays were measured with, and a longer one again.
-std::optional<std::size_t> SlavesSync::who_moves(Nanoseconds time) const {
+/// The slave behind which the frames' way has changed: it went or came just before, all that are off stand behind it
+/// and are off to the same side, by no more than delays are.
+std::optional<std::size_t> SlavesSync::who_moved(Nanoseconds time) const {
   constexpr Nanoseconds kJust = kSecond;
-  const auto& slaves = run_.snapshot.slaves;
-  const auto moves = std::ranges::find_if(slaves, [time](const SlaveStatus& slave) {
-    return !slave.present && (!slave.cable_broken || time - slave.absent_since < kJust);
-  });
-  if (moves == slaves.end()) return std::nullopt;
-  return static_cast<std::size_t>(moves - slaves.begin());
+  constexpr std::int32_t kLongestWay = 10'000;  // ns
+  bool later = false, sooner = false;
+  std::size_t first = readings_.size();
+  for (std::size_t i = 0; i < readings_.size(); ++i) {
+    const auto& reading = readings_[i];
+    if (!reading.follows || reading.magnitude() <= verdict_.limit_ns()) continue;
+    if (std::abs(std::int64_t{reading.deviation_ns}) > kLongestWay) return std::nullopt;
+    first = std::min(first, i);
+    (reading.deviation_ns < 0 ? sooner : later) = true;
+  }
+  const auto leader = run_.snapshot.dc.reference_clock;
+  if (later == sooner || leader < 0) return std::nullopt;
+  // Whoever stands in front of the reference clock changes its own way as much as the others'.
+  for (auto i = static_cast<std::size_t>(leader) + 1; i < first; ++i) {
+    const auto& slave = run_.snapshot.slaves[i];
+    if (slave.moved != 0 && time - slave.moved < kJust) return i;
+  }
+  return std::nullopt;
+}
+
+/// One that is away may be about to come back: it changes the frames' way before it answers.
+bool SlavesSync::somebody_may_come() const {
+  return std::ranges::any_of(run_.snapshot.slaves, [](const SlaveStatus& slave) { return !slave.present; });
 }
 
 /// The wire-ored value names nobody: told when every slave has been read since. Only who was seen over the limit is
@@ -265,11 +284,12 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
   }
   out_count_ = std::max(out_count_, evidence.over);
   out_alike_ = out_alike_ || evidence.all_alike();
-  if (!all_read_since(*out_since_) && time - *out_since_ < kCulpritPatience) return;
-  const auto who = out_alike_ ? who_moves(time) : std::nullopt;
-  if (who) {
+  if (!way_of_) way_of_ = who_moved(time);
+  const bool wait = !all_read_since(*out_since_) || (!way_of_ && out_alike_ && somebody_may_come());
+  if (wait && time - *out_since_ < kCulpritPatience) return;
+  if (way_of_) {
     run_.event(*out_since_, -1, events::SlavesOutOfSync{out_by_, 0});
-    run_.event(*out_since_, static_cast<int>(*who), events::FramesWayChanged{out_by_, out_count_});
+    run_.event(*out_since_, static_cast<int>(*way_of_), events::FramesWayChanged{out_by_, out_count_});
   } else {
     run_.event(*out_since_, out_alike_ ? -1 : out_culprit_, events::SlavesOutOfSync{out_by_, out_count_});
   }

@@ -45,7 +45,8 @@ class SlavesSync {
   void look_closer(Nanoseconds time);
   void tell(dc::SyncVerdict::Edge edge, Nanoseconds time);
   void tell_culprit(Nanoseconds time);
-  [[nodiscard]] std::optional<std::size_t> who_moves(Nanoseconds time) const;
+  [[nodiscard]] std::optional<std::size_t> who_moved(Nanoseconds time) const;
+  [[nodiscard]] bool somebody_may_come() const;
   [[nodiscard]] bool all_read_since(Nanoseconds time) const;
 
   RunState& run_;
@@ -75,6 +76,7 @@ class SlavesSync {
   int out_culprit_ = -1;
   std::size_t out_count_ = 0;
   bool out_alike_ = false;
+  std::optional<std::size_t> way_of_;  // the slave behind which the frames' way has changed
   bool was_undecided_ = false;
   std::optional<Nanoseconds> round_since_;  // everybody is to be read
   Nanoseconds next_round_ = 0;

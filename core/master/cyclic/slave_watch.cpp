@@ -216,6 +216,7 @@ void SlaveWatch::tell_cables(Nanoseconds time, bool healed) {
 
 void SlaveWatch::tell_cable(Nanoseconds time, std::size_t slave, bool healed) {
   run_.snapshot.slaves[slave].cable_broken = !healed;
+  run_.snapshot.slaves[slave].moved = time;
   const auto& previous = run_.config().slaves[slave].previous;
   const int near = previous ? previous->position : kMaster;
   const auto port = static_cast<std::uint8_t>(previous ? previous->port : 0);

@@ -45,12 +45,18 @@ SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
   return &slave;
 }
 
-void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) {
+/// Where its SYNC0 comes, as it was read back when it was started.
+dc::Sync0Grid SyncEventWatch::grid_of(const Slave& slave) const {
+  const auto off = run_.snapshot.slaves[slave.position].evidence.sync0.off_ns;
+  return {sync_.base() + slave.shift + off, slave.period};
+}
+
+void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) const {
   if (!slave.before || time - *slave.in_op_since < kSettling) return;
   // At its limit it may have fallen already, and nobody has seen that yet.
   if (slave.account->at_limit() && time - *slave.in_op_since < kSettling + kStillInOp) return;
   slave.account = slave.before;
-  slave.account->entered_op();
+  slave.account->entered_op(grid_of(slave));
   slave.before.reset();
 }
 
@@ -65,13 +71,10 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
     return;
   }
   slave.in_op_since = time;
-  if (!slave.account) {
-    const auto off = run_.snapshot.slaves[slave.position].evidence.sync0.off_ns;
-    slave.account.emplace(dc::Sync0Grid{sync_.base() + slave.shift + off, slave.period});
-  }
+  if (!slave.account) slave.account.emplace(grid_of(slave));
   slave.account->set_limit(slave.limit);
   slave.before = slave.account;
-  slave.account->entered_op();
+  slave.account->entered_op(grid_of(slave));
 }
 
 void SyncEventWatch::observe(CycleSample& sample, bool outputs_back) {

@@ -72,7 +72,8 @@ class SyncEventWatch {
   void publish(const Slave& slave);
   void tell(CycleSample& sample);
   /// It found into OP: what it counted on the way there is forgotten.
-  static void end_settling(Slave& slave, Nanoseconds time);
+  void end_settling(Slave& slave, Nanoseconds time) const;
+  [[nodiscard]] dc::Sync0Grid grid_of(const Slave& slave) const;
 
   RunState& run_;
   const SyncWatch& sync_;

@@ -117,6 +117,7 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   if (!told && present) event(time, static_cast<int>(slave), events::SlaveFound{});
   if (!told && !present) event(time, static_cast<int>(slave), events::SlaveLost{});
   known.absent_since = present ? 0 : time;
+  known.moved = time;
   if (!present) {
     // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
     known.al_status = known.al_status_code = 0;

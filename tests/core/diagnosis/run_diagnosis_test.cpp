@@ -75,6 +75,74 @@ void miss(RunReport& report, std::size_t slave, dc::MissCause cause, std::uint32
 
 TEST(RunDiagnosis, AHealthyRunHasNone) { EXPECT_THAT(codes(healthy()), IsEmpty()); }
 
+RunHistory::SyncLoss loss(int slave, std::int64_t size) {
+  return {kStart + 5 * kSecond, slave, size, dc::SyncObstacle::kNone, kStart + 6 * kSecond};
+}
+
+TEST(RunDiagnosis, AClockThatMovesByMoreThanThereIsRoomExplainsMisses) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kUnknown, 4);
+  report.history.slaves[1].missed.note(kStart + 5500 * kMillisecond, 4);
+  report.history.slave_losses.push_back(loss(1, 700'000));
+  EXPECT_THAT(codes(report), Contains(code::kMissedByMovedClock));
+  EXPECT_THAT(codes(report), Not(Contains(code::kMissedUnexplained)));
+}
+
+TEST(RunDiagnosis, AClockThatLeavesTheWindowByALittleExplainsNone) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kUnknown, 4);
+  report.history.slaves[1].missed.note(kStart + 5500 * kMillisecond, 4);
+  report.history.slave_losses.push_back(loss(1, 300));
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained));
+  EXPECT_THAT(codes(report), Not(Contains(code::kMissedByMovedClock)));
+}
+
+TEST(RunDiagnosis, AMovedClockExplainsNoMissesOfAnotherTime) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kUnknown, 4);
+  report.history.slaves[1].missed.note(kStart + 15 * kSecond, 4);
+  report.history.slave_losses.push_back(loss(1, 700'000));
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained));
+}
+
+TEST(RunDiagnosis, SaysToWhichSideSync0IsMisplaced) {
+  for (const int off : {400'000, -400'000}) {
+    auto report = healthy();
+    report.slaves[1].evidence.sync0 = {kStart, false, off};
+    const auto findings = diagnose(report);
+    const auto found = std::ranges::find(findings, code::kSync0Misplaced, &Finding::code);
+    ASSERT_NE(found, findings.end());
+    EXPECT_THAT(describe(*found), HasSubstr(off > 0 ? "comes 400 us behind" : "comes 400 us before"));
+    report.slaves[1].present = false;
+    EXPECT_THAT(codes(report), Not(Contains(code::kSync0Misplaced))) << "it is told as absent";
+  }
+}
+
+TEST(RunDiagnosis, BlamesNoLateFramesForTheFallOfADriveWhoseSync0IsMisplaced) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kFrameLate, 4);
+  report.history.slaves[1].missed.note(kStart + 15 * kSecond, 4);
+  report.history.slaves[1].fall = {kStart + 15 * kSecond, 0x14, 0x1A};
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.slaves[1].evidence.sync0 = {kStart, false, 400'000};
+  EXPECT_THAT(codes(report), Contains(code::kSlaveFellByMisses));
+  EXPECT_THAT(codes(report), Not(Contains(code::kSlaveFellByLateFrames)));
+}
+
+/// Drives that had their outputs say where frames are lost, where one frame carries all of them.
+TEST(RunDiagnosis, LooksForLostFramesBehindWhoHadThem) {
+  auto report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond, 20);
+  for (auto& slave : report.slaves) {
+    if (slave.sm2_missed) slave.sm2_missed->time = kStart + 10 * kSecond;
+  }
+  EXPECT_THAT(codes(report), ElementsAre(code::kFramesLostBehind));
+  report.first_wire_time = 10 * kMicrosecond;
+  report.wire_time = 30 * kMicrosecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kFramesLost)) << "another frame of the cycle may have been lost";
+}
+
 /// What they bring into sentences has to be known to the translations.
 TEST(RunDiagnosis, EachObstacleIsAPhraseOfFindings) {
   const auto phrases = finding_phrases();
