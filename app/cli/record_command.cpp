@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/milliseconds.h"
@@ -159,6 +160,8 @@ Status write_document(RecordingReader& reader, const RecordingOptions& options) 
 }
 
 void export_to(Context& context, const RecordingOptions& options) {
+  const auto distinct = CommandFiles().reads_recording("file", options.file).writes("out", options.out).check();
+  if (!distinct) return context.fail_with(distinct.error());
   auto reader = RecordingReader::open(options.file);
   if (!reader) return context.fail_with(reader.error());
   const auto status = options.document.empty() ? write_csv(*reader, options) : write_document(*reader, options);
@@ -175,6 +178,8 @@ Result<ImportedRun> imported_run(const RecordingOptions& options) {
 }
 
 void import_from(Context& context, const RecordingOptions& options) {
+  const auto distinct = CommandFiles().reads("file", options.file).writes_database("out", options.out).check();
+  if (!distinct) return context.fail_with(distinct.error());
   const auto run = imported_run(options);
   if (!run) return context.fail_with(run.error());
   if (const auto status = write_recording(*run, options.out); !status) return context.fail_with(status.error());

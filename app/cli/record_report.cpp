@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command_files.h"
 #include "app/cli/duration.h"
 #include "app/cli/options.h"
 #include "app/cli/record_range.h"
@@ -64,6 +65,8 @@ Status take_limits(ReportOptions& options) {
 }
 
 Result<reports::Acceptance> write_report(const ReportOptions& options) {
+  const auto distinct = CommandFiles().reads_recording("file", options.file).writes("out", options.out).check();
+  if (!distinct) return tl::unexpected(distinct.error());
   auto reader = RecordingReader::open(options.file);
   if (!reader) return tl::unexpected(reader.error());
   auto info = reader->info();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "app/cli/duration.h"
 #include "app/cli/event_lines.h"
@@ -173,6 +174,22 @@ Status save_host(const RunOptions& options, const HostRecorder& host, const Netw
   return write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
 }
 
+/// The manual's name for a log that is on without another name.
+constexpr const char* kUsualLog = "dcmlog0.0.csv";
+
+Status check_files(const RunOptions& options, bool log_is_on) {
+  return CommandFiles()
+      .reads("file", options.file)
+      .reads_link("--link", options.link)
+      .writes("--csv", options.csv)
+      .writes("--dcm-log", options.dcm_log)
+      .writes("the setting master.dc.log (name its file with --dcm-log)", log_is_on ? kUsualLog : "")
+      .writes("--capture", options.capture)
+      .writes("--save-host", options.save_host)
+      .writes_database("--record", options.record.file)
+      .check();
+}
+
 void execute(Context& context, const RunOptions& options) {
   const auto duration = parse_duration(options.duration);
   if (!duration) return context.fail_with(duration.error());
@@ -187,6 +204,8 @@ void execute(Context& context, const RunOptions& options) {
     return;
   }
 
+  const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
+  if (const auto distinct = check_files(options, log_is_on); !distinct) return context.fail_with(distinct.error());
   auto requests = requests_of(options, compiled->config.slaves.size());
   if (!requests) return context.fail_with(requests.error());
   const auto watched = watched_of(options, compiled->config);
@@ -196,9 +215,7 @@ void execute(Context& context, const RunOptions& options) {
 
   const bool virtual_time = opened->clock->is_virtual();
   RunFiles files(context, compiled->config, *watched);
-  // The manual's name for a log that is on without another name.
-  const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
-  if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status)
+  if (auto status = files.open(options.csv, log_is_on ? kUsualLog : options.dcm_log); !status)
     return context.fail_with(status.error());
   const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config,
                                            *watched, virtual_time);

@@ -42,6 +42,8 @@ inline constexpr std::string_view kFileReasons[] = {
     "the ENI goes to this file",
     "it is a disk, not a file",
     "it is a socket, not a file",
+    "{file} is what {what} reads and would be lost; name another file",
+    "{what} writes the file {file}, too; name another one for one of them",
     "it is empty",
     "its name must end in .png, .svg or .pdf",
     "the view needs more room; leave the size out to have what suits it",

@@ -6625,6 +6625,10 @@
         <translation>{text}</translation>
     </message>
     <message>
+        <source>{what} writes the file {file}, too; name another one for one of them</source>
+        <translation>auch {what} schreibt die Datei {file}; nennen Sie für eines von beiden eine andere</translation>
+    </message>
+    <message>
         <source>{where}: the element &lt;{subject}&gt; is missing{because}.</source>
         <translation>{where}: das Element &lt;{subject}&gt; fehlt{because}.</translation>
     </message>
@@ -8391,6 +8395,10 @@
     <message>
         <source>Choose an operation mode with that signal, or set its times back to auto.</source>
         <translation>Eine Betriebsart mit diesem Signal wählen oder seine Zeiten auf auto zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>{file} is what {what} reads and would be lost; name another file</source>
+        <translation>{file} ist, was {what} liest, und ginge verloren; nennen Sie eine andere Datei</translation>
     </message>
     <message>
         <source>{signal} is set, and the operation mode &quot;{mode}&quot; does not generate it: what is set has no effect.</source>

@@ -6625,6 +6625,10 @@
         <translation>{text}</translation>
     </message>
     <message>
+        <source>{what} writes the file {file}, too; name another one for one of them</source>
+        <translation>{what} 也写入文件 {file}；请为其中之一指定另一个文件</translation>
+    </message>
+    <message>
         <source>{where}: the element &lt;{subject}&gt; is missing{because}.</source>
         <translation>{where}：缺少元素 &lt;{subject}&gt;{because}。</translation>
     </message>
@@ -8391,6 +8395,10 @@
     <message>
         <source>Choose an operation mode with that signal, or set its times back to auto.</source>
         <translation>请选择带有该信号的运行模式，或将其时间恢复为自动。</translation>
+    </message>
+    <message>
+        <source>{file} is what {what} reads and would be lost; name another file</source>
+        <translation>{file} 是 {what} 读取的文件，会因此丢失；请指定另一个文件</translation>
     </message>
     <message>
         <source>{signal} is set, and the operation mode &quot;{mode}&quot; does not generate it: what is set has no effect.</source>
