@@ -115,7 +115,7 @@ void show_info(Context& context, const RecordingOptions& options) {
   context.console.out << recording_text(*info);
 }
 
-/// As a run writes it, byte for byte.
+/// As a run writes it, byte for byte, without what is damaged.
 Status write_csv(RecordingReader& reader, const RecordingOptions& options) {
   const auto info = reader.info();
   if (!info) return tl::unexpected(info.error());
@@ -166,6 +166,7 @@ void export_to(Context& context, const RecordingOptions& options) {
   if (!reader) return context.fail_with(reader.error());
   const auto status = options.document.empty() ? write_csv(*reader, options) : write_document(*reader, options);
   if (!status) context.fail_with(status.error());
+  warn_of_file(context, *reader);
 }
 
 /// A capture by its own mark, else a table by its first line.
@@ -200,8 +201,13 @@ void verify(Context& context, const RecordingOptions& options) {
   const auto info = reader->info();
   if (!info) return context.fail_with(info.error());
   if (options.json) {
-    return context.print({{"whole", true}, {"cut_short", !info->ended}, {"blocks", *blocks}, {"cycles", info->cycles}});
+    return context.print({{"whole", true},
+                          {"checked", reader->is_checked()},
+                          {"cut_short", !info->ended},
+                          {"blocks", *blocks},
+                          {"cycles", info->cycles}});
   }
+  for (const auto& finding : reader->found()) context.warn(finding);
   context.console.out << fmt::format("whole: {}, {} cycles; end: {}\n", counted(*blocks, "block"), info->cycles,
                                      end_text(*info));
 }

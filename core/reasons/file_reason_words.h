@@ -18,6 +18,7 @@ inline constexpr std::string_view kFileReasons[] = {
     "its slaves are not numbered in a row",
     "it has no cycle time",
     "its lists of watched variables are none",
+    "its tables are not those of version {version}",
     "block {number} is none",
     "{signal} of block {number} cannot be read",
     "block {number} holds other cycles than it says",

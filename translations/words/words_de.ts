@@ -437,6 +437,10 @@
         <translation>Ein Modul steckt auf Platz {place}; das Gerät hat {places}.</translation>
     </message>
     <message>
+        <source>A part of a recording is damaged</source>
+        <translation>Ein Teil einer Aufzeichnung ist beschädigt</translation>
+    </message>
+    <message>
         <source>A part of the ENI is not read</source>
         <translation>Ein Teil der ENI wird nicht gelesen</translation>
     </message>
@@ -463,6 +467,10 @@
     <message>
         <source>A process-data command has no working counter</source>
         <translation>Ein Prozessdatenkommando hat keinen Working Counter</translation>
+    </message>
+    <message>
+        <source>A recording that was cut short has its last part in a log beside it.</source>
+        <translation>Eine abgebrochene Aufzeichnung hat ihren letzten Teil in einem Protokoll daneben.</translation>
     </message>
     <message>
         <source>A required element or attribute is missing</source>
@@ -937,6 +945,10 @@
         <translation>Ein Init-Kommando des Masters</translation>
     </message>
     <message>
+        <source>An older program has written it.</source>
+        <translation>Ein älteres Programm hat sie geschrieben.</translation>
+    </message>
+    <message>
         <source>An optional slave</source>
         <translation>Ein wahlweiser Slave</translation>
     </message>
@@ -1227,6 +1239,10 @@
     <message>
         <source>Complete access to a sub-index other than 0 or 1</source>
         <translation>Complete Access auf einen anderen Subindex als 0 oder 1</translation>
+    </message>
+    <message>
+        <source>Copy the file that ends in -wal together with the recording.</source>
+        <translation>Die Datei, die auf -wal endet, zusammen mit der Aufzeichnung kopieren.</translation>
     </message>
     <message>
         <source>Correct Adp, or remove the command</source>
@@ -1893,6 +1909,10 @@
         <translation>Es schreibt {object}, und eine Einstellung schreibt dort einen anderen Wert ({command}).</translation>
     </message>
     <message>
+        <source>Its bytes are not those that were written: a disk, a copy or another program has changed them. What is left out was recorded, and nothing is known of it any more.</source>
+        <translation>Ihre Bytes sind nicht die, die geschrieben wurden: Ein Datenträger, eine Kopie oder ein anderes Programm hat sie verändert. Was fehlt, war aufgezeichnet, und nichts ist mehr davon bekannt.</translation>
+    </message>
+    <message>
         <source>Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.</source>
         <translation>Die Uhr ist gesprungen oder hat ihre Referenz verloren; Sync-Window-Überwachung einschalten, um es sofort zu erfahren.</translation>
     </message>
@@ -2053,6 +2073,22 @@
         <translation>Bringen Sie die Uhr in Ordnung; weder die Firmware des Slaves noch seine Verschiebung ist der Grund.</translation>
     </message>
     <message>
+        <source>Read it from another copy; what is shown beside it is as it was written.</source>
+        <translation>Aus einer anderen Kopie lesen; was daneben gezeigt wird, ist wie geschrieben.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged and left out.</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt und fehlt.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: {signal} ist in den Zyklen {first} bis {last} nicht bekannt.</translation>
+    </message>
+    <message>
         <source>SM2 events were missed because a clock had moved</source>
         <translation>SM2-Ereignisse fehlten, weil eine Uhr verrückt war</translation>
     </message>
@@ -2087,6 +2123,26 @@
     <message>
         <source>The frames' way to slaves has changed</source>
         <translation>Der Weg der Frames zu Slaves hat sich geändert</translation>
+    </message>
+    <message>
+        <source>The log of a recording is missing</source>
+        <translation>Das Protokoll einer Aufzeichnung fehlt</translation>
+    </message>
+    <message>
+        <source>The recording is of version {version}, whose rows carry no checks: damage in their values may not be seen.</source>
+        <translation>Die Aufzeichnung hat die Version {version}, deren Zeilen keine Prüfsummen tragen: Schäden in ihren Werten bleiben womöglich unbemerkt.</translation>
+    </message>
+    <message>
+        <source>The recording was cut short, and its log {file} is not beside it: what that held, the end of the run, is missing unless another program has taken it over.</source>
+        <translation>Die Aufzeichnung wurde abgebrochen, und ihr Protokoll {file} liegt nicht daneben: Was es enthielt, das Ende des Laufs, fehlt, falls nicht ein anderes Programm es übernommen hat.</translation>
+    </message>
+    <message>
+        <source>The rows of a recording carry no checks</source>
+        <translation>Die Zeilen einer Aufzeichnung tragen keine Prüfsummen</translation>
+    </message>
+    <message>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
+        <translation>Die Zeilen des Blocks {block} widersprechen einander: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4061,12 +4117,24 @@
         <translation>seine eigene Uhr war nicht an ihrem Platz</translation>
     </message>
     <message>
+        <source>its tables are not those of version {version}</source>
+        <translation>ihre Tabellen sind nicht die der Version {version}</translation>
+    </message>
+    <message>
         <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
         <translation>der Weg der Frames hinter {subject} hat sich geändert: {slaves:# folgender Slave|alle # folgenden Slaves} auf einmal {deviation} daneben, mit einer vorher gemessenen Verzögerung</translation>
     </message>
     <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
         <translation>{count:# Frame|# Frames} kamen nicht zurück (bis zu {most} dicht beieinander, zuerst bei {since}), und {slave} hatte seine Ausgänge trotzdem: sie waren bei ihm vorbei, und kein Slave zählte einen Fehler an seinen Ports.</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}.</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>

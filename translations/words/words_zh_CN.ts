@@ -437,6 +437,10 @@
         <translation>模块插在插槽 {place} 上；设备的插槽数：{places}。</translation>
     </message>
     <message>
+        <source>A part of a recording is damaged</source>
+        <translation>记录的一部分已损坏</translation>
+    </message>
+    <message>
         <source>A part of the ENI is not read</source>
         <translation>ENI 的一部分未被读取</translation>
     </message>
@@ -463,6 +467,10 @@
     <message>
         <source>A process-data command has no working counter</source>
         <translation>过程数据命令没有工作计数器</translation>
+    </message>
+    <message>
+        <source>A recording that was cut short has its last part in a log beside it.</source>
+        <translation>被中断的记录，其最后部分位于旁边的日志中。</translation>
     </message>
     <message>
         <source>A required element or attribute is missing</source>
@@ -937,6 +945,10 @@
         <translation>主站的初始化命令</translation>
     </message>
     <message>
+        <source>An older program has written it.</source>
+        <translation>它由较旧的程序写入。</translation>
+    </message>
+    <message>
         <source>An optional slave</source>
         <translation>可选从站</translation>
     </message>
@@ -1227,6 +1239,10 @@
     <message>
         <source>Complete access to a sub-index other than 0 or 1</source>
         <translation>对 0 或 1 以外的子索引使用完全访问 (Complete Access)</translation>
+    </message>
+    <message>
+        <source>Copy the file that ends in -wal together with the recording.</source>
+        <translation>请将以 -wal 结尾的文件与记录一同复制。</translation>
     </message>
     <message>
         <source>Correct Adp, or remove the command</source>
@@ -1893,6 +1909,10 @@
         <translation>它写入 {object}，而某项设置也在那里写入另一个值 ({command})。</translation>
     </message>
     <message>
+        <source>Its bytes are not those that were written: a disk, a copy or another program has changed them. What is left out was recorded, and nothing is known of it any more.</source>
+        <translation>其字节与写入时不同：磁盘、复制过程或其他程序改变了它们。略去的内容曾被记录，但现在已无从得知。</translation>
+    </message>
+    <message>
         <source>Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.</source>
         <translation>其时钟发生跳变或丢失了参考；打开同步窗口监视可立即得到通知。</translation>
     </message>
@@ -2053,6 +2073,22 @@
         <translation>请修复时钟；原因既不是从站固件，也不是其偏移。</translation>
     </message>
     <message>
+        <source>Read it from another copy; what is shown beside it is as it was written.</source>
+        <translation>请从另一份副本读取；其余显示的内容与写入时一致。</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged and left out.</source>
+        <translation>表 {table} 的行 {row} 已损坏，已略去。</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 为空缺。</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 中的 {signal} 未知。</translation>
+    </message>
+    <message>
         <source>SM2 events were missed because a clock had moved</source>
         <translation>因时钟偏移而丢失 SM2 事件</translation>
     </message>
@@ -2087,6 +2123,26 @@
     <message>
         <source>The frames' way to slaves has changed</source>
         <translation>帧到从站的路径已改变</translation>
+    </message>
+    <message>
+        <source>The log of a recording is missing</source>
+        <translation>记录的日志缺失</translation>
+    </message>
+    <message>
+        <source>The recording is of version {version}, whose rows carry no checks: damage in their values may not be seen.</source>
+        <translation>该记录的版本为 {version}，其各行没有校验值：数值中的损坏可能无法发现。</translation>
+    </message>
+    <message>
+        <source>The recording was cut short, and its log {file} is not beside it: what that held, the end of the run, is missing unless another program has taken it over.</source>
+        <translation>记录被中断，其日志 {file} 不在旁边：除非已由其他程序并入，否则其中的内容（运行的末尾）缺失。</translation>
+    </message>
+    <message>
+        <source>The rows of a recording carry no checks</source>
+        <translation>记录的各行没有校验值</translation>
+    </message>
+    <message>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
+        <translation>块 {block} 的各行相互矛盾：周期 {first} 至 {last} 为空缺。</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4061,12 +4117,24 @@
         <translation>其自身时钟偏离了应有位置</translation>
     </message>
     <message>
+        <source>its tables are not those of version {version}</source>
+        <translation>其中的表不是版本 {version} 的表</translation>
+    </message>
+    <message>
         <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
         <translation>{subject} 之后的帧路径已改变：{slaves:# 个跟随的从站|全部 # 个跟随的从站}同时偏差 {deviation}，使用的是此前测得的延迟</translation>
     </message>
     <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
         <translation>{count:# 个帧|# 个帧}未返回（密集时最多 {most} 个，首次在 {since}），而 {slave} 仍收到了输出：这些帧已经过它，且没有从站在端口上计到错误。</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}。</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}：周期 {first} 至 {last} 为空缺。</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>

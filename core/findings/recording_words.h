@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "findings/finding.h"
+
+/// What is found about a recording itself, when it is read.
+namespace syncline::words {
+
+inline constexpr FindingWords kRecording[] = {
+    {"recording-damaged",
+     Severity::kError,
+     "A part of a recording is damaged",
+     "Its bytes are not those that were written: a disk, a copy or another program has changed them. What is left out "
+     "was recorded, and nothing is known of it any more.",
+     "Read it from another copy; what is shown beside it is as it was written.",
+     "",
+     {{"", "Row {row} of the table {table} is damaged and left out."},
+      {"gap", "Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap."},
+      {"series", "Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}."},
+      {"missing", "{count:# row|# rows} of the table {table} {count:is|are} missing."},
+      {"missing-gap",
+       "{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap."},
+      {"block", "The rows of block {block} contradict each other: cycles {first} to {last} are a gap."}}},
+    {"recording-log-missing",
+     Severity::kWarning,
+     "The log of a recording is missing",
+     "A recording that was cut short has its last part in a log beside it.",
+     "Copy the file that ends in -wal together with the recording.",
+     "",
+     {{"",
+       "The recording was cut short, and its log {file} is not beside it: what that held, the end of the run, is "
+       "missing unless another program has taken it over."}}},
+    {"recording-unchecked",
+     Severity::kNote,
+     "The rows of a recording carry no checks",
+     "An older program has written it.",
+     "",
+     "",
+     {{"",
+       "The recording is of version {version}, whose rows carry no checks: damage in their values may not be seen."}}},
+};
+
+}  // namespace syncline::words
