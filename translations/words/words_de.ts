@@ -213,6 +213,10 @@
         <translation>Eine Aufzeichnung bricht ab</translation>
     </message>
     <message>
+        <source>A capture is cut off</source>
+        <translation>Ein Mitschnitt ist abgeschnitten</translation>
+    </message>
+    <message>
         <source>A check has a time-out of 0</source>
         <translation>Eine Prüfung hat eine Zeitgrenze von 0</translation>
     </message>
@@ -721,6 +725,10 @@
         <translation>Eine Synchronisationsart, die das Gerät nicht annimmt</translation>
     </message>
     <message>
+        <source>A table is cut off</source>
+        <translation>Eine Tabelle ist abgeschnitten</translation>
+    </message>
+    <message>
         <source>A task without cycle time</source>
         <translation>Eine Task ohne Zykluszeit</translation>
     </message>
@@ -1047,6 +1055,10 @@
     <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Capture whole frames (a snap length of 0).</source>
+        <translation>Ganze Frames mitschneiden (Snap-Länge 0).</translation>
     </message>
     <message>
         <source>Capture whole frames (tcpdump -s 0).</source>
@@ -1661,6 +1673,10 @@
         <translation>Frames wurden nur zum Teil aufgezeichnet</translation>
     </message>
     <message>
+        <source>Frames were captured in part only</source>
+        <translation>Frames wurden nur teilweise mitgeschnitten</translation>
+    </message>
+    <message>
         <source>Frames were damaged or links lost at a port</source>
         <translation>An einem Port wurden Frames beschädigt oder Links verloren</translation>
     </message>
@@ -1799,6 +1815,10 @@
     <message>
         <source>Image offsets in the way of TwinCAT</source>
         <translation>Offsets des Abbilds nach der Art von TwinCAT</translation>
+    </message>
+    <message>
+        <source>Import the whole file.</source>
+        <translation>Die ganze Datei importieren.</translation>
     </message>
     <message>
         <source>Import with the ESI of the device's revision.</source>
@@ -2045,6 +2065,14 @@
         <translation>Zeile {line} wird nicht gelesen: {what}.</translation>
     </message>
     <message>
+        <source>Line {line}, the last one, has no end: its last cell may be cut off.</source>
+        <translation>Zeile {line}, die letzte, hat kein Ende: Ihre letzte Zelle ist womöglich abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Line {line}, the last one, is cut off and left out.</source>
+        <translation>Zeile {line}, die letzte, ist abgeschnitten und fehlt.</translation>
+    </message>
+    <message>
         <source>List them with "synclinectl adapters".</source>
         <translation>"synclinectl adapters" listet sie auf.</translation>
     </message>
@@ -2119,6 +2147,14 @@
     <message>
         <source>Slaves follow with delays that are not theirs any more</source>
         <translation>Slaves folgen mit Verzögerungen, die nicht mehr ihre sind</translation>
+    </message>
+    <message>
+        <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
+        <translation>Der Mitschnitt bricht nach {frames:# Frame|# Frames} ab ({reason}): Was davor kam, ist importiert.</translation>
+    </message>
+    <message>
+        <source>The file ends in the middle of a line: whoever has written or copied it did not come to its end.</source>
+        <translation>Die Datei endet mitten in einer Zeile: Wer sie geschrieben oder kopiert hat, kam nicht bis ans Ende.</translation>
     </message>
     <message>
         <source>The frames' way to slaves has changed</source>
@@ -4113,6 +4149,26 @@
         <translation>Die Slaves sind seit {since} nicht innerhalb von {limit} synchron.</translation>
     </message>
     <message>
+        <source>What they carry is not known: a cycle without its frame is missing, or counts as one whose frame was lost.</source>
+        <translation>Was sie enthalten, ist nicht bekannt: Ein Zyklus ohne seinen Frame fehlt oder zählt als einer, dessen Frame verloren ging.</translation>
+    </message>
+    <message>
+        <source>Whoever has written or copied it did not come to its end.</source>
+        <translation>Wer ihn geschrieben oder kopiert hat, kam nicht bis ans Ende.</translation>
+    </message>
+    <message>
+        <source>a recording that is shown here</source>
+        <translation>eine Aufzeichnung, die hier gezeigt wird</translation>
+    </message>
+    <message>
+        <source>of {other} cells it has only {count}</source>
+        <translation>von {other} Zellen hat sie nur {count}</translation>
+    </message>
+    <message>
+        <source>it is {what}, which would be lost: choose another name</source>
+        <translation>sie ist {what} und ginge verloren: einen anderen Namen wählen</translation>
+    </message>
+    <message>
         <source>its own clock was out of its place</source>
         <translation>seine eigene Uhr war nicht an ihrem Platz</translation>
     </message>
@@ -4125,6 +4181,18 @@
         <translation>der Weg der Frames hinter {subject} hat sich geändert: {slaves:# folgender Slave|alle # folgenden Slaves} auf einmal {deviation} daneben, mit einer vorher gemessenen Verzögerung</translation>
     </message>
     <message>
+        <source>the project that is open here</source>
+        <translation>das Projekt, das hier offen ist</translation>
+    </message>
+    <message>
+        <source>the recording that is being written</source>
+        <translation>die Aufzeichnung, die gerade geschrieben wird</translation>
+    </message>
+    <message>
+        <source>{count:# frame was|# frames were} captured in part only and passed over.</source>
+        <translation>{count:# Frame wurde|# Frames wurden} nur teilweise mitgeschnitten und übergangen.</translation>
+    </message>
+    <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
         <translation>{count:# Frame|# Frames} kamen nicht zurück (bis zu {most} dicht beieinander, zuerst bei {since}), und {slave} hatte seine Ausgänge trotzdem: sie waren bei ihm vorbei, und kein Slave zählte einen Fehler an seinen Ports.</translation>
     </message>
@@ -4135,6 +4203,10 @@
     <message>
         <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
         <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+    </message>
+    <message>
+        <source>{file} is an ENI, which holds one alone: leave the network out</source>
+        <translation>{file} ist eine ENI, die nur eines enthält: das Netzwerk weglassen</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
@@ -7315,10 +7387,6 @@
     <message>
         <source>another stretch is being written; try again in a moment</source>
         <translation>ein anderer Abschnitt wird gerade geschrieben; gleich noch einmal versuchen</translation>
-    </message>
-    <message>
-        <source>it holds no cycles: it was cut short before its first second</source>
-        <translation>sie enthält keine Zyklen: sie brach vor ihrer ersten Sekunde ab</translation>
     </message>
     <message>
         <source>{value} is outside {range}</source>

@@ -213,6 +213,10 @@
         <translation>抓包中途中断</translation>
     </message>
     <message>
+        <source>A capture is cut off</source>
+        <translation>抓包文件被截断</translation>
+    </message>
+    <message>
         <source>A check has a time-out of 0</source>
         <translation>某个检查的超时时间为 0</translation>
     </message>
@@ -721,6 +725,10 @@
         <translation>设备不接受的同步类型</translation>
     </message>
     <message>
+        <source>A table is cut off</source>
+        <translation>表格被截断</translation>
+    </message>
+    <message>
         <source>A task without cycle time</source>
         <translation>任务没有周期时间</translation>
     </message>
@@ -1047,6 +1055,10 @@
     <message>
         <source>Cancelled.</source>
         <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>Capture whole frames (a snap length of 0).</source>
+        <translation>请抓取完整的帧（snap length 为 0）。</translation>
     </message>
     <message>
         <source>Capture whole frames (tcpdump -s 0).</source>
@@ -1661,6 +1673,10 @@
         <translation>只抓取了部分帧</translation>
     </message>
     <message>
+        <source>Frames were captured in part only</source>
+        <translation>有帧只被部分抓取</translation>
+    </message>
+    <message>
         <source>Frames were damaged or links lost at a port</source>
         <translation>端口上有帧损坏或链路丢失</translation>
     </message>
@@ -1799,6 +1815,10 @@
     <message>
         <source>Image offsets in the way of TwinCAT</source>
         <translation>按 TwinCAT 方式书写的过程映像偏移</translation>
+    </message>
+    <message>
+        <source>Import the whole file.</source>
+        <translation>请导入完整的文件。</translation>
     </message>
     <message>
         <source>Import with the ESI of the device's revision.</source>
@@ -2045,6 +2065,14 @@
         <translation>第 {line} 行未被读取：{what}。</translation>
     </message>
     <message>
+        <source>Line {line}, the last one, has no end: its last cell may be cut off.</source>
+        <translation>最后一行（第 {line} 行）没有行尾：其最后一个单元格可能被截断。</translation>
+    </message>
+    <message>
+        <source>Line {line}, the last one, is cut off and left out.</source>
+        <translation>最后一行（第 {line} 行）被截断，已略去。</translation>
+    </message>
+    <message>
         <source>List them with "synclinectl adapters".</source>
         <translation>用“synclinectl adapters”列出它们。</translation>
     </message>
@@ -2119,6 +2147,14 @@
     <message>
         <source>Slaves follow with delays that are not theirs any more</source>
         <translation>从站使用已不再有效的延迟跟随</translation>
+    </message>
+    <message>
+        <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
+        <translation>抓包在 {frames:# 个帧|# 个帧} 之后中断（{reason}）：之前的内容已导入。</translation>
+    </message>
+    <message>
+        <source>The file ends in the middle of a line: whoever has written or copied it did not come to its end.</source>
+        <translation>文件在一行中间结束：写入或复制它的程序没有完成。</translation>
     </message>
     <message>
         <source>The frames' way to slaves has changed</source>
@@ -4113,6 +4149,26 @@
         <translation>从 {since} 起从站的偏差不在 {limit} 之内。</translation>
     </message>
     <message>
+        <source>What they carry is not known: a cycle without its frame is missing, or counts as one whose frame was lost.</source>
+        <translation>其内容未知：缺少帧的周期会缺失，或被计为帧丢失的周期。</translation>
+    </message>
+    <message>
+        <source>Whoever has written or copied it did not come to its end.</source>
+        <translation>写入或复制它的程序没有完成。</translation>
+    </message>
+    <message>
+        <source>a recording that is shown here</source>
+        <translation>此处显示的记录</translation>
+    </message>
+    <message>
+        <source>of {other} cells it has only {count}</source>
+        <translation>在 {other} 个单元格中只有 {count} 个</translation>
+    </message>
+    <message>
+        <source>it is {what}, which would be lost: choose another name</source>
+        <translation>它是{what}，写入会使其丢失：请选择另一个名称</translation>
+    </message>
+    <message>
         <source>its own clock was out of its place</source>
         <translation>其自身时钟偏离了应有位置</translation>
     </message>
@@ -4125,6 +4181,18 @@
         <translation>{subject} 之后的帧路径已改变：{slaves:# 个跟随的从站|全部 # 个跟随的从站}同时偏差 {deviation}，使用的是此前测得的延迟</translation>
     </message>
     <message>
+        <source>the project that is open here</source>
+        <translation>此处打开的项目</translation>
+    </message>
+    <message>
+        <source>the recording that is being written</source>
+        <translation>正在写入的记录</translation>
+    </message>
+    <message>
+        <source>{count:# frame was|# frames were} captured in part only and passed over.</source>
+        <translation>{count:# 个帧|# 个帧} 只被部分抓取，已略过。</translation>
+    </message>
+    <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
         <translation>{count:# 个帧|# 个帧}未返回（密集时最多 {most} 个，首次在 {since}），而 {slave} 仍收到了输出：这些帧已经过它，且没有从站在端口上计到错误。</translation>
     </message>
@@ -4135,6 +4203,10 @@
     <message>
         <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
         <translation>表 {table} 缺少 {count:# 行|# 行}：周期 {first} 至 {last} 为空缺。</translation>
+    </message>
+    <message>
+        <source>{file} is an ENI, which holds one alone: leave the network out</source>
+        <translation>{file} 是 ENI，只含一个网络：请不要指定网络</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
@@ -7315,10 +7387,6 @@
     <message>
         <source>another stretch is being written; try again in a moment</source>
         <translation>另一段正在写入；请稍后重试</translation>
-    </message>
-    <message>
-        <source>it holds no cycles: it was cut short before its first second</source>
-        <translation>其中没有周期：它在第一秒之前就中断了</translation>
     </message>
     <message>
         <source>{value} is outside {range}</source>
