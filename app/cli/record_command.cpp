@@ -184,6 +184,10 @@ void import_from(Context& context, const RecordingOptions& options) {
   const auto run = imported_run(options);
   if (!run) return context.fail_with(run.error());
   if (const auto status = write_recording(*run, options.out); !status) return context.fail_with(status.error());
+  for (const auto& finding : run->findings) {
+    context.warn(finding);
+    if (finding.severity != Severity::kNote) context.exit_code = kAnswerIsNo;
+  }
   context.console.out << fmt::format("{} cycles of {:g} us, {:.3f} s\n", run->samples.size(),
                                      static_cast<double>(run->about.limits.cycle_time) / 1000,
                                      seconds(run->samples.back().send_time - run->samples.front().send_time));

@@ -3,7 +3,7 @@
 
 #include "findings/finding.h"
 
-/// What is found about a recording itself, when it is read.
+/// What is found about a recording itself, when it is read, and about a table or capture that is made one.
 namespace syncline::words {
 
 inline constexpr FindingWords kRecording[] = {
@@ -38,6 +38,28 @@ inline constexpr FindingWords kRecording[] = {
      "",
      {{"",
        "The recording is of version {version}, whose rows carry no checks: damage in their values may not be seen."}}},
+    {"import-line-cut",
+     Severity::kWarning,
+     "A table is cut off",
+     "The file ends in the middle of a line: whoever has written or copied it did not come to its end.",
+     "Import the whole file.",
+     "",
+     {{"", "Line {line}, the last one, is cut off and left out."},
+      {"kept", "Line {line}, the last one, has no end: its last cell may be cut off."}}},
+    {"import-capture-cut",
+     Severity::kWarning,
+     "A capture is cut off",
+     "Whoever has written or copied it did not come to its end.",
+     "Import the whole file.",
+     "",
+     {{"", "The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported."}}},
+    {"import-frames-cut",
+     Severity::kWarning,
+     "Frames were captured in part only",
+     "What they carry is not known: a cycle without its frame is missing, or counts as one whose frame was lost.",
+     "Capture whole frames (a snap length of 0).",
+     "",
+     {{"", "{count:# frame was|# frames were} captured in part only and passed over."}}},
 };
 
 }  // namespace syncline::words
