@@ -120,6 +120,9 @@ class RunFiles {
 Result<WatchLists> watched_of(const RunOptions& options, const NetworkConfig& config) {
   WatchLists watched;
   if (options.watched.empty()) return watched;
+  if (options.csv.empty() && options.record.file.empty())
+    return fail(ErrorCode::kBadValue, "--watch",
+                in_terminal("only --csv and --record hold variables: add one of them"));
   std::vector<WatchedVariable> variables;
   for (const auto& text : options.watched) {
     auto variable = find_watchable(config, text);
@@ -333,12 +336,14 @@ void add_run_command(CLI::App& app, Context& context) {
                       "SLAVE:INDEX:SUB, e.g. 1:0x1018:01: read this object while the bus runs, and print its bytes");
   command->add_flag("--lateness", options->lateness,
                     "Add how late the frames were sent, and the processor time of a cycle");
-  command->add_flag("--every-event", options->every_event,
-                    "A line for every event; without it what happens to many slaves at one time is one line");
+  auto* every =
+      command->add_flag("--every-event", options->every_event,
+                        "A line for every event; without it what happens to many slaves at one time is one line");
   command->add_option(
       "--save-host", options->save_host,
       "Write what the run showed of its host (wake-ups, send stamps, stalls) to this file, for a scenario");
-  command->add_flag("--json", options->json, "Print JSON");
+  // Its events are all of them.
+  command->add_flag("--json", options->json, "Print JSON")->excludes(every);
   command->callback([&context, options] { execute(context, *options); });
 }
 
