@@ -115,6 +115,10 @@ Status FirstColumns::take(const Block& block) {
   const auto newest = newest_.value_or(block.begin);
   newest_ = std::max(newest, block.end);
   if (last < 0 || first >= static_cast<std::ptrdiff_t>(columns_.front().size())) return {};
+  // What will be a gap when its samples are read is none of the picture either.
+  const auto whole = reader_.is_whole(block);
+  if (!whole) return left_out(tl::unexpected(whole.error()));
+  if (!*whole) return {};
   std::vector<Range> ranges(signals_.size());
   if (auto status = reader_.ranges(block, signals_, ranges); !status) return left_out(status);
   if (first != last || block.begin < newest) {

@@ -5,6 +5,7 @@
 
 #include "reasons/because.h"
 #include "record/recording_reader.h"
+#include "record/sample_columns.h"
 
 namespace syncline {
 
@@ -65,6 +66,22 @@ Status RecordingReader::read_levels(const Block& block, std::int64_t series, std
   });
   if (!status) return read_error(database_, status.error());
   return good ? Status{} : unread(block, series);
+}
+
+Result<bool> RecordingReader::is_whole(const Block& block) {
+  if (!is_checked()) return true;
+  auto row = database_.prepare(select_rows("data", version_, "WHERE id >= ? AND id < ?"));
+  if (!row) return read_error(database_, row.error());
+  const auto first = block.number * kSeriesPerBlock;
+  row->bind(0, first).bind(1, first + kBusSeries);
+  bool whole = true;
+  const auto status = row->each([&] {
+    whole = row->integer(kDataCheck) != 0 || column_writer(row->integer(kDataId) - first) == nullptr;
+    return whole;
+  });
+  if (status) return whole;
+  if (is_damaged(status.error())) return false;
+  return read_error(database_, status.error());
 }
 
 Status RecordingReader::cells(const Block& block, Signal column, ColumnCells& out) {

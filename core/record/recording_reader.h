@@ -107,6 +107,8 @@ class RecordingReader {
   }
   /// The cells of one block, one a cycle; kFileNotReadable, too, where it has no such column.
   [[nodiscard]] Status cells(const Block& block, Signal column, ColumnCells& out);
+  /// Whether its samples can be read: their rows are as they were written. True where rows have no checks.
+  [[nodiscard]] Result<bool> is_whole(const Block& block);
   using AllPoints = std::map<std::int64_t, Points>;  // by series_number()
   /// The samples of one block, and what it has of points() of counts and states behind what is there.
   [[nodiscard]] Status samples(const Block& block, std::vector<CycleSample>& out, AllPoints& points) {

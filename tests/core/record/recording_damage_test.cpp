@@ -244,6 +244,26 @@ TEST_F(RecordingDamage, OfASumIsNothingInTheFirstPicture) {
   EXPECT_FALSE(reader->damage().empty());
 }
 
+TEST_F(RecordingDamage, OfACellIsAGapInTheFirstPictureToo) {
+  make();
+  harm("UPDATE data SET cells = zeroblob(length(cells)) WHERE id = 1048576 + 3");  // of block 1
+  auto reader = RecordingReader::open(path());
+  const auto info = reader->info();
+  const auto blocks = reader->blocks();
+  ASSERT_TRUE(info && blocks);
+  constexpr std::array kErrors{Signal::kDcmError};
+  const auto columns = first_columns(*reader, kErrors, info->begin, info->end, kSecond / 10);
+  ASSERT_TRUE(columns);
+  int drawn = 0, within = 0;
+  for (const auto& column : columns->front()) {
+    drawn += column.valid ? 1 : 0;
+    const bool inside = column.start > (*blocks)[1].begin && column.start + kSecond / 10 < (*blocks)[1].end;
+    within += inside && column.valid ? 1 : 0;
+  }
+  EXPECT_GT(drawn, 20);
+  EXPECT_EQ(within, 0);
+}
+
 TEST_F(RecordingDamage, OfAnOlderVersionMayNotBeSeenWhichIsSaid) {
   make();
   ASSERT_TRUE(test::make_older(path(), 4));
