@@ -125,11 +125,14 @@ void add_check_command(CLI::App& app, Context& context) {
   auto* command =
       app.add_subcommand("check", "Check an ENI file: structure, references, commands, clocks, process image");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("file", options->file, "ENI file");
-  command->add_option("--severity", options->severity, "Lowest severity shown: note, warning or error")
-      ->check(CLI::IsMember({"note", "warning", "error"}));
-  command->add_flag("--strict", options->strict, "Warnings count as errors for the exit code");
-  command->add_flag("--rules", options->rules, "List the rules instead");
+  auto* file = command->add_option("file", options->file, "ENI file");
+  auto* severity = command->add_option("--severity", options->severity, "Lowest severity shown: note, warning or error")
+                       ->check(CLI::IsMember({"note", "warning", "error"}));
+  auto* strict = command->add_flag("--strict", options->strict, "Warnings count as errors for the exit code");
+  command->add_flag("--rules", options->rules, "List the rules instead")
+      ->excludes(file)
+      ->excludes(severity)
+      ->excludes(strict);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { check(context, *options); });
 }

@@ -8,6 +8,7 @@
 #include "app/cli/difference_json.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal_reason.h"
 #include "app/composition/load_config.h"
 #include "app/composition/open_link.h"
 #include "compare/compare_configs.h"
@@ -90,7 +91,19 @@ Result<Compared> compare_any(const CompareOptions& options) {
   return out;
 }
 
+/// What would have no effect.
+Status check_options(const CompareOptions& options) {
+  if (options.details && is_link(options.right))
+    return fail(ErrorCode::kBadValue, "--details", in_terminal("a bus has no commands to compare: leave it out"));
+  if (options.look_only && !is_link(options.right)) {
+    return fail(ErrorCode::kBadValue, "--look-only",
+                in_terminal(options.right + " is a file, and no bus is scanned: leave it out, or name a LINK"));
+  }
+  return {};
+}
+
 void compare(Context& context, const CompareOptions& options) {
+  if (const auto status = check_options(options); !status) return context.fail_with(status.error());
   const auto compared = compare_any(options);
   if (!compared) return context.fail_with(compared.error());
   if (!compared->differences.empty()) context.exit_code = kAnswerIsNo;

@@ -214,8 +214,9 @@ void show_delays(Context& context, const DcOptions& options) {
 
 void add_common(CLI::App& command, DcOptions& options) {
   command.add_option("link", options.link, "LINK")->required();
-  command.add_option("--project,--eni", options.file, "Project or ENI file: names, and what should be");
-  command.add_option("--network", options.network, "Network of a project that holds several: name or number");
+  auto* file = command.add_option("--project,--eni", options.file, "Project or ENI file: names, and what should be");
+  command.add_option("--network", options.network, "Network of a project that holds several: name or number")
+      ->needs(file);
   command.add_flag("--json", options.json, "Print JSON");
 }
 
@@ -232,10 +233,11 @@ void add_dc_command(CLI::App& app, Context& context) {
   auto delay_options = std::make_shared<DcOptions>();
   auto* delays = command->add_subcommand("delays", "Measure the propagation delays: ports, receive times, delays");
   add_common(*delays, *delay_options);
-  delays->add_option("--rounds", delay_options->rounds, "Latches whose medians count")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  delays->add_flag("--look-only", delay_options->look_only, "Latch nothing: read the times that are there");
+  auto* rounds = delays->add_option("--rounds", delay_options->rounds, "Latches whose medians count")
+                     ->check(CLI::Range(1, 100))
+                     ->capture_default_str();
+  delays->add_flag("--look-only", delay_options->look_only, "Latch nothing: read the times that are there")
+      ->excludes(rounds);
   delays->callback([&context, delay_options] { show_delays(context, *delay_options); });
 }
 

@@ -15,6 +15,11 @@ void add_esi_folders(CLI::App& command, EsiFolders& options) {
   command.add_option("--cache", options.cache, "Database of the catalogue (otherwise in the user's cache folder)");
 }
 
+void add_files(CommandFiles& files, const EsiFolders& options) {
+  for (const auto& folder : options.folders) files.reads_esi("--esi", folder);
+  files.writes_database("--cache", options.cache);
+}
+
 Result<eni::EsiCatalogue> open_catalogue(Context& context, const EsiFolders& options) {
   auto catalogue = options.cache.empty() ? Result<eni::EsiCatalogue>(eni::EsiCatalogue::open_default())
                                          : eni::EsiCatalogue::open(options.cache);

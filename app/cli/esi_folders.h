@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "eni/catalogue/esi_catalogue.h"
 
@@ -16,6 +17,8 @@ struct EsiFolders {
 };
 
 void add_esi_folders(CLI::App& command, EsiFolders& options);
+/// What they read and write.
+void add_files(CommandFiles& files, const EsiFolders& options);
 
 /// Opens the catalogue and brings it up to date. Says on the error stream what the user should know (a database that
 /// was made again); files that cannot be read stay in EsiCatalogue::warnings().

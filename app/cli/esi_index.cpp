@@ -118,8 +118,9 @@ void add_esi_index(CLI::App& esi, Context& context) {
   auto options = std::make_shared<IndexOptions>();
   command->add_option("folders", options->folders, "Folders of ESI files, with the folders below them")->required();
   command->add_option("--cache", options->cache, "Database of the catalogue (otherwise in the user's cache folder)");
-  command->add_flag("--forget", options->forget, "Take the folders out of the catalogue");
-  command->add_flag("--progress", options->progress, "Name each file that is read on the error stream");
+  auto* forget = command->add_flag("--forget", options->forget, "Take the folders out of the catalogue");
+  command->add_flag("--progress", options->progress, "Name each file that is read on the error stream")
+      ->excludes(forget);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([&context, options] { index(context, *options); });
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/findings_text.h"
@@ -70,6 +71,12 @@ std::vector<Finding> wrong_in_export(const ExportOptions& options, const LoadedC
 void export_file(Context& context, const ExportOptions& options) {
   if (!options.report.empty() && options.format != "eni")
     return context.fail_with_words("--report goes with an ENI, not with --format " + options.format, kUsage);
+  const auto distinct = CommandFiles()
+                            .reads("file", options.file)
+                            .writes("--output", options.output)
+                            .writes("--report", options.report)
+                            .check();
+  if (!distinct) return context.fail_with(distinct.error());
   auto loaded = load_any_config(options.file, {chosen_dialect(options)}, options.network);
   if (!loaded) return context.fail_with(loaded.error());
   for (auto& finding : about_layout(options, *loaded)) loaded->findings.push_back(std::move(finding));

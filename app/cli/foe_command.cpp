@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/cli/command_files.h"
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "master/mailbox/foe_client.h"
@@ -31,6 +32,8 @@ void report(Context& context, const FoeOptions& options, std::size_t bytes, bool
 }
 
 void read_file(Context& context, const FoeOptions& options) {
+  const auto distinct = CommandFiles().reads_link("link", options.slave.link).writes("file", options.file).check();
+  if (!distinct) return context.fail_with(distinct.error());
   with_mailbox(
       context, options.slave,
       [&](SlaveVisit& visit) -> Status {

@@ -101,8 +101,10 @@ void add_create(CLI::App& project, Context& context) {
   scan->excludes(device)->excludes(eni);
   device->excludes(eni);
   add_esi_folders(*command, options->esi);
-  command->add_flag("!--no-dictionary", options->read_dictionaries,
-                    "Leave slaves without an ESI in their state: configure them from their EEPROM alone");
+  command
+      ->add_flag("!--no-dictionary", options->read_dictionaries,
+                 "Leave slaves without an ESI in their state: configure them from their EEPROM alone")
+      ->needs(scan);
   command->add_option("--cycle", options->cycle_us, "Cycle time in us");
   command->add_option("--shift", options->shift,
                       "bus, master, off, master-ref-clock, link-layer-ref-clock, dcx or master-shift-by-app");

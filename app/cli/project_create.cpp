@@ -124,6 +124,10 @@ Status save(const Project& project, const CreateOptions& options) {
 }  // namespace
 
 void create_project(Context& context, const CreateOptions& options) {
+  CommandFiles files;
+  files.reads_link("--scan", options.scan).reads("--eni", options.eni).writes("file", options.file);
+  add_files(files, options.esi);
+  if (const auto distinct = files.check(); !distinct) return context.fail_with(distinct.error());
   RecoveredProject recovered;
   auto project = build(context, options, recovered);
   if (!project) return context.fail_with(project.error());

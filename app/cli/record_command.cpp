@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/milliseconds.h"
@@ -114,7 +115,7 @@ void show_info(Context& context, const RecordingOptions& options) {
   context.console.out << recording_text(*info);
 }
 
-/// As a run writes it, byte for byte.
+/// As a run writes it, byte for byte, without what is damaged.
 Status write_csv(RecordingReader& reader, const RecordingOptions& options) {
   const auto info = reader.info();
   if (!info) return tl::unexpected(info.error());
@@ -159,10 +160,13 @@ Status write_document(RecordingReader& reader, const RecordingOptions& options) 
 }
 
 void export_to(Context& context, const RecordingOptions& options) {
+  const auto distinct = CommandFiles().reads_recording("file", options.file).writes("out", options.out).check();
+  if (!distinct) return context.fail_with(distinct.error());
   auto reader = RecordingReader::open(options.file);
   if (!reader) return context.fail_with(reader.error());
   const auto status = options.document.empty() ? write_csv(*reader, options) : write_document(*reader, options);
   if (!status) context.fail_with(status.error());
+  warn_of_file(context, *reader);
 }
 
 /// A capture by its own mark, else a table by its first line.
@@ -175,9 +179,15 @@ Result<ImportedRun> imported_run(const RecordingOptions& options) {
 }
 
 void import_from(Context& context, const RecordingOptions& options) {
+  const auto distinct = CommandFiles().reads("file", options.file).writes_database("out", options.out).check();
+  if (!distinct) return context.fail_with(distinct.error());
   const auto run = imported_run(options);
   if (!run) return context.fail_with(run.error());
   if (const auto status = write_recording(*run, options.out); !status) return context.fail_with(status.error());
+  for (const auto& finding : run->findings) {
+    context.warn(finding);
+    if (finding.severity != Severity::kNote) context.exit_code = kAnswerIsNo;
+  }
   context.console.out << fmt::format("{} cycles of {:g} us, {:.3f} s\n", run->samples.size(),
                                      static_cast<double>(run->about.limits.cycle_time) / 1000,
                                      seconds(run->samples.back().send_time - run->samples.front().send_time));
@@ -195,8 +205,13 @@ void verify(Context& context, const RecordingOptions& options) {
   const auto info = reader->info();
   if (!info) return context.fail_with(info.error());
   if (options.json) {
-    return context.print({{"whole", true}, {"cut_short", !info->ended}, {"blocks", *blocks}, {"cycles", info->cycles}});
+    return context.print({{"whole", true},
+                          {"checked", reader->is_checked()},
+                          {"cut_short", !info->ended},
+                          {"blocks", *blocks},
+                          {"cycles", info->cycles}});
   }
+  for (const auto& finding : reader->found()) context.warn(finding);
   context.console.out << fmt::format("whole: {}, {} cycles; end: {}\n", counted(*blocks, "block"), info->cycles,
                                      end_text(*info));
 }

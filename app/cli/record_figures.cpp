@@ -51,7 +51,7 @@ Status check_signals(const std::vector<std::string>& keys, const RangeFigures& f
   return {};
 }
 
-Result<Told> read_told(const FiguresOptions& options) {
+Result<Told> read_told(Context& context, const FiguresOptions& options) {
   auto reader = RecordingReader::open(options.file);
   if (!reader) return tl::unexpected(reader.error());
   auto info = reader->info();
@@ -73,6 +73,7 @@ Result<Told> read_told(const FiguresOptions& options) {
     return samples.back().send_time < stretch->end;
   });
   if (!status) return tl::unexpected(status.error());
+  warn_of_file(context, *reader);
   return told;
 }
 
@@ -253,7 +254,7 @@ std::string figures_text(const Told& told, const FiguresOptions& options) {
 }  // namespace
 
 void show_figures(Context& context, const FiguresOptions& options) {
-  const auto told = read_told(options);
+  const auto told = read_told(context, options);
   if (!told) return context.fail_with(told.error());
   if (options.json) return context.print(figures_as_json(*told, options));
   context.console.out << figures_text(*told, options);

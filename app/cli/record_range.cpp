@@ -20,6 +20,14 @@ Result<Nanoseconds> parse_moment(const std::string& text) {
 
 }  // namespace
 
+void warn_of_file(Context& context, const RecordingReader& reader) {
+  for (const auto& finding : reader.found()) {
+    if (finding.severity == Severity::kNote) continue;
+    context.warn(finding);
+    if (finding.severity == Severity::kError && context.exit_code == kDone) context.exit_code = kAnswerIsNo;
+  }
+}
+
 void add_range_options(CLI::App& command, RecordRange& range) {
   command.add_option("--from", range.from, "Begin of the range since the recording's, e.g. 1.5s or 2min");
   command.add_option("--to", range.to, "End of the range, likewise; it is no part of it");

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/context.h"
 #include "record/recording_reader.h"
 
 namespace CLI {
@@ -21,6 +22,9 @@ struct RecordRange {
 struct RecordStretch {
   Nanoseconds begin = 0, end = 0;
 };
+
+/// What is wrong with a recording that was read, for who takes values out of it: exit code 1 where some are missing.
+void warn_of_file(Context& context, const RecordingReader& reader);
 
 /// --from and --to.
 void add_range_options(CLI::App& command, RecordRange& range);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/command_files.h"
 #include "app/cli/duration.h"
 #include "app/cli/options.h"
 #include "app/cli/record_range.h"
@@ -63,7 +64,9 @@ Status take_limits(ReportOptions& options) {
   return {};
 }
 
-Result<reports::Acceptance> write_report(const ReportOptions& options) {
+Result<reports::Acceptance> write_report(Context& context, const ReportOptions& options) {
+  const auto distinct = CommandFiles().reads_recording("file", options.file).writes("out", options.out).check();
+  if (!distinct) return tl::unexpected(distinct.error());
   auto reader = RecordingReader::open(options.file);
   if (!reader) return tl::unexpected(reader.error());
   auto info = reader->info();
@@ -73,6 +76,7 @@ Result<reports::Acceptance> write_report(const ReportOptions& options) {
   auto config = recorded_configuration(info->about, eni::parse_eni);
   const auto run = replay_run(*reader, std::move(*info), std::move(config));
   if (!run) return tl::unexpected(run.error());
+  warn_of_file(context, *reader);
   auto facts = reports::facts_of(*run, options.file);
   if (!options.machine.empty()) facts.machine = options.machine;
   facts.date = eni::report_date();
@@ -88,7 +92,7 @@ Result<reports::Acceptance> write_report(const ReportOptions& options) {
 
 void report(Context& context, ReportOptions& options) {
   if (const auto status = take_limits(options); !status) return context.fail_with(status.error());
-  const auto acceptance = write_report(options);
+  const auto acceptance = write_report(context, options);
   if (!acceptance) return context.fail_with(acceptance.error());
   if (acceptance->verdict != reports::Verdict::kKept) context.exit_code = kAnswerIsNo;
   if (options.json) return context.print(acceptance_json(*acceptance));

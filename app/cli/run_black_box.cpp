@@ -20,14 +20,17 @@ constexpr std::uint64_t kBytesPerMiB = 1ULL << 20;
 }  // namespace
 
 void add_black_box_options(CLI::App& command, BlackBoxOptions& options) {
-  command.add_option("--black-box", options.name,
-                     "Keep the last frames in files NAME_NUMBER_TIME.pcapng, whole also after a crash; a folder is a "
-                     "name, too");
+  auto* box = command.add_option(
+      "--black-box", options.name,
+      "Keep the last frames in files NAME_NUMBER_TIME.pcapng, whole also after a crash; a folder is a "
+      "name, too");
   command.add_option("--black-box-mib", options.mib, "Size of these files together; the oldest goes first")
+      ->needs(box)
       ->capture_default_str();
   command
       .add_option("--black-box-keep-free-mib", options.keep_free_mib,
                   "End the black box when the disk has less room than this left; the run goes on")
+      ->needs(box)
       ->capture_default_str();
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "app/cli/duration.h"
 #include "app/cli/event_lines.h"
@@ -119,6 +120,9 @@ class RunFiles {
 Result<WatchLists> watched_of(const RunOptions& options, const NetworkConfig& config) {
   WatchLists watched;
   if (options.watched.empty()) return watched;
+  if (options.csv.empty() && options.record.file.empty())
+    return fail(ErrorCode::kBadValue, "--watch",
+                in_terminal("only --csv and --record hold variables: add one of them"));
   std::vector<WatchedVariable> variables;
   for (const auto& text : options.watched) {
     auto variable = find_watchable(config, text);
@@ -173,6 +177,22 @@ Status save_host(const RunOptions& options, const HostRecorder& host, const Netw
   return write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
 }
 
+/// The manual's name for a log that is on without another name.
+constexpr const char* kUsualLog = "dcmlog0.0.csv";
+
+Status check_files(const RunOptions& options, bool log_is_on) {
+  return CommandFiles()
+      .reads("file", options.file)
+      .reads_link("--link", options.link)
+      .writes("--csv", options.csv)
+      .writes("--dcm-log", options.dcm_log)
+      .writes("the setting master.dc.log (name its file with --dcm-log)", log_is_on ? kUsualLog : "")
+      .writes("--capture", options.capture)
+      .writes("--save-host", options.save_host)
+      .writes_database("--record", options.record.file)
+      .check();
+}
+
 void execute(Context& context, const RunOptions& options) {
   const auto duration = parse_duration(options.duration);
   if (!duration) return context.fail_with(duration.error());
@@ -187,6 +207,8 @@ void execute(Context& context, const RunOptions& options) {
     return;
   }
 
+  const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
+  if (const auto distinct = check_files(options, log_is_on); !distinct) return context.fail_with(distinct.error());
   auto requests = requests_of(options, compiled->config.slaves.size());
   if (!requests) return context.fail_with(requests.error());
   const auto watched = watched_of(options, compiled->config);
@@ -196,9 +218,7 @@ void execute(Context& context, const RunOptions& options) {
 
   const bool virtual_time = opened->clock->is_virtual();
   RunFiles files(context, compiled->config, *watched);
-  // The manual's name for a log that is on without another name.
-  const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;
-  if (auto status = files.open(options.csv, log_is_on ? "dcmlog0.0.csv" : options.dcm_log); !status)
+  if (auto status = files.open(options.csv, log_is_on ? kUsualLog : options.dcm_log); !status)
     return context.fail_with(status.error());
   const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config,
                                            *watched, virtual_time);
@@ -316,12 +336,14 @@ void add_run_command(CLI::App& app, Context& context) {
                       "SLAVE:INDEX:SUB, e.g. 1:0x1018:01: read this object while the bus runs, and print its bytes");
   command->add_flag("--lateness", options->lateness,
                     "Add how late the frames were sent, and the processor time of a cycle");
-  command->add_flag("--every-event", options->every_event,
-                    "A line for every event; without it what happens to many slaves at one time is one line");
+  auto* every =
+      command->add_flag("--every-event", options->every_event,
+                        "A line for every event; without it what happens to many slaves at one time is one line");
   command->add_option(
       "--save-host", options->save_host,
       "Write what the run showed of its host (wake-ups, send stamps, stalls) to this file, for a scenario");
-  command->add_flag("--json", options->json, "Print JSON");
+  // Its events are all of them.
+  command->add_flag("--json", options->json, "Print JSON")->excludes(every);
   command->callback([&context, options] { execute(context, *options); });
 }
 

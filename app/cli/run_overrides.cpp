@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/terminal_reason.h"
+#include "app/composition/load_config.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
 #include "protocol/registers.h"
@@ -93,6 +94,7 @@ Result<CompileResult> load_with_overrides(const std::string& path, std::string_v
   if (project.error().code != ErrorCode::kNotThatKindOfFile) return tl::unexpected(project.error());
   auto config = eni::read_eni(path);
   if (!config) return tl::unexpected(config.error());
+  if (auto status = check_network_of_eni(path, network); !status) return tl::unexpected(status.error());
   if (auto status = set_all(*config, *parsed); !status) return tl::unexpected(status.error());
   return CompileResult{std::move(*config), {}};
 }

@@ -33,14 +33,17 @@ Result<RecordingAbout> about(const std::string& file, const std::string& link, c
 }  // namespace
 
 void add_record_options(CLI::App& command, RecordOptions& options) {
-  command.add_option("--record", options.file,
-                     "Record the run to this new file: every cycle, events, findings and what was run");
-  command.add_option("--record-longest", options.longest,
-                     "End the recording after so long, e.g. 10min; the run goes on");
-  command.add_option("--record-most-mib", options.most_mib, "End the recording at this size; the run goes on");
+  auto* record = command.add_option("--record", options.file,
+                                    "Record the run to this new file: every cycle, events, findings and what was run");
+  command
+      .add_option("--record-longest", options.longest, "End the recording after so long, e.g. 10min; the run goes on")
+      ->needs(record);
+  command.add_option("--record-most-mib", options.most_mib, "End the recording at this size; the run goes on")
+      ->needs(record);
   command
       .add_option("--record-keep-free-mib", options.keep_free_mib,
                   "End the recording when the disk has less room than this left")
+      ->needs(record)
       ->capture_default_str();
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/esi_folders.h"
@@ -149,6 +150,10 @@ void print_matches(std::ostream& out, const BusScan& scan, const eni::EsiCatalog
 }
 
 void scan(Context& context, const ScanOptions& options) {
+  CommandFiles files;
+  files.reads_link("link", options.link).writes("--capture", options.capture);
+  add_files(files, options.esi);
+  if (const auto distinct = files.check(); !distinct) return context.fail_with(distinct.error());
   const InterruptGuard interrupt;
   ScanRequest request;
   request.options.look_only = options.look_only;

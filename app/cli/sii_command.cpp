@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/cli/command_files.h"
 #include "app/cli/context.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
@@ -19,6 +20,8 @@ struct SiiOptions {
 };
 
 void save(Context& context, const SiiOptions& options) {
+  const auto distinct = CommandFiles().reads_link("link", options.slave.link).writes("file", options.file).check();
+  if (!distinct) return context.fail_with(distinct.error());
   const auto bytes = save_eeprom(options.slave, options.file);
   if (!bytes) return context.fail_with(bytes.error());
   if (options.json) return context.print({{"file", options.file}, {"bytes", *bytes}});

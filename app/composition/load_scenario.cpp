@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "config/device_from_sii.h"
 #include "eni/esi/esi_reader.h"
@@ -23,8 +24,10 @@ namespace {
 class DeviceFiles {
  public:
   Result<sim::ScenarioDevice> operator()(const sim::DeviceQuery& query) {
+    files_.insert(query.path);
     return query.kind == sim::DeviceQuery::Kind::kSii ? from_sii(query) : from_esi(query);
   }
+  [[nodiscard]] const std::set<std::string>& files() const { return files_; }
 
  private:
   Result<sim::ScenarioDevice> from_esi(const sim::DeviceQuery& query) {
@@ -75,6 +78,7 @@ class DeviceFiles {
   }
 
   std::map<std::string, eni::EsiFile> esi_;
+  std::set<std::string> files_;
 };
 
 /// Scenarios are TOML; what is XML says by its root element what it is.
@@ -102,7 +106,9 @@ Result<SimConfig> simulated_file(const std::string& path, const std::string& net
 Result<SimConfig> load_scenario_file(const std::string& path) {
   if (describes_network(path)) return simulated_file(path, "");
   DeviceFiles files;
-  return sim::load_scenario(path, [&files](const sim::DeviceQuery& query) { return files(query); });
+  auto config = sim::load_scenario(path, [&files](const sim::DeviceQuery& query) { return files(query); });
+  if (config) config->files.insert(config->files.end(), files.files().begin(), files.files().end());
+  return config;
 }
 
 Result<SimConfig> load_network(const std::string& path, unsigned network, const std::optional<std::uint64_t>& seed) {

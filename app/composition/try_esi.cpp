@@ -10,6 +10,7 @@
 
 #include "eni/esi/esi_reader.h"
 #include "findings/error_text.h"
+#include "support/distinct_files.h"
 
 namespace syncline {
 namespace {
@@ -45,6 +46,30 @@ TriedDevice rejected(const Error& error) {
           .outcome = TryOutcome::kExcepted,
           .step = TryStep::kRead,
           .reason = "the ESI file does not describe it: " + describe(error)};
+}
+
+/// "Maker_Drives-": what the ENI of each of its devices begins with.
+std::string kept_stem(const std::string& file) { return std::filesystem::path(file).stem().string() + '-'; }
+
+/// No ESI file has a name that the ENI of another's device will get. Which numbers there are is known only when all are
+/// read, and by then the first are written: any number counts.
+Status check_kept(const TryRequest& request, const std::vector<std::string>& files) {
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(request.keep, error), end; !error && it != end; it.increment(error)) {
+    const auto name = it->path().filename().string();
+    const auto may_become = [&name](const std::string& file) {
+      const auto stem = kept_stem(file);
+      const auto number = name.size() > stem.size() ? name.substr(stem.size(), name.rfind('.') - stem.size()) : "";
+      return name.starts_with(stem) && name.ends_with(".xml") && !number.empty() &&
+             number.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (std::ranges::none_of(files, may_become)) continue;
+    const NamedFile written[]{{"--keep", it->path().string()}};
+    std::vector<NamedFile> read;
+    for (const auto& file : files) read.push_back({"the argument path", file});
+    if (auto status = check_distinct(read, written); !status) return status;
+  }
+  return {};
 }
 
 /// Files are taken by the threads one by one; each has its place in the report.
@@ -102,8 +127,8 @@ class Trial {
   /// "KEEP/Maker_Drives-3.xml": the third device of Maker_Drives.xml.
   [[nodiscard]] std::string kept_file(const std::string& file, std::size_t device) const {
     if (request_.keep.empty()) return {};
-    const auto stem = std::filesystem::path(file).stem().string();
-    return (std::filesystem::path(request_.keep) / (stem + "-" + std::to_string(device + 1) + ".xml")).string();
+    const auto name = kept_stem(file) + std::to_string(device + 1) + ".xml";
+    return (std::filesystem::path(request_.keep) / name).string();
   }
 
   void done(std::size_t number, TriedDevice tried) {
@@ -129,6 +154,7 @@ std::size_t TryReport::count(TryOutcome outcome) const {
 Result<TryReport> try_esi(const TryRequest& request) {
   auto files = files_of(request.path);
   if (!files) return tl::unexpected(files.error());
+  if (auto status = check_kept(request, *files); !status) return tl::unexpected(status.error());
   return Trial(request, std::move(*files)).run();
 }
 

@@ -158,6 +158,11 @@ Options parse_options(const QCoreApplication& app) {
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
   parser.process(app);
   Options options;
+  if (parser.positionalArguments().size() > 1) {
+    refuse(
+        QStringLiteral("\"%1\": one file is opened, and that is \"%2\"; lay another recording over it with --overlay")
+            .arg(parser.positionalArguments().at(1), parser.positionalArguments().constFirst()));
+  }
   if (!parser.positionalArguments().isEmpty()) options.file = parser.positionalArguments().constFirst();
   options.picture = picture.of(parser);
   options.picture.file = options.file;
@@ -170,6 +175,12 @@ Options parse_options(const QCoreApplication& app) {
     }
   } else if (options.picture.out.isEmpty()) {
     refuse(QStringLiteral("--picture: name the file to write"));
+  }
+  if (parser.isSet(faults) && !parser.isSet(screenshots)) refuse(QStringLiteral("--faults goes with --screenshots"));
+  for (const auto& option : {demo, link, theme, screenshots, exit_after, reset}) {
+    if (parser.isSet(picture.out) && parser.isSet(option))
+      refuse(QStringLiteral("--%1: a picture of a recording needs no window, leave --%1 or --picture out")
+                 .arg(option.names().constFirst()));
   }
   options.link = parser.value(link);
   options.theme = given(parser, theme);

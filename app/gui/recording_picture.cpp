@@ -13,6 +13,7 @@
 #include <string>
 
 #include "app/cli/cli.h"
+#include "app/cli/command_files.h"
 #include "app/cli/duration.h"
 #include "app/cli/record_range.h"
 #include "reasons/because.h"
@@ -152,6 +153,12 @@ int writePictureOf(const PictureOptions& options) {
   if (const auto wrong = understand(options, wanted); !wrong.isEmpty()) return told(wrong, cli::kUsage);
   std::optional<Nanoseconds> offset;
   if (const auto wrong = understandOverlay(options, wanted, offset); !wrong.isEmpty()) return told(wrong, cli::kUsage);
+  const auto distinct = cli::CommandFiles()
+                            .reads_recording("file", options.file.toStdString())
+                            .reads_recording("--overlay", options.overlay.toStdString())
+                            .writes("--picture", options.out.toStdString())
+                            .check();
+  if (!distinct) return told(distinct.error());
   ui::OpenedRecording recording;
   std::optional<Error> error;
   QEventLoop reading;

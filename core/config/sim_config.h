@@ -148,6 +148,7 @@ struct SimConfig {
   std::vector<SimSlaveConfig> slaves;  // frame order is found from the wiring and must equal this order
   std::vector<FaultConfig> faults;
   std::vector<LatchPulses> latch_pulses;
+  std::vector<std::string> files{};  // what it was read from
 
   /// The segment of network `number` (from 0): like the others, with random processes of its own.
   [[nodiscard]] SimConfig of_network(unsigned number) const {

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "findings/recording_words.h"
+#include "findings/sentence.h"
 #include "link/link.h"
 #include "link/replay/pcap_reader.h"
 #include "protocol/dc_registers.h"
@@ -339,16 +341,26 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
   auto reader = PcapReader::open(path);
   if (!reader) return tl::unexpected(reader.error());
   Pairing pairing;
+  ImportedRun run;
+  std::uint64_t frames = 0, in_part = 0;
   for (;;) {
     auto frame = reader->next();
-    if (!frame) return tl::unexpected(frame.error());
+    if (!frame && frames == 0) return tl::unexpected(frame.error());
+    if (!frame) {
+      run.findings.push_back(make_finding<words::kRecording>("import-capture-cut", {}, fig::count<"frames">(frames),
+                                                             fig::reason<"reason">(frame.error().detail)));
+      break;
+    }
     if (!*frame) break;
+    ++frames;
+    in_part += (*frame)->truncated ? 1U : 0U;
     pairing.add(**frame);
   }
+  if (in_part > 0)
+    run.findings.push_back(make_finding<words::kRecording>("import-frames-cut", {}, fig::count<"count">(in_part)));
   const auto captured = pairing.take();
   const auto name = std::filesystem::path(path).filename().string();
   const auto main = main_key(captured.exchanges);
-  ImportedRun run;
   if (main) {
     Stations stations(captured.exchanges);
     run.about.slaves = stations.slaves();

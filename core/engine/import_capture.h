@@ -15,7 +15,8 @@ namespace syncline {
 /// have the order of their station addresses. Which working counter is right, verdicts, states and errors of a
 /// controller no capture tells.
 ///
-/// As PcapReader; kBadValue where no cyclic frame came back.
+/// A capture that breaks off is imported up to there, which is a finding, and so are frames that were captured in part.
+/// As PcapReader where not a single frame can be read; kBadValue where no cyclic frame came back.
 [[nodiscard]] Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits = {});
 
 }  // namespace syncline

@@ -9,6 +9,7 @@
 #include "findings/event_words.h"
 #include "findings/finding.h"
 #include "findings/project_words.h"
+#include "findings/recording_words.h"
 #include "findings/run_bus_words.h"
 #include "findings/run_slaves_words.h"
 #include "findings/scan_words.h"
@@ -17,7 +18,8 @@ namespace syncline {
 namespace {
 
 constexpr auto kRun = words::joined(words::kRunSlaves, words::kRunBus);
-constexpr auto kTold = words::joined(words::kScan, words::kDifferences, words::kFileErrors, words::kBusErrors);
+constexpr auto kTold =
+    words::joined(words::kScan, words::kDifferences, words::kFileErrors, words::kBusErrors, words::kRecording);
 
 const std::vector<FindingWords>& all() {
   static const std::vector<FindingWords> rows = [] {

@@ -220,7 +220,6 @@ inline constexpr std::string_view kCommonReasons[] = {
     "no cycle has run yet: go online first",
     "another stretch is being written; try again in a moment",
     "no cycle of it is in memory any more",
-    "it holds no cycles: it was cut short before its first second",
 };
 
 template <std::size_t... kRows>

@@ -27,6 +27,11 @@ struct Part {
   std::ptrdiff_t column = kNowhere;
 };
 
+/// A block that is damaged is a gap, as it will be when its samples are read.
+Status left_out(Status status) {
+  return !status && status.error().code == ErrorCode::kFileNotReadable ? Status{} : status;
+}
+
 /// Of cell `i` as it is drawn; empty where it has no value.
 Range range_of(const ColumnCells& cells, std::size_t i) {
   float value = 0;
@@ -110,8 +115,12 @@ Status FirstColumns::take(const Block& block) {
   const auto newest = newest_.value_or(block.begin);
   newest_ = std::max(newest, block.end);
   if (last < 0 || first >= static_cast<std::ptrdiff_t>(columns_.front().size())) return {};
+  // What will be a gap when its samples are read is none of the picture either.
+  const auto whole = reader_.is_whole(block);
+  if (!whole) return left_out(tl::unexpected(whole.error()));
+  if (!*whole) return {};
   std::vector<Range> ranges(signals_.size());
-  if (auto status = reader_.ranges(block, signals_, ranges); !status) return status;
+  if (auto status = reader_.ranges(block, signals_, ranges); !status) return left_out(status);
   if (first != last || block.begin < newest) {
     waiting_.push_back({block, newest, first, last, std::move(ranges)});
     return {};
@@ -122,7 +131,7 @@ Status FirstColumns::take(const Block& block) {
 
 Status FirstColumns::split_rest() {
   for (const auto& waiting : waiting_) {
-    if (auto status = split(waiting); !status) return status;
+    if (auto status = left_out(split(waiting)); !status) return status;
   }
   return {};
 }

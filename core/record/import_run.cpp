@@ -11,8 +11,11 @@
 #include <limits>
 #include <utility>
 
+#include "findings/recording_words.h"
+#include "findings/sentence.h"
 #include "reasons/because.h"
 #include "record/recording_writer.h"
+#include "support/utf8.h"
 #include "trace/dcm_log.h"
 #include "trace/untold.h"
 
@@ -85,6 +88,15 @@ tl::unexpected<Error> no_cycles(const std::string& name, Reason why) {
   return fail(ErrorCode::kBadValue, name, std::move(why));
 }
 
+/// Of the last line of a file, which has no end.
+Finding unended(int line, bool kept) {
+  const auto number = fig::number<"line">(line);
+  auto finding = kept ? make_finding<words::kRecording>("import-line-cut/kept", {}, number)
+                      : make_finding<words::kRecording>("import-line-cut", {}, number);
+  if (kept) finding.severity = Severity::kNote;
+  return finding;
+}
+
 // ---- log of the master synchronisation -----------------------------------------------------------------------------
 
 /// By the host's clock where its column tells the cycles apart, else by the bus's.
@@ -133,6 +145,7 @@ Result<ImportedRun> import_dcm_log(std::string_view text, const std::string& nam
   if (!log) return tl::unexpected(log.error());
   if (log->rows.empty()) return no_cycles(name, because("it has no rows"));
   ImportedRun run;
+  if (log->unended_line > 0) run.findings.push_back(unended(log->unended_line, !log->left_out));
   Verdict slaves(log->has("DCInSync")), master(log->has("DCMInSync"));
   run.samples.reserve(log->rows.size());
   for (const auto& row : log->rows) {
@@ -214,23 +227,26 @@ class RunTable {
     each_cell(header, [this](std::size_t, std::string_view name) {
       const auto* row = find_signal(name, SignalInfo::Scope::kBus);
       columns_.push_back(row == nullptr ? std::nullopt : std::optional(row->id));
+      if (row != nullptr) needed_ = columns_.size();
     });
   }
   [[nodiscard]] bool has(Signal signal) const { return std::ranges::find(columns_, signal) != columns_.end(); }
-  /// False: a cell is no number; `bad` is it then.
-  bool read(std::string_view line, CycleSample& sample, std::string_view& bad) {
+  /// Why the line is none; empty: it is.
+  Reason read(std::string_view line, CycleSample& sample) {
     in_sync_ = master_in_sync_ = kNoCell;
-    bool good = true;
+    Reason wrong;
+    std::size_t count = 0;
     each_cell(line, [&](std::size_t column, std::string_view text) {
-      if (!good || text.empty() || column >= columns_.size() || !columns_[column]) return;
-      good = put(*columns_[column], text, sample);
-      if (!good) bad = text;
+      ++count;
+      if (!wrong.empty() || text.empty() || column >= columns_.size() || !columns_[column]) return;
+      if (!put(*columns_[column], text, sample)) wrong = because("\"{text}\" is no number", text.substr(0, 40));
     });
+    if (wrong.empty() && count < needed_) wrong = because("of {other} cells it has only {count}", needed_, count);
     const bool answered = (sample.flags & Flag::kFrameLost) == 0 && is_told(sample, kFramesUntold);
     if (answered && sample.wkc_received != sample.wkc_expected) sample.flags |= Flag::kWkcError;
     sample.slaves_sync = verdict(slaves_, in_sync_, has(Signal::kDcInSync));
     sample.master_sync = verdict(master_, master_in_sync_, has(Signal::kDcmInSync));
-    return good;
+    return wrong;
   }
 
  private:
@@ -262,6 +278,7 @@ class RunTable {
   static constexpr int kNoCell = -1;
 
   std::vector<std::optional<Signal>> columns_;
+  std::size_t needed_ = 0;  // cells of a line, up to the last one that is known
   Verdict slaves_{true}, master_{true};
   int in_sync_ = kNoCell, master_in_sync_ = kNoCell;  // cells of the line
 };
@@ -288,15 +305,18 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
   const auto untold = untold_of(table);
   int slaves = 0;
   for (int number = 2; !text.empty(); ++number) {
+    const bool ended = text.find('\n') != std::string_view::npos;
     const auto line = next_line(text);
     if (line.empty()) continue;
     CycleSample sample;
     sample.flags = untold;
-    std::string_view bad;
-    if (!table.read(line, sample, bad)) {
+    const auto wrong = table.read(line, sample);
+    if (!ended) run.findings.push_back(unended(number, wrong.empty()));
+    if (!wrong.empty() && !ended) break;
+    if (!wrong.empty()) {
       return fail(Error{.code = ErrorCode::kMalformedData,
                         .subject = fmt::format("line {} of the table", number),
-                        .detail = because("\"{text}\" is no number", bad.substr(0, 40)),
+                        .detail = wrong,
                         .file = name,
                         .line = number});
     }
@@ -313,6 +333,7 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
 }  // namespace
 
 std::optional<TableKind> table_kind(std::string_view text) {
+  text = without_mark(text);
   const auto line = text.substr(0, text.find('\n'));
   if (line.starts_with("cycle,send_time_ns,")) return TableKind::kRunTable;
   const auto known = read_dcm_table(line);
@@ -320,6 +341,7 @@ std::optional<TableKind> table_kind(std::string_view text) {
 }
 
 Result<ImportedRun> import_table(std::string_view text, const std::string& name, const ImportLimits& limits) {
+  text = without_mark(text);
   const auto kind = table_kind(text);
   if (!kind) {
     return fail(Error{
@@ -352,7 +374,8 @@ ReplayedRun replayed(const ImportedRun& run) {
   record.reserve(capacity);
   if (run.about.armed) record.arm_from(*run.about.armed);
   record.add(run.samples);
-  record.restore(std::vector<Finding>{});
+  record.restore(run.findings);
+  info.findings = recorded(run.findings);
   info.missing_cycles = record.samples().missing_cycles();
   return replayed;
 }
@@ -368,7 +391,7 @@ Status write_recording(const ImportedRun& run, const std::string& path) {
                          run.samples.begin() + static_cast<std::ptrdiff_t>(end));
     if (auto status = writer->write(batch); !status) return status;
   }
-  return writer->finish("end of the file", {});
+  return writer->finish("end of the file", recorded(run.findings));
 }
 
 }  // namespace syncline

@@ -23,6 +23,7 @@ struct ImportLimits {
 struct ImportedRun {
   RecordingAbout about;
   std::vector<CycleSample> samples;
+  std::vector<Finding> findings{};  // about the file: what of it is lost
 };
 
 enum class TableKind : std::uint8_t {
@@ -32,8 +33,9 @@ enum class TableKind : std::uint8_t {
 /// By its first line.
 [[nodiscard]] std::optional<TableKind> table_kind(std::string_view text);
 
-/// `name`: of the file. kMalformedData with the line; kNotThatKindOfFile where it is none of the tables, kBadValue
-/// where it has no rows, or their times do not tell the cycles apart.
+/// `name`: of the file, in UTF-8 with or without its mark. A last line without an end is a finding, left out where it
+/// is not complete. kMalformedData with the line, also where one has too few cells; kNotThatKindOfFile where it is none
+/// of the tables, kBadValue where it has no rows, or their times do not tell the cycles apart.
 [[nodiscard]] Result<ImportedRun> import_table(std::string_view text, const std::string& name,
                                                const ImportLimits& limits = {});
 
@@ -42,7 +44,7 @@ enum class TableKind : std::uint8_t {
 /// Numbers cycles that have none by their times: where some are missing, so many numbers are left out.
 void count_cycles(std::vector<CycleSample>& samples);
 
-/// As if it had been recorded and opened: with slaves by their numbers, no events and no findings.
+/// As if it had been recorded and opened: with slaves by their numbers, no events, and findings about the file alone.
 [[nodiscard]] ReplayedRun replayed(const ImportedRun& run);
 /// To a new recording. As RecordingWriter::create().
 [[nodiscard]] Status write_recording(const ImportedRun& run, const std::string& path);

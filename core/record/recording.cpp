@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "findings/recording_words.h"
 #include "record/typed_values.h"
 
 namespace syncline {
@@ -24,6 +28,10 @@ RecordingAbout about_run(const RunRecord& run) {
   about.armed = standing.armed.value_or(RecordingAbout::kNotArmed);
   about.watched = run.watched();
   return about;
+}
+
+bool is_about_file(const Finding& finding) {
+  return std::ranges::find(words::kRecording, finding.code, &FindingWords::code) != std::end(words::kRecording);
 }
 
 std::vector<RecordedFinding> recorded(std::span<const Finding> findings) {

@@ -63,6 +63,8 @@ struct RecordedFinding {
   std::string details{};  // as encode_finding() writes it; "": only the words are known
   bool operator==(const RecordedFinding&) const = default;
 };
+/// Whether it is about the file that a run was read from, not about the run.
+[[nodiscard]] bool is_about_file(const Finding& finding);
 [[nodiscard]] std::vector<RecordedFinding> recorded(std::span<const Finding> findings);
 
 }  // namespace syncline

@@ -5,6 +5,7 @@
 
 #include "reasons/because.h"
 #include "record/recording_reader.h"
+#include "record/sample_columns.h"
 
 namespace syncline {
 
@@ -24,30 +25,39 @@ Status RecordingReader::ranges(const Block& block, std::span<const Signal> colum
   std::ranges::fill(out, Range{});
   if (columns.empty()) return {};
   // What lies between them costs less than to look for each.
-  auto row = database_.prepare("SELECT id, min, max FROM summary WHERE id >= ? AND id <= ?");
+  auto row = database_.prepare(select_rows("summary", version_, "WHERE id >= ? AND id < ?"));
   if (!row) return read_error(database_, row.error());
   const auto first = block.number * kSeriesPerBlock;
-  row->bind(0, first + series_number(std::ranges::min(columns)));
-  row->bind(1, first + series_number(std::ranges::max(columns)));
+  row->bind(0, first).bind(1, first + kSeriesPerBlock);
+  std::int64_t rows = 0;
+  bool whole = true;
   const auto status = row->each([&] {
-    const auto found = std::ranges::find(columns, row->integer(0) - first, [](Signal s) { return series_number(s); });
+    ++rows;
+    if (row->integer(kSummaryCheck) == 0) {
+      note_row("summary", *row);
+      whole = false;
+    }
+    const auto found =
+        std::ranges::find(columns, row->integer(kSummaryId) - first, [](Signal s) { return series_number(s); });
     if (found == columns.end()) return;
-    out[static_cast<std::size_t>(found - columns.begin())] = {static_cast<float>(row->real(1)),
-                                                              static_cast<float>(row->real(2))};
+    out[static_cast<std::size_t>(found - columns.begin())] = {static_cast<float>(row->real(kSummaryMin)),
+                                                              static_cast<float>(row->real(kSummaryMax))};
   });
-  return status ? Status{} : read_error(database_, status.error());
+  if (!status) return read_error(database_, status.error());
+  if (whole && (block.sums < 0 || rows == block.sums)) return {};
+  return unread(block, series_number(columns.front()));
 }
 
 Status RecordingReader::read_levels(const Block& block, std::int64_t series, std::vector<Range>& out) {
   out.clear();
-  auto row = database_.prepare("SELECT levels FROM data WHERE id = ?");
+  auto row = database_.prepare(select_levels(version_));
   if (!row) return read_error(database_, row.error());
   row->bind(0, block.number * kSeriesPerBlock + series);
   const auto buckets = (static_cast<std::size_t>(block.cycles) + kLevelCycles - 1) / kLevelCycles;
   std::vector<float> pairs;
   bool good = false;
   const auto status = row->each([&] {
-    good = decode_floats(row->blob(0), 2 * buckets, pairs);
+    good = row->integer(2) != 0 && decode_floats(row->blob(1), 2 * buckets, pairs);
     for (std::size_t i = 0; good && i < buckets; ++i) {
       // Comparisons with not-a-number are false: an empty one stays empty.
       out.emplace_back();
@@ -58,15 +68,32 @@ Status RecordingReader::read_levels(const Block& block, std::int64_t series, std
   return good ? Status{} : unread(block, series);
 }
 
+Result<bool> RecordingReader::is_whole(const Block& block) {
+  if (!is_checked()) return true;
+  auto row = database_.prepare(select_rows("data", version_, "WHERE id >= ? AND id < ?"));
+  if (!row) return read_error(database_, row.error());
+  const auto first = block.number * kSeriesPerBlock;
+  row->bind(0, first).bind(1, first + kBusSeries);
+  bool whole = true;
+  const auto status = row->each([&] {
+    whole = row->integer(kDataCheck) != 0 || column_writer(row->integer(kDataId) - first) == nullptr;
+    return whole;
+  });
+  if (status) return whole;
+  if (is_damaged(status.error())) return false;
+  return read_error(database_, status.error());
+}
+
 Status RecordingReader::cells(const Block& block, Signal column, ColumnCells& out) {
-  auto row = database_.prepare("SELECT codec, count, cells FROM data WHERE id = ?");
+  auto row = database_.prepare(select_rows("data", version_, "WHERE id = ?"));
   if (!row) return read_error(database_, row.error());
   const auto series = series_number(column);
   row->bind(0, block.number * kSeriesPerBlock + series);
   bool good = false;
   const auto status = row->each([&] {
-    good = row->integer(1) == block.cycles && decode_column(static_cast<ColumnCodec>(row->integer(0)), row->blob(2),
-                                                            static_cast<std::size_t>(block.cycles), out);
+    good = row->integer(kDataCheck) != 0 && row->integer(kDataCount) == block.cycles &&
+           decode_column(static_cast<ColumnCodec>(row->integer(kDataCodec)), row->blob(kDataCells),
+                         static_cast<std::size_t>(block.cycles), out);
   });
   if (!status) return read_error(database_, status.error());
   return good ? Status{} : unread(block, series);

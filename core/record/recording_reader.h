@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,8 +16,10 @@
 #include <vector>
 
 #include "channels/cycle_sample.h"
+#include "findings/finding.h"
 #include "record/column_codec.h"
 #include "record/recording.h"
+#include "record/recording_rows.h"
 #include "record/recording_schema.h"
 
 namespace syncline {
@@ -40,13 +43,25 @@ struct BlockSummary {
   double min = 0, max = 0, last = 0;
 };
 
-/// Reads a recording, also one that is being written. What is damaged is told, not guessed. For one thread.
+/// Reads a recording, also one that is being written. What is damaged is told, not guessed: rows that are not as they
+/// were written are left out, cycles that need one of them are a gap, and damage() names them. Without them nothing can
+/// be read (limits, lists of variables, SQLite's own pages) is kFileNotReadable. For one thread.
 class RecordingReader {
  public:
   /// As open_recording(), and kFileNotReadable.
   [[nodiscard]] static Result<RecordingReader> open(const std::string& path);
 
   [[nodiscard]] const std::string& path() const { return database_.path(); }
+  /// What was found about the file by all that was read so far, each row once: code "recording-damaged".
+  [[nodiscard]] const std::vector<Finding>& damage() const { return damage_; }
+  /// False: older programs wrote no checks, and what is damaged may not be seen.
+  [[nodiscard]] bool is_checked() const { return version_ >= kFirstWithChecks; }
+  /// One of damage(), for who cannot do without: kFileNotReadable.
+  [[nodiscard]] Status as_error(const Finding& damage) const;
+  /// All that was found about the file: damage() so far and, once info() was read, a log that is missing, rows without
+  /// checks.
+  [[nodiscard]] std::vector<Finding> found() const;
+  /// Its findings are those of the run and, behind them, found().
   [[nodiscard]] Result<RecordingInfo> info();
   /// All samples in their order, a block at a time, until `take` returns false.
   [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take);
@@ -55,10 +70,11 @@ class RecordingReader {
     std::int64_t number = 0, first_cycle = 0, last_cycle = 0, cycles = 0;
     Nanoseconds begin = 0, end = 0;  // host clock, of its first and its last cycle
     std::int64_t columns = 0;
+    std::int64_t held = -1, sums = -1;  // rows of `data` that are no columns, and of `summary`; -1: not told
   };
   /// All of them, in the order in which they were written.
   [[nodiscard]] Result<std::vector<Block>> blocks();
-  /// The samples of one.
+  /// The samples of one; none where it is damaged, see damage().
   [[nodiscard]] Status samples(const Block& block, std::vector<CycleSample>& out) { return read_block(block, out); }
   /// A signal over the whole recording, a row a block that has any value of it; of a slave or a variable, or of the bus
   /// with -1.
@@ -91,6 +107,8 @@ class RecordingReader {
   }
   /// The cells of one block, one a cycle; kFileNotReadable, too, where it has no such column.
   [[nodiscard]] Status cells(const Block& block, Signal column, ColumnCells& out);
+  /// Whether its samples can be read: their rows are as they were written. True where rows have no checks.
+  [[nodiscard]] Result<bool> is_whole(const Block& block);
   using AllPoints = std::map<std::int64_t, Points>;  // by series_number()
   /// The samples of one block, and what it has of points() of counts and states behind what is there.
   [[nodiscard]] Status samples(const Block& block, std::vector<CycleSample>& out, AllPoints& points) {
@@ -98,19 +116,39 @@ class RecordingReader {
   }
   /// As samples(), and in the same pass points() of all counts and states, whatever the number of slaves.
   [[nodiscard]] Status samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints& points);
-  /// Reads everything: the database's own check, all samples, each sum against its samples. The first thing that is
-  /// wrong; the number of blocks that were read.
+  /// Reads everything: the database's own check, the check of each row, all samples, each sum against its samples. The
+  /// first thing that is wrong; the number of blocks that were read.
   [[nodiscard]] Result<std::uint64_t> verify();
 
  private:
-  explicit RecordingReader(SqlDatabase database) : database_(std::move(database)) {}
+  RecordingReader(SqlDatabase database, std::int64_t version, bool log_missing)
+      : database_(std::move(database)), version_(version), log_missing_(log_missing) {}
   /// In the order in which they were written.
   Status blocks(const std::function<Status(const Block&)>& take);
   /// `points`: null where they are not wanted.
   Status read_block(const Block& block, std::vector<CycleSample>& out, AllPoints* points = nullptr);
   Status read_samples(const std::function<bool(std::span<const CycleSample>)>& take, AllPoints* points);
-  /// A row "id, codec, count, cells, times" of a series that is no column.
+  /// Whether all rows of it are there and as they were written; see damage() where not.
+  Result<bool> read_rows(const Block& block, std::vector<CycleSample>& out, AllPoints* points);
+  /// A row of `data` of a series that is no column.
   static bool read_points(const SqlStatement& row, Points& out);
+  /// Not known from there on.
+  static void forget(Points& points, Nanoseconds from);
+  static void forget_all(AllPoints& points, Nanoseconds from);
+  Status read_tally();
+  /// All rows of `data` and `summary` with their checks.
+  Status check_rows(const Block& block);
+  /// By table and row; a row that is known already is not told again.
+  void note(std::string table, std::string row, Finding finding);
+  void note_row(std::string_view table, const SqlStatement& row);
+  void note_gap(std::string_view table, std::string_view row, const Block& block);
+  void note_series(std::string_view row, std::int64_t series, const Block& block);
+  /// Whose rows are no block, `missing` of them because they are not there.
+  void note_block(const Block& block, std::int64_t missing);
+  /// `there`: how many there are of those that were counted.
+  void note_missing(std::string_view table, std::int64_t there);
+  /// For what cannot be without a row that is damaged: the first one.
+  [[nodiscard]] Status damaged_row() const { return as_error(damage_.front()); }
   /// What cannot be decoded.
   [[nodiscard]] Status unread(const Block& block, std::int64_t series) const;
   Status read_levels(const Block& block, std::int64_t series, std::vector<Range>& out);
@@ -127,8 +165,17 @@ class RecordingReader {
   /// Calls `take(statement)` for each row; it may return a Status.
   template <class Take>
   Status each(std::string_view sql, Take&& take);
+  /// The same of the rows of a table that are as they were written; those that are not, or are missing, are noted.
+  template <class Take>
+  Status each_row(std::string_view table, std::string_view tail, Take&& take);
 
   SqlDatabase database_;
+  std::int64_t version_ = 0;
+  bool log_missing_ = false, ended_ = false;
+  std::optional<Block> before_;                             // read last with its points
+  std::map<std::string, std::int64_t, std::less<>> tally_;  // rows of each table that were there at least
+  std::vector<Finding> damage_;
+  std::set<std::pair<std::string, std::string>> damaged_rows_;
   ColumnCells cells_;  // room for one column
   WatchLists watched_;
 };
@@ -148,6 +195,27 @@ Status RecordingReader::each(std::string_view sql, Take&& take) {
   });
   if (!status) return read_error(database_, status.error());
   return taken;
+}
+
+template <class Take>
+Status RecordingReader::each_row(std::string_view table, std::string_view tail, Take&& take) {
+  const int check = column_count(table);
+  std::int64_t rows = 0;
+  auto status = each(select_rows(table, version_, tail), [&](const SqlStatement& row) -> Status {
+    ++rows;
+    if (row.integer(check) == 0) {
+      note_row(table, row);
+      return {};
+    }
+    if constexpr (std::is_void_v<decltype(take(row))>) {
+      take(row);
+      return {};
+    } else {
+      return take(row);
+    }
+  });
+  if (status) note_missing(table, rows);
+  return status;
 }
 
 }  // namespace syncline

@@ -17,25 +17,26 @@ namespace {
 // All is appended, so that what was written once is never touched again.
 constexpr const char* kTables = R"(
 BEGIN;
-CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);
-CREATE TABLE document(kind TEXT PRIMARY KEY, name TEXT NOT NULL, body BLOB NOT NULL);
-CREATE TABLE limits(key TEXT PRIMARY KEY, value INTEGER NOT NULL, unit TEXT NOT NULL);
-CREATE TABLE slave(position INTEGER PRIMARY KEY, name TEXT NOT NULL, vendor_id INTEGER, product_code INTEGER, revision_no INTEGER);
+CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL, crc INTEGER NOT NULL);
+CREATE TABLE document(kind TEXT PRIMARY KEY, name TEXT NOT NULL, body BLOB NOT NULL, crc INTEGER NOT NULL);
+CREATE TABLE limits(key TEXT PRIMARY KEY, value INTEGER NOT NULL, unit TEXT NOT NULL, crc INTEGER NOT NULL);
+CREATE TABLE slave(position INTEGER PRIMARY KEY, name TEXT NOT NULL, vendor_id INTEGER, product_code INTEGER, revision_no INTEGER, crc INTEGER NOT NULL);
 CREATE TABLE signal(id INTEGER PRIMARY KEY, key TEXT NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, scope TEXT NOT NULL,
-  form TEXT NOT NULL, source TEXT NOT NULL, since TEXT NOT NULL);
-CREATE TABLE series(id INTEGER PRIMARY KEY, signal INTEGER NOT NULL, slave INTEGER);
+  form TEXT NOT NULL, source TEXT NOT NULL, since TEXT NOT NULL, crc INTEGER NOT NULL);
+CREATE TABLE series(id INTEGER PRIMARY KEY, signal INTEGER NOT NULL, slave INTEGER, crc INTEGER NOT NULL);
 CREATE TABLE variable(id INTEGER PRIMARY KEY, name TEXT NOT NULL, slave INTEGER, direction TEXT NOT NULL,
-  data_type TEXT NOT NULL, bit_offset INTEGER NOT NULL, bit_size INTEGER NOT NULL, series INTEGER NOT NULL);
-CREATE TABLE watch_list(number INTEGER NOT NULL, place INTEGER NOT NULL, variable INTEGER NOT NULL, PRIMARY KEY(number, place));
+  data_type TEXT NOT NULL, bit_offset INTEGER NOT NULL, bit_size INTEGER NOT NULL, series INTEGER NOT NULL, crc INTEGER NOT NULL);
+CREATE TABLE watch_list(number INTEGER NOT NULL, place INTEGER NOT NULL, variable INTEGER NOT NULL, crc INTEGER NOT NULL, PRIMARY KEY(number, place));
 CREATE TABLE block(number INTEGER PRIMARY KEY, first_cycle INTEGER NOT NULL, last_cycle INTEGER NOT NULL, cycles INTEGER NOT NULL,
-  begin_ns INTEGER NOT NULL, end_ns INTEGER NOT NULL, columns INTEGER NOT NULL);
-CREATE TABLE summary(id INTEGER PRIMARY KEY, count INTEGER NOT NULL, min REAL, max REAL, last REAL);
-CREATE TABLE data(id INTEGER PRIMARY KEY, codec INTEGER NOT NULL, count INTEGER NOT NULL, times BLOB, cells BLOB, levels BLOB);
+  begin_ns INTEGER NOT NULL, end_ns INTEGER NOT NULL, columns INTEGER NOT NULL, held INTEGER NOT NULL, sums INTEGER NOT NULL, crc INTEGER NOT NULL);
+CREATE TABLE summary(id INTEGER PRIMARY KEY, count INTEGER NOT NULL, min REAL, max REAL, last REAL, crc INTEGER NOT NULL);
+CREATE TABLE data(id INTEGER PRIMARY KEY, codec INTEGER NOT NULL, count INTEGER NOT NULL, times BLOB, cells BLOB, levels BLOB, crc INTEGER NOT NULL, levels_crc INTEGER NOT NULL);
 CREATE TABLE event(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, slave INTEGER, kind TEXT NOT NULL, text TEXT NOT NULL,
-  details BLOB);
+  details BLOB, crc INTEGER NOT NULL);
 CREATE TABLE finding(id INTEGER PRIMARY KEY, code TEXT NOT NULL, level TEXT NOT NULL, slave INTEGER, text TEXT NOT NULL,
-  details BLOB);
-CREATE TABLE note(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, text TEXT NOT NULL);
+  details BLOB, crc INTEGER NOT NULL);
+CREATE TABLE note(id INTEGER PRIMARY KEY, time_ns INTEGER NOT NULL, text TEXT NOT NULL, crc INTEGER NOT NULL);
+CREATE TABLE tally(name TEXT PRIMARY KEY, count INTEGER NOT NULL, crc INTEGER NOT NULL);
 COMMIT;
 )";
 
@@ -67,7 +68,24 @@ Status look_at(const std::string& path) {
   return {};
 }
 
+/// Whether the rows of a file have checks, whatever its version says.
+Result<bool> has_checks(SqlDatabase& database) {
+  auto columns = pragma(database, "SELECT count(*) FROM pragma_table_info('block') WHERE name = 'crc'");
+  if (!columns) return tl::unexpected(columns.error());
+  return *columns > 0;
+}
+
 }  // namespace
+
+bool lacks_log(const std::string& path) {
+  constexpr std::streamoff kReadVersion = 19;  // of SQLite's header; 2: with a log
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(kReadVersion);
+  if (file.get() != 2) return false;
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path + "-wal", error);
+  return error || size == 0;
+}
 
 tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error) {
   const bool damaged = is_damaged(error);
@@ -104,7 +122,8 @@ Result<SqlDatabase> create_recording(const std::string& path) {
   }
   const auto mark = fmt::format("PRAGMA page_size=8192; PRAGMA application_id={}; PRAGMA user_version={};",
                                 kRecordingId, kRecordingVersion);
-  for (const char* const sql : {mark.c_str(), kConnection, kTables}) {
+  // The tables before the log is begun: a file whose log is lost is a recording all the same.
+  for (const char* const sql : {mark.c_str(), kTables, kConnection}) {
     if (auto status = database->execute(sql); !status) return write_error(*database, status.error());
   }
   return database;
@@ -134,6 +153,10 @@ Result<SqlDatabase> open_recording(const std::string& path) {
                                         kRecordingVersion, *version),
                       .file = path});
   }
+  const auto checks = has_checks(*database);
+  if (!checks) return read_error(*database, checks.error());
+  if (*checks != (*version >= kFirstWithChecks))
+    return damaged_recording(*database, because("its tables are not those of version {version}", *version));
   return database;
 }
 

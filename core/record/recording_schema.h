@@ -11,9 +11,10 @@
 namespace syncline {
 
 inline constexpr std::int64_t kRecordingId = 0x53594E52;  // "SYNR", SQLite's application_id
-inline constexpr std::int64_t kRecordingVersion = 4;      // user_version
+inline constexpr std::int64_t kRecordingVersion = 5;      // user_version
 inline constexpr std::int64_t kFirstWithDetails = 2;      // of events and findings
 inline constexpr std::int64_t kFirstWithVariables = 4;    // that were watched
+inline constexpr std::int64_t kFirstWithChecks = 5;       // of every row
 /// Rows of `summary` and `data`: block * kSeriesPerBlock + series.
 inline constexpr std::int64_t kSeriesPerBlock = 1 << 20;
 inline constexpr std::int64_t kMostBlockCycles = 1 << 16;
@@ -31,6 +32,9 @@ inline constexpr std::int64_t kBusSeries = 256;
 [[nodiscard]] Result<SqlDatabase> create_recording(const std::string& path);
 /// To be read. kFileNotFound, kNotThatKindOfFile: no recording, or one of a newer version; kFileNotReadable: damaged.
 [[nodiscard]] Result<SqlDatabase> open_recording(const std::string& path);
+/// Before it is opened: it is in WAL mode, and beside it is no log that holds anything. Where the recording was cut
+/// short, that log is lost, or another program has taken it over.
+[[nodiscard]] bool lacks_log(const std::string& path);
 /// Of one that was opened: user_version.
 [[nodiscard]] Result<std::int64_t> recording_version(SqlDatabase& database);
 

@@ -55,7 +55,7 @@ Status RecordingReader::check_levels(const Block& block, std::int64_t series, st
 
 Status RecordingReader::check_sum(const Block& block, std::int64_t series, std::string_view key,
                                   std::span<const float> values) {
-  auto row = database_.prepare("SELECT count, min, max FROM summary WHERE id = ?");
+  auto row = database_.prepare(select_rows("summary", version_, "WHERE id = ?"));
   if (!row) return read_error(database_, row.error());
   std::int64_t count = 0;
   float low = 0, high = 0;
@@ -68,13 +68,38 @@ Status RecordingReader::check_sum(const Block& block, std::int64_t series, std::
   row->bind(0, block.number * kSeriesPerBlock + series);
   const auto there = row->step();
   if (!there) return read_error(database_, there.error());
-  const bool same = *there ? row->integer(0) == count && static_cast<float>(row->real(1)) == low &&
-                                 static_cast<float>(row->real(2)) == high
-                           : count == 0;
+  const bool same = *there
+                        ? row->integer(kSummaryCount) == count && static_cast<float>(row->real(kSummaryMin)) == low &&
+                              static_cast<float>(row->real(kSummaryMax)) == high
+                        : count == 0;
   row->reset();  // else it would keep writers of notes waiting
   if (same) return {};
   return damaged_recording(
       database_, because("the sums of {signal} in block {number} are not those of its values", key, block.number));
+}
+
+Status RecordingReader::check_rows(const Block& block) {
+  if (!is_checked()) return {};
+  const auto first = block.number * kSeriesPerBlock;
+  const auto check = [&](std::string_view table, const std::string& sql, int place, std::int64_t counted) -> Status {
+    auto row = database_.prepare(sql);
+    if (!row) return read_error(database_, row.error());
+    row->bind(0, first).bind(1, first + kSeriesPerBlock);
+    std::int64_t rows = 0;
+    const auto status = row->each([&] {
+      ++rows;
+      if (row->integer(place) == 0) note_row(table, *row);
+    });
+    if (!status) return read_error(database_, status.error());
+    if (rows == counted) return {};
+    return damaged_recording(database_, because("block {number} holds other cycles than it says", block.number));
+  };
+  constexpr std::string_view kOfBlock = "WHERE id >= ? AND id < ?";
+  const auto columns = block.columns + block.held;
+  auto status = check("data", select_rows("data", version_, kOfBlock), kDataCheck, columns);
+  if (status) status = check("data", select_levels(version_, kOfBlock), 2, columns);
+  if (status) status = check("summary", select_rows("summary", version_, kOfBlock), kSummaryCheck, block.sums);
+  return status;
 }
 
 Result<std::uint64_t> RecordingReader::verify() {
@@ -82,17 +107,29 @@ Result<std::uint64_t> RecordingReader::verify() {
   auto status = each("PRAGMA integrity_check(1)", [&](const SqlStatement& row) { found = row.text(0); });
   if (status && found != "ok") status = damaged_recording(database_, Reason::verbatim(found));
   RecordingInfo about;
-  if (status) status = read_about(about);
-  if (status) status = read_told(about);
+  if (status) {
+    const auto held = hold();
+    if (!held) return tl::unexpected(held.error());
+    status = read_about(about);
+    if (status) status = read_told(about);
+    // Other tools read them.
+    for (const auto* const table : {"signal", "series"}) {
+      if (status) status = each_row(table, "", [](const SqlStatement&) {});
+    }
+  }
+  if (status && !damage_.empty()) status = damaged_row();
   std::uint64_t count = 0;
   std::vector<CycleSample> samples;
   if (status) {
     status = blocks([&](const Block& block) -> Status {
       if (auto read = read_block(block, samples); !read) return read;
+      if (auto read = check_rows(block); !read) return read;
+      if (!damage_.empty()) return damaged_row();
       ++count;
       return check_sums(block, samples);
     });
   }
+  if (status && !damage_.empty()) status = damaged_row();
   if (status) {
     status = each("SELECT max(id) FROM data", [&](const SqlStatement& row) -> Status {
       if (row.is_null(0) || row.integer(0) / kSeriesPerBlock < static_cast<std::int64_t>(count)) return {};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "record/column_codec.h"
+#include "record/recording_rows.h"
 #include "record/sample_columns.h"
 #include "record/watched_columns.h"
 
@@ -65,19 +66,22 @@ Result<RecordingWriter> RecordingWriter::create(const std::string& path, const R
 Status RecordingWriter::write(const RecordingBatch& batch) {
   auto transaction = SqlTransaction::begin(database_);
   if (!transaction) return write_error(database_, transaction.error());
+  const auto before = tally_;
   auto status = add_lists(batch.lists);
   store(batch);
   for (auto rest = std::span(batch.samples); status && !rest.empty();) {
     const auto count = std::min(rest.size(), static_cast<std::size_t>(kMostBlockCycles));
-    status = put_block(rest.first(count));
+    // What snapshots tell stands in the last one; what those without samples tell waits for the next.
+    const bool last = count == rest.size();
+    status = put_block(rest.first(count), last ? std::optional(batch.samples.front().send_time) : std::nullopt);
     rest = rest.subspan(count);
   }
-  // What snapshots without samples tell waits for the next block.
-  if (status && !batch.samples.empty()) status = put_held(blocks_ - 1, batch.samples.front().send_time);
   if (status) status = put_told(batch);
+  if (status) status = tally_.write(database_);
   if (status) status = transaction->commit();
-  if (!status) return write_error(database_, status.error());
-  return {};
+  if (status) return {};
+  tally_ = before;
+  return write_error(database_, status.error());
 }
 
 /// In the order in which they were taken.
@@ -92,29 +96,32 @@ void RecordingWriter::store(const RecordingBatch& batch) {
   store_.append(std::span(batch.samples).subspan(done));
 }
 
-Status RecordingWriter::put_block(std::span<const CycleSample> samples) {
+Status RecordingWriter::put_block(std::span<const CycleSample> samples, std::optional<Nanoseconds> held_from) {
+  sums_ = 0;
   const auto columns = put_columns(samples);
   if (!columns) return tl::unexpected(columns.error());
   const auto variables = put_variables(samples);
   if (!variables) return tl::unexpected(variables.error());
-  auto row = database_.prepare(
-      "INSERT INTO block(number, first_cycle, last_cycle, cycles, begin_ns, end_ns, columns) VALUES(?, ?, ?, ?, ?, ?, "
-      "?)");
+  if (auto status = put_sums(samples); !status) return status;
+  if (!any_) first_ = samples.front().send_time;
+  any_ = true;
+  last_ = samples.back().send_time;
+  const auto held = held_from ? put_held(blocks_, *held_from) : Result<std::int64_t>(0);
+  if (!held) return tl::unexpected(held.error());
+  // Behind its rows: it says how many they are.
+  auto row = database_.prepare(insert_row("block"));
   if (!row) return tl::unexpected(row.error());
   row->bind(0, blocks_).bind(1, static_cast<std::int64_t>(samples.front().cycle));
   row->bind(2, static_cast<std::int64_t>(samples.back().cycle)).bind(3, static_cast<std::int64_t>(samples.size()));
   row->bind(4, samples.front().send_time).bind(5, samples.back().send_time).bind(6, *columns + *variables);
-  if (auto status = row->run(); !status) return status;
-  if (!any_) first_ = samples.front().send_time;
-  any_ = true;
-  last_ = samples.back().send_time;
-  auto status = put_sums(samples);
+  row->bind(7, *held).bind(8, sums_);
   ++blocks_;
-  return status;
+  tally_.add("block");
+  return row->run();
 }
 
 Result<std::int64_t> RecordingWriter::put_columns(std::span<const CycleSample> samples) {
-  auto row = database_.prepare("INSERT INTO data(id, codec, count, cells, levels) VALUES(?, ?, ?, ?, ?)");
+  auto row = database_.prepare(insert_row("data"));
   if (!row) return tl::unexpected(row.error());
   std::int64_t count = 0;
   Cells cells(samples.size());
@@ -133,8 +140,8 @@ Result<std::int64_t> RecordingWriter::put_columns(std::span<const CycleSample> s
       levels = levels_of(values);
     }
     row->bind(0, blocks_ * kSeriesPerBlock + series).bind(1, static_cast<std::int64_t>(encoded->codec));
-    row->bind(2, static_cast<std::int64_t>(samples.size())).bind_blob(3, encoded->bytes);
-    if (auto status = (levels.empty() ? row->bind_null(4) : row->bind_blob(4, levels)).run(); !status)
+    row->bind(2, static_cast<std::int64_t>(samples.size())).bind_null(3).bind_blob(4, encoded->bytes);
+    if (auto status = (levels.empty() ? row->bind_null(5) : row->bind_blob(5, levels)).run(); !status)
       return tl::unexpected(status.error());
     if (signal.form != Form::kCycles) continue;
     if (auto status = put_summary(blocks_, series, values); !status) return tl::unexpected(status.error());
@@ -144,7 +151,7 @@ Result<std::int64_t> RecordingWriter::put_columns(std::span<const CycleSample> s
 
 /// As put_columns().
 Result<std::int64_t> RecordingWriter::put_variables(std::span<const CycleSample> samples) {
-  auto row = database_.prepare("INSERT INTO data(id, codec, count, cells, levels) VALUES(?, ?, ?, ?, ?)");
+  auto row = database_.prepare(insert_row("data"));
   if (!row) return tl::unexpected(row.error());
   std::int64_t count = 0;
   Cells cells;
@@ -161,8 +168,9 @@ Result<std::int64_t> RecordingWriter::put_variables(std::span<const CycleSample>
     values.clear();
     for (const auto& sample : samples) values.push_back(lists_.drawn(sample, variable));
     row->bind(0, blocks_ * kSeriesPerBlock + series).bind(1, static_cast<std::int64_t>(encoded->codec));
-    row->bind(2, static_cast<std::int64_t>(samples.size())).bind_blob(3, encoded->bytes);
-    if (auto status = row->bind_blob(4, levels_of(values)).run(); !status) return tl::unexpected(status.error());
+    row->bind(2, static_cast<std::int64_t>(samples.size())).bind_null(3).bind_blob(4, encoded->bytes);
+    const auto levels = levels_of(values);
+    if (auto status = row->bind_blob(5, levels).run(); !status) return tl::unexpected(status.error());
     if (auto status = put_summary(blocks_, series, values); !status) return tl::unexpected(status.error());
   }
   return count;
@@ -180,11 +188,12 @@ Status RecordingWriter::put_sums(std::span<const CycleSample> samples) {
   return {};
 }
 
-Status RecordingWriter::put_held(std::int64_t block, Nanoseconds begin) {
+Result<std::int64_t> RecordingWriter::put_held(std::int64_t block, Nanoseconds begin) {
   const auto& store = watched_ != nullptr ? *watched_ : store_;
   const auto until = watched_ != nullptr ? last_ + 1 : std::numeric_limits<Nanoseconds>::max();
-  auto row = database_.prepare("INSERT INTO data(id, codec, count, times, cells) VALUES(?, 0, ?, ?, ?)");
+  auto row = database_.prepare(insert_row("data"));
   if (!row) return tl::unexpected(row.error());
+  std::int64_t rows = 0;
   std::vector<Nanoseconds> times;
   std::vector<float> values;
   for (const auto& signal : signals()) {
@@ -215,21 +224,25 @@ Status RecordingWriter::put_held(std::int64_t block, Nanoseconds begin) {
       });
       if (times.empty()) continue;
       seen->second = times.back();
-      if (auto status = put_series(number, signal.id, of_slaves ? static_cast<int>(slave) : -1); !status) return status;
-      if (auto status = put_summary(block, number, values); !status) return status;
+      if (auto status = put_series(number, signal.id, of_slaves ? static_cast<int>(slave) : -1); !status)
+        return tl::unexpected(status.error());
+      if (auto status = put_summary(block, number, values); !status) return tl::unexpected(status.error());
       const auto time_bytes = encode_times(times);
       const auto value_bytes = encode_floats(values);
-      row->bind(0, block * kSeriesPerBlock + number).bind(1, static_cast<std::int64_t>(times.size()));
-      if (auto status = row->bind_blob(2, time_bytes).bind_blob(3, value_bytes).run(); !status) return status;
+      row->bind(0, block * kSeriesPerBlock + number).bind(1, std::int64_t{0});
+      row->bind(2, static_cast<std::int64_t>(times.size())).bind_blob(3, time_bytes).bind_blob(4, value_bytes);
+      if (auto status = row->bind_null(5).run(); !status) return tl::unexpected(status.error());
+      ++rows;
     }
   }
-  return {};
+  return rows;
 }
 
 Status RecordingWriter::put_series(std::int64_t series, Signal signal, int slave) {
   if (!known_series_.insert(series).second) return {};
-  auto row = database_.prepare("INSERT INTO series(id, signal, slave) VALUES(?, ?, ?)");
+  auto row = database_.prepare(insert_row("series"));
   if (!row) return tl::unexpected(row.error());
+  tally_.add("series");
   row->bind(0, series).bind(1, static_cast<std::int64_t>(signal));
   return (slave >= 0 ? row->bind(2, std::int64_t{slave}) : row->bind_null(2)).run();
 }
@@ -246,8 +259,9 @@ Status RecordingWriter::put_summary(std::int64_t block, std::int64_t series, con
     ++count;
   }
   if (count == 0) return {};
-  auto row = database_.prepare("INSERT INTO summary(id, count, min, max, last) VALUES(?, ?, ?, ?, ?)");
+  auto row = database_.prepare(insert_row("summary"));
   if (!row) return tl::unexpected(row.error());
+  ++sums_;
   row->bind(0, block * kSeriesPerBlock + series).bind(1, count);
   return row->bind_real(2, low).bind_real(3, high).bind_real(4, last).run();
 }
@@ -257,6 +271,7 @@ Status RecordingWriter::finish(const std::string& why, std::span<const RecordedF
   if (!transaction) return write_error(database_, transaction.error());
   auto status = put_findings(findings);
   if (status) status = put_meta("ended", why);
+  if (status) status = tally_.write(database_);
   if (status) status = transaction->commit();
   // Without its log it is one file, which can be read where nothing can be written.
   if (status) status = database_.execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE;");

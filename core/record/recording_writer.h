@@ -11,6 +11,7 @@
 #include "channels/cycle_sample.h"
 #include "channels/snapshot.h"
 #include "record/recording.h"
+#include "record/recording_rows.h"
 #include "record/recording_schema.h"
 
 namespace syncline {
@@ -68,13 +69,14 @@ class RecordingWriter {
   Status put_watched(std::size_t variables, std::size_t lists);
   Status add_lists(std::span<const std::vector<WatchedVariable>> lists);
   void store(const RecordingBatch& batch);
-  Status put_block(std::span<const CycleSample> samples);
+  /// `held_from`: with what slaves and counts have shown, of a recording that begins there; nothing: without.
+  Status put_block(std::span<const CycleSample> samples, std::optional<Nanoseconds> held_from);
   /// How many have values.
   Result<std::int64_t> put_columns(std::span<const CycleSample> samples);
   Result<std::int64_t> put_variables(std::span<const CycleSample> samples);
   Status put_sums(std::span<const CycleSample> samples);
-  /// What slaves and counts have shown since the block before.
-  Status put_held(std::int64_t block, Nanoseconds begin);
+  /// What slaves and counts have shown since the block before; how many rows that is.
+  Result<std::int64_t> put_held(std::int64_t block, Nanoseconds begin);
   Status put_series(std::int64_t series, Signal signal, int slave);
   Status put_summary(std::int64_t block, std::int64_t series, const std::vector<float>& values);
 
@@ -84,7 +86,9 @@ class RecordingWriter {
   WatchLists lists_;                             // of watched variables
   std::map<std::int64_t, Nanoseconds> written_;  // by series, time of the newest sample
   std::set<std::int64_t> known_series_;
-  std::int64_t blocks_ = 0;
+  RowTally tally_ = RowTally::of_all();
+  std::int64_t blocks_ = 0, events_ = 0, notes_ = 0;
+  std::int64_t sums_ = 0;  // rows of the block that is written
   Nanoseconds first_ = 0, last_ = 0;
   bool any_ = false;
 };

@@ -6,6 +6,7 @@
 
 #include <string_view>
 
+#include "record/recording_rows.h"
 #include "record/watched_columns.h"
 
 namespace syncline {
@@ -55,38 +56,44 @@ Status RecordingWriter::begin(const RecordingAbout& about) {
   if (status) status = put_documents(about.documents);
   if (status) status = put_limits(about.limits);
   if (status && about.armed) status = put_armed(*about.armed);
-  auto slave = database_.prepare(
-      "INSERT INTO slave(position, name, vendor_id, product_code, revision_no) VALUES(?, ?, ?, ?, ?)");
+  auto slave = database_.prepare(insert_row("slave"));
   for (std::size_t i = 0; i < about.slaves.size(); ++i) {
     const auto& s = about.slaves[i];
     if (status && slave) {
       slave->bind(0, static_cast<std::int64_t>(i)).bind(1, s.name).bind(2, s.vendor_id);
       status = slave->bind(3, s.product_code).bind(4, s.revision_no).run();
+      tally_.add("slave");
     }
   }
   if (status && !slave) status = tl::unexpected(slave.error());
   if (status) status = put_signals();
   if (status) status = put_watched(0, 0);
-  return status ? transaction->commit() : status;
+  if (status) status = tally_.write(database_);
+  if (status) status = transaction->commit();
+  // What was run stands in the file itself, so that a log that is lost does not take it along.
+  if (status) status = database_.execute("PRAGMA wal_checkpoint(FULL);");
+  return status;
 }
 
 Status RecordingWriter::put_documents(std::span<const RecordedDocument> documents) {
-  auto row = database_.prepare("INSERT OR REPLACE INTO document(kind, name, body) VALUES(?, ?, ?)");
+  auto row = database_.prepare(insert_row("document", true));
   if (!row) return tl::unexpected(row.error());
   for (const auto& document : documents) {
     auto status = row->bind(0, document.kind).bind(1, document.name).bind_blob(2, document.body).run();
     if (!status) return status;
+    tally_.put("document", document.kind);
   }
   return {};
 }
 
 Status RecordingWriter::put_limits(const RunLimits& values) {
-  auto limit = database_.prepare("INSERT OR REPLACE INTO limits(key, value, unit) VALUES(?, ?, 'ns')");
+  auto limit = database_.prepare(insert_row("limits", true));
   if (!limit) return tl::unexpected(limit.error());
   const std::pair<std::string_view, std::int64_t> limits[] = {
       {"cycle_time", values.cycle_time}, {"deviation", values.deviation_ns}, {"dcm_error", values.dcm_error_ns}};
   for (const auto& [key, value] : limits) {
-    if (auto status = limit->bind(0, key).bind(1, value).run(); !status) return status;
+    if (auto status = limit->bind(0, key).bind(1, value).bind(2, std::string_view("ns")).run(); !status) return status;
+    tally_.put("limits", key);
   }
   return {};
 }
@@ -96,14 +103,14 @@ Status RecordingWriter::put_armed(Nanoseconds time) {
 }
 
 Status RecordingWriter::put_signals() {
-  auto row = database_.prepare(
-      "INSERT INTO signal(id, key, name, unit, scope, form, source, since) VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+  auto row = database_.prepare(insert_row("signal"));
   if (!row) return tl::unexpected(row.error());
   for (const auto& signal : signals()) {
     row->bind(0, static_cast<std::int64_t>(signal.id)).bind(1, signal.key).bind(2, signal.name).bind(3, signal.unit);
     row->bind(4, scope_name(signal.scope));
     row->bind(5, form_name(signal.form)).bind(6, signal.source).bind(7, signal.since);
     if (auto status = row->run(); !status) return status;
+    tally_.add("signal");
   }
   return {};
 }
@@ -117,9 +124,7 @@ Status RecordingWriter::add_lists(std::span<const std::vector<WatchedVariable>> 
 }
 
 Status RecordingWriter::put_watched(std::size_t variables, std::size_t lists) {
-  auto variable = database_.prepare(
-      "INSERT INTO variable(id, name, slave, direction, data_type, bit_offset, bit_size, series) VALUES(?, ?, ?, ?, ?, "
-      "?, ?, ?)");
+  auto variable = database_.prepare(insert_row("variable"));
   if (!variable) return tl::unexpected(variable.error());
   for (auto i = variables; i < lists_.variables().size(); ++i) {
     const auto& what = lists_.variables()[i];
@@ -129,38 +134,43 @@ Status RecordingWriter::put_watched(std::size_t variables, std::size_t lists) {
     variable->bind(5, std::int64_t{what.bit_offset}).bind(6, std::int64_t{what.bit_size});
     variable->bind(7, series_number(Signal::kVariable, static_cast<int>(i)));
     if (auto status = variable->run(); !status) return status;
+    tally_.add("variable");
   }
-  auto place = database_.prepare("INSERT INTO watch_list(number, place, variable) VALUES(?, ?, ?)");
+  auto place = database_.prepare(insert_row("watch_list"));
   if (!place) return tl::unexpected(place.error());
   for (auto i = lists; i < lists_.lists().size(); ++i) {
     const auto& list = lists_.lists()[i];
     for (std::size_t at = 0; at < list.places.size(); ++at) {
       place->bind(0, std::int64_t{list.number}).bind(1, static_cast<std::int64_t>(at));
       if (auto status = place->bind(2, static_cast<std::int64_t>(list.places[at])).run(); !status) return status;
+      tally_.add("watch_list");
     }
   }
   return {};
 }
 
 Status RecordingWriter::put_meta(std::string_view key, std::string_view value) {
-  auto row = database_.prepare("INSERT OR REPLACE INTO meta(key, value) VALUES(?, ?)");
+  auto row = database_.prepare(insert_row("meta", true));
   if (!row) return tl::unexpected(row.error());
+  tally_.put("meta", key);
   return row->bind(0, key).bind(1, value).run();
 }
 
 Status RecordingWriter::put_told(const RecordingBatch& batch) {
   Status status;
-  auto event = database_.prepare("INSERT INTO event(time_ns, slave, kind, text, details) VALUES(?, ?, ?, ?, ?)");
+  auto event = database_.prepare(insert_row("event"));
   for (const auto& e : batch.events) {
     if (!status || !event) break;
-    event->bind(0, e.time).bind(2, e.kind).bind(3, e.text);
-    e.details.empty() ? event->bind_null(4) : event->bind_blob(4, e.details);
-    status = (e.slave >= 0 ? event->bind(1, std::int64_t{e.slave}) : event->bind_null(1)).run();
+    event->bind(0, ++events_).bind(1, e.time).bind(3, e.kind).bind(4, e.text);
+    e.details.empty() ? event->bind_null(5) : event->bind_blob(5, e.details);
+    status = (e.slave >= 0 ? event->bind(2, std::int64_t{e.slave}) : event->bind_null(2)).run();
   }
-  auto note = database_.prepare("INSERT INTO note(time_ns, text) VALUES(?, ?)");
+  tally_.add("event", static_cast<std::int64_t>(batch.events.size()));
+  auto note = database_.prepare(insert_row("note"));
   for (const auto& n : batch.notes) {
-    if (status && note) status = note->bind(0, n.time).bind(1, n.text).run();
+    if (status && note) status = note->bind(0, ++notes_).bind(1, n.time).bind(2, n.text).run();
   }
+  tally_.add("note", static_cast<std::int64_t>(batch.notes.size()));
   for (const auto* statement : {&event, &note}) {
     if (status && !*statement) status = tl::unexpected(statement->error());
   }
@@ -173,14 +183,17 @@ Status RecordingWriter::put_told(const RecordingBatch& batch) {
 /// In place of those that are there.
 Status RecordingWriter::put_findings(std::span<const RecordedFinding> findings) {
   auto status = database_.execute("DELETE FROM finding");
-  auto row = database_.prepare("INSERT INTO finding(code, level, slave, text, details) VALUES(?, ?, ?, ?, ?)");
+  auto row = database_.prepare(insert_row("finding"));
   if (!row) return tl::unexpected(row.error());
+  tally_.clear("finding");
+  std::int64_t number = 0;
   for (const auto& finding : findings) {
     if (!status) break;
-    row->bind(0, finding.code).bind(1, finding.level).bind(3, finding.text);
-    finding.details.empty() ? row->bind_null(4) : row->bind_blob(4, finding.details);
-    status = (finding.slave >= 0 ? row->bind(2, std::int64_t{finding.slave}) : row->bind_null(2)).run();
+    row->bind(0, ++number).bind(1, finding.code).bind(2, finding.level).bind(4, finding.text);
+    finding.details.empty() ? row->bind_null(5) : row->bind_blob(5, finding.details);
+    status = (finding.slave >= 0 ? row->bind(3, std::int64_t{finding.slave}) : row->bind_null(3)).run();
   }
+  tally_.add("finding", number);
   return status;
 }
 

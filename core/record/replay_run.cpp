@@ -94,6 +94,7 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   std::size_t blocks = 0;
   run.marks = OverviewMarks(run.info.blocks);
   RecordingReader::AllPoints held;
+  const auto known = reader.damage().size();
   BlocksAhead ahead(reader, held);
   for (std::vector<CycleSample> samples; ahead.next(samples);) {
     add_in_order(record, std::span<const CycleSample>(samples), events, next);
@@ -103,6 +104,7 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   }
   for (; next < events.size(); ++next) record.add(events[next]);
   if (auto status = ahead.finish(); !status) return tl::unexpected(status.error());
+  for (auto& told : recorded(std::span(reader.damage()).subspan(known))) run.info.findings.push_back(std::move(told));
   restore_held(held, record);
   record.restore(findings_of(run.info, run.only_words));
   record.set_notes(run.info.notes);

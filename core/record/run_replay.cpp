@@ -21,6 +21,7 @@ RunReplay::RunReplay(RecordingReader reader, ReplayedRun& run, std::vector<Recor
       fresh_(run.record->config().slaves.size()),
       marks_(std::exchange(run.marks, OverviewMarks(blocks.size()))),
       blocks_(std::move(blocks)),
+      damage_(reader_->damage()),
       begin_(run.record->samples().first_time()),
       end_(run.record->samples().last_time()),
       overview_(fresh_) {
@@ -84,7 +85,10 @@ Status RunReplay::read_current() {
     if (!reader) return tl::unexpected(reader.error());
     reader_.emplace(std::move(*reader));
   }
-  const auto status = reader_->samples(blocks_[block_], samples_);
+  auto status = reader_->samples(blocks_[block_], samples_);
+  const auto fresh = std::ranges::find_if(
+      reader_->damage(), [this](const Finding& found) { return std::ranges::find(damage_, found) == damage_.end(); });
+  if (status && fresh != reader_->damage().end()) status = reader_->as_error(*fresh);
   if (!status) samples_.clear();
   return status;
 }

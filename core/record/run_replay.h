@@ -30,7 +30,7 @@ class RunReplay {
   ~RunReplay() = default;
 
   /// Shows it at this moment (host clock), or at the next one that the recording has. kFileNotReadable where the
-  /// recording is gone or damaged; all of it is shown then.
+  /// recording is gone, or damaged since it was opened; all of it is shown then.
   [[nodiscard]] Status show(Nanoseconds moment);
   /// Shows all of it.
   void leave();
@@ -57,6 +57,7 @@ class RunReplay {
   OverviewRecorder fresh_;  // of the run before its first cycle
   OverviewMarks marks_;
   std::vector<RecordingReader::Block> blocks_;
+  std::vector<Finding> damage_;  // that was there when it was opened
   std::vector<Event> events_;
   Nanoseconds begin_ = 0, end_ = 0;
 

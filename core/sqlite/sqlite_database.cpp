@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "sqlite/row_check.h"
+
 namespace syncline {
 namespace {
 
@@ -101,9 +103,9 @@ Result<SqlDatabase> SqlDatabase::open_with(const std::string& path, int flags) {
   SqlDatabase opened;
   opened.path_ = path;
   sqlite3* database = nullptr;
-  const int code =
-      sqlite3_open_v2(path.empty() ? ":memory:" : path.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  int code = sqlite3_open_v2(path.empty() ? ":memory:" : path.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   opened.database_.reset(database);
+  if (code == SQLITE_OK) code = add_row_crc(database);
   if (code != SQLITE_OK) {
     auto error = sql_error(database, code);
     error.value().file = path;
@@ -120,7 +122,9 @@ Status SqlDatabase::execute(const char* sql) {
 }
 
 Result<SqlStatement> SqlDatabase::prepare(std::string_view sql) {
-  auto& known = statements_[sql];
+  auto found = statements_.find(sql);
+  if (found == statements_.end()) found = statements_.emplace(sql, nullptr).first;
+  auto& known = found->second;
   if (!known) {
     sqlite3_stmt* statement = nullptr;
     const int code = sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()),

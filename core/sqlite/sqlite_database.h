@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -72,7 +73,8 @@ class SqlDatabase {
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Statements without parameters and rows, several separated by ";".
   [[nodiscard]] Status execute(const char* sql);
-  /// The statement of this text, prepared once and reset. `sql` must be a literal: the pointer is remembered.
+  /// The statement of this text, prepared once and reset. Besides SQLite's own functions it may call row_crc(), see
+  /// core/sqlite/row_check.h.
   [[nodiscard]] Result<SqlStatement> prepare(std::string_view sql);
   [[nodiscard]] std::int64_t last_row() const;
 
@@ -86,7 +88,7 @@ class SqlDatabase {
   };
   std::string path_;
   std::unique_ptr<sqlite3, Close> database_;
-  std::map<std::string_view, std::unique_ptr<sqlite3_stmt, Finalize>> statements_;  // gone before database_
+  std::map<std::string, std::unique_ptr<sqlite3_stmt, Finalize>, std::less<>> statements_;  // gone before database_
 };
 
 /// True when the file is no database or a broken one: nothing in it can be trusted.

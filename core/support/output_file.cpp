@@ -2,10 +2,8 @@
 #include "support/output_file.h"
 
 #include <fcntl.h>
-#include <linux/magic.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -17,6 +15,7 @@
 #include <vector>
 
 #include "reasons/because.h"
+#include "support/followed_path.h"
 
 namespace syncline {
 namespace {
@@ -26,35 +25,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kGathered = 1U << 16;
 constexpr std::size_t kRandomCharacters = 6;  // mkstemp's
 constexpr mode_t kPermissions = 07777;
-
-std::string folder_of(const std::string& file) {
-  const auto folder = fs::path(file).parent_path().string();
-  return folder.empty() ? "." : folder;
-}
-
-/// /dev/stdout and its like name an open file of a program, which may have an ordinary file's contents.
-bool in_proc(const std::string& file) {
-  struct statfs status {};
-  return ::statfs(folder_of(file).c_str(), &status) == 0 && status.f_type == PROC_SUPER_MAGIC;
-}
-
-struct Target {
-  std::string file;  // the last link's
-  bool in_place = false;
-};
-
-/// Through symbolic links the file that they name is replaced, not the link.
-Target follow(std::string file) {
-  constexpr int kMostLinks = 40;  // as the kernel does
-  for (int i = 0; i < kMostLinks; ++i) {
-    if (in_proc(file)) return {file, true};
-    std::error_code error;
-    const auto next = fs::read_symlink(file, error);
-    if (error) return {file, false};
-    file = (fs::path(file).parent_path() / next).string();
-  }
-  return {file, false};  // stat() finds the loop
-}
 
 /// Hidden, and no name that a user would give: "folder/.name.saving-" and six characters.
 std::string temporary_prefix(const std::string& target) {
@@ -124,7 +94,8 @@ Error not_writable(const std::string& path, Reason why) {
 Result<OutputFile> OutputFile::create(const std::string& path) {
   OutputFile file;
   file.path_ = path;
-  const auto target = follow(path);
+  // Through symbolic links the file that they name is replaced, not the link.
+  const auto target = follow_links(path);
   file.target_ = target.file;
   struct stat found {};
   const bool there = ::stat(file.target_.c_str(), &found) == 0;
@@ -132,7 +103,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   if (there && S_ISDIR(found.st_mode)) return fail(not_writable(path, because("it is a folder")));
   if (there && S_ISBLK(found.st_mode)) return fail(not_writable(path, because("it is a disk, not a file")));
   if (there && S_ISSOCK(found.st_mode)) return fail(not_writable(path, because("it is a socket, not a file")));
-  const bool in_place = there && (target.in_place || !S_ISREG(found.st_mode));
+  const bool in_place = there && (target.in_proc || !S_ISREG(found.st_mode));
   if (auto status = in_place ? file.open_in_place() : file.open_temporary(); !status)
     return tl::unexpected(status.error());
   return file;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "reasons/because.h"
+#include "support/utf8.h"
 
 namespace syncline {
 namespace {
@@ -154,6 +155,29 @@ std::optional<Header> read_header(std::string_view line) {
   return any ? std::optional(header) : std::nullopt;
 }
 
+/// How many cells a line has at least. What is not monitored some programs leave out at its end.
+std::size_t needed_cells(const Header& header) {
+  std::size_t needed = 0;
+  for (std::size_t i = 0; i < header.columns.size(); ++i) {
+    if (header.columns[i] && *header.columns[i] + 1 < columns().size()) needed = i + 1;
+  }
+  return needed;
+}
+
+/// Why the line is none; empty: it is.
+Reason read_row(const Header& header, std::string_view line, DcmLogRow& row) {
+  const auto values = cells(line, header.separator);
+  if (const auto needed = needed_cells(header); values.size() < needed)
+    return because("of {other} cells it has only {count}", needed, values.size());
+  for (std::size_t i = 0; i < values.size() && i < header.columns.size(); ++i) {
+    if (!header.columns[i] || values[i].empty()) continue;
+    const auto cell = parse_cell(values[i]);
+    if (!cell) return because("\"{text}\" is no number", values[i].substr(0, 40));
+    store(row, *header.columns[i], *cell);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<DcmLogRow> DcmLog::row(const CycleSample& sample) {
@@ -207,6 +231,7 @@ Result<DcmLogTable> read_dcm_table(std::string_view text) {
   std::optional<Header> header;
   DcmLogTable table;
   int number = 0;
+  text = without_mark(text);
   const auto bad = [&number](Reason detail) {
     return fail(Error{.code = ErrorCode::kMalformedData,
                       .subject = fmt::format("line {} of the DCM log", number),
@@ -228,14 +253,14 @@ Result<DcmLogTable> read_dcm_table(std::string_view text) {
       continue;
     }
     DcmLogRow row;
-    const auto values = cells(line, header->separator);
-    for (std::size_t i = 0; i < values.size() && i < header->columns.size(); ++i) {
-      if (!header->columns[i] || values[i].empty()) continue;
-      const auto cell = parse_cell(values[i]);
-      if (!cell) return bad(because("\"{text}\" is no number", values[i].substr(0, 40)));
-      store(row, *header->columns[i], *cell);
+    const auto wrong = read_row(*header, line, row);
+    if (end == std::string_view::npos) {
+      table.unended_line = number;
+      table.left_out = !wrong.empty();
+    } else if (!wrong.empty()) {
+      return bad(wrong);
     }
-    table.rows.push_back(row);
+    if (wrong.empty()) table.rows.push_back(row);
   }
   if (!header) return bad(because("it is empty"));
   return table;

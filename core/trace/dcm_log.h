@@ -54,13 +54,16 @@ class DcmLog {
 void append_dcm_log(std::string& out, const DcmLogRow& row);
 
 /// Reads such a log, EC-Master's own too: columns by name and in any order, unknown ones skipped, missing ones left at
-/// their defaults, separated by semicolon, comma or tabulator. kMalformedData with the line when a cell is no number or
-/// a log has no column that is known.
+/// their defaults, separated by semicolon, comma or tabulator. kMalformedData with the line when a cell is no number, a
+/// line has fewer cells than the header (SystemTimeDifference may be missing), or a log has no column that is known.
 [[nodiscard]] Result<std::vector<DcmLogRow>> read_dcm_log(std::string_view text);
 /// The same with what it has.
 struct DcmLogTable {
   std::vector<DcmLogRow> rows;
   std::vector<std::string> columns;  // those that are known, named as in dcm_log_header()
+  /// The last line where it has no end, 0: it has one. Left out where cells are missing or are no numbers.
+  int unended_line = 0;
+  bool left_out = false;
   [[nodiscard]] bool has(std::string_view column) const;
 };
 [[nodiscard]] Result<DcmLogTable> read_dcm_table(std::string_view text);

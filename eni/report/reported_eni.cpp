@@ -12,6 +12,7 @@
 #include "exports/export_report.h"
 #include "reasons/because.h"
 #include "settings/settings_table.h"
+#include "support/distinct_files.h"
 #include "support/output_file.h"
 
 namespace syncline::eni {
@@ -26,11 +27,6 @@ std::vector<exports::UnsaidSetting> unsaid_settings(const Project& project) {
     unsaid.push_back({setting.key, setting.words.label, settings::text_with_unit(setting, project, {})});
   }
   return unsaid;
-}
-
-bool same_file(const std::string& left, const std::string& right) {
-  std::error_code ignored;
-  return std::filesystem::weakly_canonical(left, ignored) == std::filesystem::weakly_canonical(right, ignored);
 }
 
 }  // namespace
@@ -53,7 +49,7 @@ std::string report_of(const ReportedEni& reported, const std::string& eni, const
 
 /// The report lies beside its place before the ENI gets its name, and gets its own afterwards.
 Status save_reported_eni(const ReportedEni& reported, const std::string& eni_path, const std::string& report_path) {
-  if (same_file(eni_path, report_path)) {
+  if (is_same_file(eni_path, report_path)) {
     Error error{ErrorCode::kFileNotWritable};
     error.file = report_path;
     error.detail = because("the ENI goes to this file");

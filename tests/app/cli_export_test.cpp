@@ -118,8 +118,8 @@ TEST_F(CliExport, LeavesNeitherFileWhenOneCannotBeWritten) {
   EXPECT_EQ(run.code, cli::kFailed);
   EXPECT_FALSE(std::filesystem::exists(report));
   run = cli_run({"export", project_, "-o", eni, "--report", eni});
-  EXPECT_EQ(run.code, cli::kFailed);
-  EXPECT_THAT(run.err, HasSubstr("the ENI goes to this file"));
+  EXPECT_EQ(run.code, cli::kUsage);
+  EXPECT_THAT(run.err, HasSubstr("--output writes the file"));
   EXPECT_FALSE(std::filesystem::exists(eni));
   EXPECT_EQ(cli_run({"export", project_, "-o", eni, "--format", "svg", "--report", report}).code, cli::kUsage);
   std::size_t files = 0;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "sqlite/sqlite_database.h"
 #include "tests/app/cli_runner.h"
 #include "trace/csv.h"
 
@@ -237,6 +238,38 @@ TEST_F(CliRecord, ImportsACapture) {
   EXPECT_TRUE(figures["wkc_errors"].is_null());
   EXPECT_EQ(figures["lost_frames"], 0);
   EXPECT_EQ(figures["sync"]["slaves"]["state"], "unknown");
+}
+
+TEST_F(CliRecord, ImportsACaptureThatBreaksOffUpToThere) {
+  const auto capture = folder.file("run.pcapng"), imported = folder.file("capture.slrec");
+  ASSERT_EQ(run({"--capture", capture}).code, cli::kDone);
+  std::filesystem::resize_file(capture, std::filesystem::file_size(capture) * 9 / 10 - 3);
+  const auto import = cli_run({"record", "import", capture, imported});
+  EXPECT_EQ(import.code, cli::kAnswerIsNo) << import.err;
+  EXPECT_THAT(import.err, HasSubstr("breaks off behind"));
+  EXPECT_THAT(import.out, HasSubstr("cycles of 1000 us"));
+  EXPECT_THAT(cli_run({"record", "info", imported}).out, HasSubstr("breaks off behind"))
+      << "it stands in the recording";
+}
+
+/// What is damaged is no row of the table that is exported, and both say so.
+TEST_F(CliRecord, ExportsWhatIsWholeOfADamagedOne) {
+  ASSERT_EQ(run().code, cli::kDone);
+  const auto before = folder.file("before.csv"), after = folder.file("after.csv");
+  ASSERT_EQ(cli_run({"record", "export", recording, before}).code, cli::kDone);
+  ASSERT_TRUE(SqlDatabase::open(recording)->execute(
+      "UPDATE data SET cells = zeroblob(length(cells)) WHERE id = 2 * 1048576 + 3"));
+  const auto exported = cli_run({"record", "export", recording, after});
+  EXPECT_EQ(exported.code, cli::kAnswerIsNo);
+  EXPECT_THAT(exported.err, testing::AllOf(HasSubstr("2097155"), HasSubstr("table data"), HasSubstr("gap")));
+  const auto whole = read_text(before), rest = read_text(after);
+  EXPECT_LT(rest.size(), whole.size());
+  EXPECT_GT(rest.size(), whole.size() / 2);
+  std::istringstream lines(rest);
+  for (std::string line; std::getline(lines, line);) ASSERT_NE(whole.find(line + '\n'), std::string::npos) << line;
+  const auto verified = cli_run({"record", "verify", recording, "--json"});
+  EXPECT_EQ(verified.code, cli::kAnswerIsNo);
+  EXPECT_EQ(cli_run({"record", "figures", recording}).code, cli::kAnswerIsNo);
 }
 
 TEST_F(CliRecord, FiguresWithoutARangeAreSinceItWasArmed) {

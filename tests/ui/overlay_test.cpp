@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "sqlite/sqlite_database.h"
 #include "support/running_window.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/panels/distribution_view.h"
@@ -302,6 +303,30 @@ TEST_F(OverlayTest, WhatIsNoRecordingIsRefusedAndAllStays) {
     return told;
   }));
   EXPECT_EQ(overlay().path(), path("after.slrec"));
+}
+
+/// What is damaged in the file that lies over it is a gap there, and is told.
+TEST_F(OverlayTest, WhatIsDamagedInTheOtherIsAFinding) {
+  record("before.slrec", 0, 4 * kSecond);
+  record("after.slrec", kSecond, 4 * kSecond);
+  ASSERT_TRUE(SqlDatabase::open(path("after.slrec").toStdString())
+                  ->execute("UPDATE data SET cells = zeroblob(length(cells)) WHERE id = 1048576 + 3"));
+  window_.files().openAny(path("before.slrec"));
+  ASSERT_TRUE(waitFor([this] { return workspace_.recording().isOpen(); }));
+  const auto told = [this] {
+    QStringList where;
+    const auto& findings = workspace_.findings();
+    for (int row = 0; row < findings.rowCount({}); ++row) {
+      if (findings.index(row, 0).data(FindingModel::kCodeRole) == QLatin1String("recording-damaged"))
+        where << findings.index(row, FindingModel::kWhere).data().toString();
+    }
+    return where;
+  };
+  EXPECT_TRUE(told().isEmpty());
+  lay("after.slrec");
+  EXPECT_EQ(told(), QStringList{QStringLiteral("after")});
+  overlay().close();
+  EXPECT_TRUE(told().isEmpty());
 }
 
 /// In a replay the other lies where it lay.

@@ -6,6 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <QAction>
+#include <QApplication>
 #include <QDir>
 #include <QTemporaryDir>
 #include <QUndoStack>
@@ -13,10 +15,13 @@
 #include <optional>
 #include <string>
 
+#include "record/recorder.h"
 #include "record/recording_reader.h"
 #include "support/ui_test_support.h"
 #include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/file_commands.h"
 #include "ui/main_window.h"
+#include "ui/panels/live_strip.h"
 #include "ui/session/workspace.h"
 #include "ui/widgets/pill.h"
 
@@ -179,6 +184,31 @@ TEST_F(RecordingEnd, AFullDiskEndsItWithAMessageAndTheMachineGoesOn) {
   auto reader = RecordingReader::open(file.toStdString());
   ASSERT_TRUE(reader) << reader.error().detail.text();
   EXPECT_TRUE(reader->verify());
+}
+
+/// Killed before its first commit it says what was to be run, and every view of the window does without a cycle.
+TEST_F(RecordingEnd, WithoutACycleItOpens) {
+  RecordingAbout about;
+  about.program = "syncline";
+  about.slaves = {{"Coupler", 2, 3, 4}};
+  about.limits = {kMillisecond, 500, 4000};
+  const auto file = folder_.filePath(QStringLiteral("short.slrec"));
+  {
+    auto recorder = Recorder::start(file.toStdString(), about, {}, {});
+    ASSERT_TRUE(recorder);
+    (*recorder)->add(RecordedEvent{kSecond, 0, "state", "slave 0: PREOP"});
+    ASSERT_TRUE((*recorder)->finish());
+  }
+  window_.files().openAny(file);
+  ASSERT_TRUE(waitFor([&] { return workspace_.recording().isOpen(); }));
+  EXPECT_EQ(workspace_.recording().run().info.cycles, 0U);
+  EXPECT_EQ(workspace_.recording().replay(), nullptr);
+  for (auto* action : window_.findChildren<QAction*>()) {
+    if (action->objectName().startsWith(QLatin1String("actionView")) && action->isEnabled()) action->trigger();
+  }
+  window_.liveStrip().refresh();
+  QApplication::processEvents();
+  workspace_.recording().close();
 }
 
 }  // namespace

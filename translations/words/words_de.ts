@@ -213,6 +213,10 @@
         <translation>Eine Aufzeichnung bricht ab</translation>
     </message>
     <message>
+        <source>A capture is cut off</source>
+        <translation>Ein Mitschnitt ist abgeschnitten</translation>
+    </message>
+    <message>
         <source>A check has a time-out of 0</source>
         <translation>Eine Prüfung hat eine Zeitgrenze von 0</translation>
     </message>
@@ -437,6 +441,10 @@
         <translation>Ein Modul steckt auf Platz {place}; das Gerät hat {places}.</translation>
     </message>
     <message>
+        <source>A part of a recording is damaged</source>
+        <translation>Ein Teil einer Aufzeichnung ist beschädigt</translation>
+    </message>
+    <message>
         <source>A part of the ENI is not read</source>
         <translation>Ein Teil der ENI wird nicht gelesen</translation>
     </message>
@@ -463,6 +471,10 @@
     <message>
         <source>A process-data command has no working counter</source>
         <translation>Ein Prozessdatenkommando hat keinen Working Counter</translation>
+    </message>
+    <message>
+        <source>A recording that was cut short has its last part in a log beside it.</source>
+        <translation>Eine abgebrochene Aufzeichnung hat ihren letzten Teil in einem Protokoll daneben.</translation>
     </message>
     <message>
         <source>A required element or attribute is missing</source>
@@ -713,6 +725,10 @@
         <translation>Eine Synchronisationsart, die das Gerät nicht annimmt</translation>
     </message>
     <message>
+        <source>A table is cut off</source>
+        <translation>Eine Tabelle ist abgeschnitten</translation>
+    </message>
+    <message>
         <source>A task without cycle time</source>
         <translation>Eine Task ohne Zykluszeit</translation>
     </message>
@@ -937,6 +953,10 @@
         <translation>Ein Init-Kommando des Masters</translation>
     </message>
     <message>
+        <source>An older program has written it.</source>
+        <translation>Ein älteres Programm hat sie geschrieben.</translation>
+    </message>
+    <message>
         <source>An optional slave</source>
         <translation>Ein wahlweiser Slave</translation>
     </message>
@@ -1035,6 +1055,10 @@
     <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Capture whole frames (a snap length of 0).</source>
+        <translation>Ganze Frames mitschneiden (Snap-Länge 0).</translation>
     </message>
     <message>
         <source>Capture whole frames (tcpdump -s 0).</source>
@@ -1227,6 +1251,10 @@
     <message>
         <source>Complete access to a sub-index other than 0 or 1</source>
         <translation>Complete Access auf einen anderen Subindex als 0 oder 1</translation>
+    </message>
+    <message>
+        <source>Copy the file that ends in -wal together with the recording.</source>
+        <translation>Die Datei, die auf -wal endet, zusammen mit der Aufzeichnung kopieren.</translation>
     </message>
     <message>
         <source>Correct Adp, or remove the command</source>
@@ -1645,6 +1673,10 @@
         <translation>Frames wurden nur zum Teil aufgezeichnet</translation>
     </message>
     <message>
+        <source>Frames were captured in part only</source>
+        <translation>Frames wurden nur teilweise mitgeschnitten</translation>
+    </message>
+    <message>
         <source>Frames were damaged or links lost at a port</source>
         <translation>An einem Port wurden Frames beschädigt oder Links verloren</translation>
     </message>
@@ -1785,6 +1817,10 @@
         <translation>Offsets des Abbilds nach der Art von TwinCAT</translation>
     </message>
     <message>
+        <source>Import the whole file.</source>
+        <translation>Die ganze Datei importieren.</translation>
+    </message>
+    <message>
         <source>Import with the ESI of the device's revision.</source>
         <translation>Mit der ESI der Revision des Geräts importieren.</translation>
     </message>
@@ -1891,6 +1927,10 @@
     <message>
         <source>It writes {object}, and a setting writes another value there ({command}).</source>
         <translation>Es schreibt {object}, und eine Einstellung schreibt dort einen anderen Wert ({command}).</translation>
+    </message>
+    <message>
+        <source>Its bytes are not those that were written: a disk, a copy or another program has changed them. What is left out was recorded, and nothing is known of it any more.</source>
+        <translation>Ihre Bytes sind nicht die, die geschrieben wurden: Ein Datenträger, eine Kopie oder ein anderes Programm hat sie verändert. Was fehlt, war aufgezeichnet, und nichts ist mehr davon bekannt.</translation>
     </message>
     <message>
         <source>Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.</source>
@@ -2025,6 +2065,14 @@
         <translation>Zeile {line} wird nicht gelesen: {what}.</translation>
     </message>
     <message>
+        <source>Line {line}, the last one, has no end: its last cell may be cut off.</source>
+        <translation>Zeile {line}, die letzte, hat kein Ende: Ihre letzte Zelle ist womöglich abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Line {line}, the last one, is cut off and left out.</source>
+        <translation>Zeile {line}, die letzte, ist abgeschnitten und fehlt.</translation>
+    </message>
+    <message>
         <source>List them with "synclinectl adapters".</source>
         <translation>"synclinectl adapters" listet sie auf.</translation>
     </message>
@@ -2051,6 +2099,22 @@
     <message>
         <source>Mend the clock; neither the slave's firmware nor its shift is the reason.</source>
         <translation>Bringen Sie die Uhr in Ordnung; weder die Firmware des Slaves noch seine Verschiebung ist der Grund.</translation>
+    </message>
+    <message>
+        <source>Read it from another copy; what is shown beside it is as it was written.</source>
+        <translation>Aus einer anderen Kopie lesen; was daneben gezeigt wird, ist wie geschrieben.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged and left out.</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt und fehlt.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: {signal} ist in den Zyklen {first} bis {last} nicht bekannt.</translation>
     </message>
     <message>
         <source>SM2 events were missed because a clock had moved</source>
@@ -2089,8 +2153,36 @@
         <translation>Slaves folgen mit Verzögerungen, die nicht mehr ihre sind</translation>
     </message>
     <message>
+        <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
+        <translation>Der Mitschnitt bricht nach {frames:# Frame|# Frames} ab ({reason}): Was davor kam, ist importiert.</translation>
+    </message>
+    <message>
+        <source>The file ends in the middle of a line: whoever has written or copied it did not come to its end.</source>
+        <translation>Die Datei endet mitten in einer Zeile: Wer sie geschrieben oder kopiert hat, kam nicht bis ans Ende.</translation>
+    </message>
+    <message>
         <source>The frames' way to slaves has changed</source>
         <translation>Der Weg der Frames zu Slaves hat sich geändert</translation>
+    </message>
+    <message>
+        <source>The log of a recording is missing</source>
+        <translation>Das Protokoll einer Aufzeichnung fehlt</translation>
+    </message>
+    <message>
+        <source>The recording is of version {version}, whose rows carry no checks: damage in their values may not be seen.</source>
+        <translation>Die Aufzeichnung hat die Version {version}, deren Zeilen keine Prüfsummen tragen: Schäden in ihren Werten bleiben womöglich unbemerkt.</translation>
+    </message>
+    <message>
+        <source>The recording was cut short, and its log {file} is not beside it: what that held, the end of the run, is missing unless another program has taken it over.</source>
+        <translation>Die Aufzeichnung wurde abgebrochen, und ihr Protokoll {file} liegt nicht daneben: Was es enthielt, das Ende des Laufs, fehlt, falls nicht ein anderes Programm es übernommen hat.</translation>
+    </message>
+    <message>
+        <source>The rows of a recording carry no checks</source>
+        <translation>Die Zeilen einer Aufzeichnung tragen keine Prüfsummen</translation>
+    </message>
+    <message>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
+        <translation>Die Zeilen des Blocks {block} widersprechen einander: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4065,6 +4157,26 @@
         <translation>sein SYNC0 wurde an anderer Stelle gestartet</translation>
     </message>
     <message>
+        <source>What they carry is not known: a cycle without its frame is missing, or counts as one whose frame was lost.</source>
+        <translation>Was sie enthalten, ist nicht bekannt: Ein Zyklus ohne seinen Frame fehlt oder zählt als einer, dessen Frame verloren ging.</translation>
+    </message>
+    <message>
+        <source>Whoever has written or copied it did not come to its end.</source>
+        <translation>Wer ihn geschrieben oder kopiert hat, kam nicht bis ans Ende.</translation>
+    </message>
+    <message>
+        <source>a recording that is shown here</source>
+        <translation>eine Aufzeichnung, die hier gezeigt wird</translation>
+    </message>
+    <message>
+        <source>of {other} cells it has only {count}</source>
+        <translation>von {other} Zellen hat sie nur {count}</translation>
+    </message>
+    <message>
+        <source>it is {what}, which would be lost: choose another name</source>
+        <translation>sie ist {what} und ginge verloren: einen anderen Namen wählen</translation>
+    </message>
+    <message>
         <source>its own clock was out of its place</source>
         <translation>seine eigene Uhr war nicht an ihrem Platz</translation>
     </message>
@@ -4073,8 +4185,40 @@
         <translation>der Weg der Frames hinter {subject} hat sich geändert: {slaves:# Slave dort ist|# Slaves dort sind} auf einmal {deviation} daneben, mit vorher gemessenen Verzögerungen</translation>
     </message>
     <message>
+        <source>its tables are not those of version {version}</source>
+        <translation>ihre Tabellen sind nicht die der Version {version}</translation>
+    </message>
+    <message>
+        <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
+        <translation>der Weg der Frames hinter {subject} hat sich geändert: {slaves:# folgender Slave|alle # folgenden Slaves} auf einmal {deviation} daneben, mit einer vorher gemessenen Verzögerung</translation>
+    </message>
+    <message>
+        <source>the project that is open here</source>
+        <translation>das Projekt, das hier offen ist</translation>
+    </message>
+    <message>
+        <source>the recording that is being written</source>
+        <translation>die Aufzeichnung, die gerade geschrieben wird</translation>
+    </message>
+    <message>
+        <source>{count:# frame was|# frames were} captured in part only and passed over.</source>
+        <translation>{count:# Frame wurde|# Frames wurden} nur teilweise mitgeschnitten und übergangen.</translation>
+    </message>
+    <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
         <translation>{count:# Frame|# Frames} kamen nicht zurück (bis zu {most} dicht beieinander, zuerst bei {since}), und {slave} hatte seine Ausgänge trotzdem: sie waren bei ihm vorbei, und kein Slave zählte einen Fehler an seinen Ports.</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}.</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+    </message>
+    <message>
+        <source>{file} is an ENI, which holds one alone: leave the network out</source>
+        <translation>{file} ist eine ENI, die nur eines enthält: das Netzwerk weglassen</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
@@ -6633,6 +6777,10 @@
         <translation>{text}</translation>
     </message>
     <message>
+        <source>{what} writes the file {file}, too; name another one for one of them</source>
+        <translation>auch {what} schreibt die Datei {file}; nennen Sie für eines von beiden eine andere</translation>
+    </message>
+    <message>
         <source>{where}: the element &lt;{subject}&gt; is missing{because}.</source>
         <translation>{where}: das Element &lt;{subject}&gt; fehlt{because}.</translation>
     </message>
@@ -7251,10 +7399,6 @@
     <message>
         <source>another stretch is being written; try again in a moment</source>
         <translation>ein anderer Abschnitt wird gerade geschrieben; gleich noch einmal versuchen</translation>
-    </message>
-    <message>
-        <source>it holds no cycles: it was cut short before its first second</source>
-        <translation>sie enthält keine Zyklen: sie brach vor ihrer ersten Sekunde ab</translation>
     </message>
     <message>
         <source>{value} is outside {range}</source>
@@ -8399,6 +8543,10 @@
     <message>
         <source>Choose an operation mode with that signal, or set its times back to auto.</source>
         <translation>Eine Betriebsart mit diesem Signal wählen oder seine Zeiten auf auto zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>{file} is what {what} reads and would be lost; name another file</source>
+        <translation>{file} ist, was {what} liest, und ginge verloren; nennen Sie eine andere Datei</translation>
     </message>
     <message>
         <source>{signal} is set, and the operation mode &quot;{mode}&quot; does not generate it: what is set has no effect.</source>

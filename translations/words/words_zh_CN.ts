@@ -213,6 +213,10 @@
         <translation>抓包中途中断</translation>
     </message>
     <message>
+        <source>A capture is cut off</source>
+        <translation>抓包文件被截断</translation>
+    </message>
+    <message>
         <source>A check has a time-out of 0</source>
         <translation>某个检查的超时时间为 0</translation>
     </message>
@@ -437,6 +441,10 @@
         <translation>模块插在插槽 {place} 上；设备的插槽数：{places}。</translation>
     </message>
     <message>
+        <source>A part of a recording is damaged</source>
+        <translation>记录的一部分已损坏</translation>
+    </message>
+    <message>
         <source>A part of the ENI is not read</source>
         <translation>ENI 的一部分未被读取</translation>
     </message>
@@ -463,6 +471,10 @@
     <message>
         <source>A process-data command has no working counter</source>
         <translation>过程数据命令没有工作计数器</translation>
+    </message>
+    <message>
+        <source>A recording that was cut short has its last part in a log beside it.</source>
+        <translation>被中断的记录，其最后部分位于旁边的日志中。</translation>
     </message>
     <message>
         <source>A required element or attribute is missing</source>
@@ -713,6 +725,10 @@
         <translation>设备不接受的同步类型</translation>
     </message>
     <message>
+        <source>A table is cut off</source>
+        <translation>表格被截断</translation>
+    </message>
+    <message>
         <source>A task without cycle time</source>
         <translation>任务没有周期时间</translation>
     </message>
@@ -937,6 +953,10 @@
         <translation>主站的初始化命令</translation>
     </message>
     <message>
+        <source>An older program has written it.</source>
+        <translation>它由较旧的程序写入。</translation>
+    </message>
+    <message>
         <source>An optional slave</source>
         <translation>可选从站</translation>
     </message>
@@ -1035,6 +1055,10 @@
     <message>
         <source>Cancelled.</source>
         <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>Capture whole frames (a snap length of 0).</source>
+        <translation>请抓取完整的帧（snap length 为 0）。</translation>
     </message>
     <message>
         <source>Capture whole frames (tcpdump -s 0).</source>
@@ -1227,6 +1251,10 @@
     <message>
         <source>Complete access to a sub-index other than 0 or 1</source>
         <translation>对 0 或 1 以外的子索引使用完全访问 (Complete Access)</translation>
+    </message>
+    <message>
+        <source>Copy the file that ends in -wal together with the recording.</source>
+        <translation>请将以 -wal 结尾的文件与记录一同复制。</translation>
     </message>
     <message>
         <source>Correct Adp, or remove the command</source>
@@ -1645,6 +1673,10 @@
         <translation>只抓取了部分帧</translation>
     </message>
     <message>
+        <source>Frames were captured in part only</source>
+        <translation>有帧只被部分抓取</translation>
+    </message>
+    <message>
         <source>Frames were damaged or links lost at a port</source>
         <translation>端口上有帧损坏或链路丢失</translation>
     </message>
@@ -1785,6 +1817,10 @@
         <translation>按 TwinCAT 方式书写的过程映像偏移</translation>
     </message>
     <message>
+        <source>Import the whole file.</source>
+        <translation>请导入完整的文件。</translation>
+    </message>
+    <message>
         <source>Import with the ESI of the device's revision.</source>
         <translation>用与设备版本对应的 ESI 导入。</translation>
     </message>
@@ -1891,6 +1927,10 @@
     <message>
         <source>It writes {object}, and a setting writes another value there ({command}).</source>
         <translation>它写入 {object}，而某项设置也在那里写入另一个值 ({command})。</translation>
+    </message>
+    <message>
+        <source>Its bytes are not those that were written: a disk, a copy or another program has changed them. What is left out was recorded, and nothing is known of it any more.</source>
+        <translation>其字节与写入时不同：磁盘、复制过程或其他程序改变了它们。略去的内容曾被记录，但现在已无从得知。</translation>
     </message>
     <message>
         <source>Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.</source>
@@ -2025,6 +2065,14 @@
         <translation>第 {line} 行未被读取：{what}。</translation>
     </message>
     <message>
+        <source>Line {line}, the last one, has no end: its last cell may be cut off.</source>
+        <translation>最后一行（第 {line} 行）没有行尾：其最后一个单元格可能被截断。</translation>
+    </message>
+    <message>
+        <source>Line {line}, the last one, is cut off and left out.</source>
+        <translation>最后一行（第 {line} 行）被截断，已略去。</translation>
+    </message>
+    <message>
         <source>List them with "synclinectl adapters".</source>
         <translation>用“synclinectl adapters”列出它们。</translation>
     </message>
@@ -2051,6 +2099,22 @@
     <message>
         <source>Mend the clock; neither the slave's firmware nor its shift is the reason.</source>
         <translation>请修复时钟；原因既不是从站固件，也不是其偏移。</translation>
+    </message>
+    <message>
+        <source>Read it from another copy; what is shown beside it is as it was written.</source>
+        <translation>请从另一份副本读取；其余显示的内容与写入时一致。</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged and left out.</source>
+        <translation>表 {table} 的行 {row} 已损坏，已略去。</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 为空缺。</translation>
+    </message>
+    <message>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 中的 {signal} 未知。</translation>
     </message>
     <message>
         <source>SM2 events were missed because a clock had moved</source>
@@ -2089,8 +2153,36 @@
         <translation>从站使用已不再有效的延迟跟随</translation>
     </message>
     <message>
+        <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
+        <translation>抓包在 {frames:# 个帧|# 个帧} 之后中断（{reason}）：之前的内容已导入。</translation>
+    </message>
+    <message>
+        <source>The file ends in the middle of a line: whoever has written or copied it did not come to its end.</source>
+        <translation>文件在一行中间结束：写入或复制它的程序没有完成。</translation>
+    </message>
+    <message>
         <source>The frames' way to slaves has changed</source>
         <translation>帧到从站的路径已改变</translation>
+    </message>
+    <message>
+        <source>The log of a recording is missing</source>
+        <translation>记录的日志缺失</translation>
+    </message>
+    <message>
+        <source>The recording is of version {version}, whose rows carry no checks: damage in their values may not be seen.</source>
+        <translation>该记录的版本为 {version}，其各行没有校验值：数值中的损坏可能无法发现。</translation>
+    </message>
+    <message>
+        <source>The recording was cut short, and its log {file} is not beside it: what that held, the end of the run, is missing unless another program has taken it over.</source>
+        <translation>记录被中断，其日志 {file} 不在旁边：除非已由其他程序并入，否则其中的内容（运行的末尾）缺失。</translation>
+    </message>
+    <message>
+        <source>The rows of a recording carry no checks</source>
+        <translation>记录的各行没有校验值</translation>
+    </message>
+    <message>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
+        <translation>块 {block} 的各行相互矛盾：周期 {first} 至 {last} 为空缺。</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4065,6 +4157,26 @@
         <translation>其 SYNC0 在其他位置启动</translation>
     </message>
     <message>
+        <source>What they carry is not known: a cycle without its frame is missing, or counts as one whose frame was lost.</source>
+        <translation>其内容未知：缺少帧的周期会缺失，或被计为帧丢失的周期。</translation>
+    </message>
+    <message>
+        <source>Whoever has written or copied it did not come to its end.</source>
+        <translation>写入或复制它的程序没有完成。</translation>
+    </message>
+    <message>
+        <source>a recording that is shown here</source>
+        <translation>此处显示的记录</translation>
+    </message>
+    <message>
+        <source>of {other} cells it has only {count}</source>
+        <translation>在 {other} 个单元格中只有 {count} 个</translation>
+    </message>
+    <message>
+        <source>it is {what}, which would be lost: choose another name</source>
+        <translation>它是{what}，写入会使其丢失：请选择另一个名称</translation>
+    </message>
+    <message>
         <source>its own clock was out of its place</source>
         <translation>其自身时钟偏离了应有位置</translation>
     </message>
@@ -4073,8 +4185,40 @@
         <translation>{subject} 之后的帧路径已改变：其后 {slaves:# 个从站|# 个从站}同时偏差 {deviation}，使用的是此前测得的延迟</translation>
     </message>
     <message>
+        <source>its tables are not those of version {version}</source>
+        <translation>其中的表不是版本 {version} 的表</translation>
+    </message>
+    <message>
+        <source>the frames' way behind {subject} has changed: {slaves:# slave that follows|all # slaves that follow} at once off by {deviation}, with a delay that was measured before</source>
+        <translation>{subject} 之后的帧路径已改变：{slaves:# 个跟随的从站|全部 # 个跟随的从站}同时偏差 {deviation}，使用的是此前测得的延迟</translation>
+    </message>
+    <message>
+        <source>the project that is open here</source>
+        <translation>此处打开的项目</translation>
+    </message>
+    <message>
+        <source>the recording that is being written</source>
+        <translation>正在写入的记录</translation>
+    </message>
+    <message>
+        <source>{count:# frame was|# frames were} captured in part only and passed over.</source>
+        <translation>{count:# 个帧|# 个帧} 只被部分抓取，已略过。</translation>
+    </message>
+    <message>
         <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave} had its outputs all the same: they had passed it, and no slave counted an error at its ports.</source>
         <translation>{count:# 个帧|# 个帧}未返回（密集时最多 {most} 个，首次在 {since}），而 {slave} 仍收到了输出：这些帧已经过它，且没有从站在端口上计到错误。</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}。</translation>
+    </message>
+    <message>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}：周期 {first} 至 {last} 为空缺。</translation>
+    </message>
+    <message>
+        <source>{file} is an ENI, which holds one alone: leave the network out</source>
+        <translation>{file} 是 ENI，只含一个网络：请不要指定网络</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
@@ -6633,6 +6777,10 @@
         <translation>{text}</translation>
     </message>
     <message>
+        <source>{what} writes the file {file}, too; name another one for one of them</source>
+        <translation>{what} 也写入文件 {file}；请为其中之一指定另一个文件</translation>
+    </message>
+    <message>
         <source>{where}: the element &lt;{subject}&gt; is missing{because}.</source>
         <translation>{where}：缺少元素 &lt;{subject}&gt;{because}。</translation>
     </message>
@@ -7251,10 +7399,6 @@
     <message>
         <source>another stretch is being written; try again in a moment</source>
         <translation>另一段正在写入；请稍后重试</translation>
-    </message>
-    <message>
-        <source>it holds no cycles: it was cut short before its first second</source>
-        <translation>其中没有周期：它在第一秒之前就中断了</translation>
     </message>
     <message>
         <source>{value} is outside {range}</source>
@@ -8399,6 +8543,10 @@
     <message>
         <source>Choose an operation mode with that signal, or set its times back to auto.</source>
         <translation>请选择带有该信号的运行模式，或将其时间恢复为自动。</translation>
+    </message>
+    <message>
+        <source>{file} is what {what} reads and would be lost; name another file</source>
+        <translation>{file} 是 {what} 读取的文件，会因此丢失；请指定另一个文件</translation>
     </message>
     <message>
         <source>{signal} is set, and the operation mode &quot;{mode}&quot; does not generate it: what is set has no effect.</source>

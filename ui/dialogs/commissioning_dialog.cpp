@@ -3,7 +3,6 @@
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -18,6 +17,7 @@
 #include "eni/report/reported_eni.h"
 #include "support/output_file.h"
 #include "ui/dialogs/error_dialog.h"
+#include "ui/files/save_name.h"
 #include "ui/session/workspace.h"
 #include "ui/text/acceptance_text.h"
 #include "ui/widgets/named.h"
@@ -167,7 +167,7 @@ void CommissioningDialog::refresh() {
 
 void CommissioningDialog::askFile() {
   const auto name = QString::fromStdString(facts().machine) + QStringLiteral(".commissioning.html");
-  const auto path = QFileDialog::getSaveFileName(this, tr("Write Page"), name, tr("Web pages (*.html)"));
+  const auto path = askSaveName(this, tr("Write Page"), name, tr("Web pages (*.html)"));
   if (!path.isEmpty()) write(path);
 }
 

@@ -25,6 +25,7 @@
 #include "ui/dialogs/comparison_model.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/link_chooser.h"
+#include "ui/files/held_file.h"
 #include "ui/models/word_filter.h"
 #include "ui/session/project_document.h"
 #include "ui/session/run_difference.h"
@@ -321,7 +322,8 @@ void CompareDialog::exportCsv() {
 }
 
 bool CompareDialog::exportTo(const QString& path) {
-  const auto status = write_whole_file(path.toStdString(), text(u',', true).toStdString());
+  auto status = mayWrite(path);
+  if (status) status = write_whole_file(path.toStdString(), text(u',', true).toStdString());
   if (!status) showError(this, tr("The differences could not be written."), status.error());
   return status.has_value();
 }

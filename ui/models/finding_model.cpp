@@ -87,6 +87,7 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
       if (finding.severity == Severity::kError) return tr("Error");
       return finding.severity == Severity::kWarning ? tr("Warning") : tr("Note");
     case kWhere:
+      if (!finding.place.file.empty()) return QString::fromStdString(finding.place.file);
       return finding.place.slave < 0 ? masterWord() : slaveWord() + QStringLiteral(" %1").arg(finding.place.slave);
     case kFinding:
       return findingText(finding);

@@ -19,6 +19,7 @@
 #include "support/whole_file.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/questions.h"
+#include "ui/files/save_name.h"
 #include "ui/models/eeprom_lines.h"
 #include "ui/session/workspace.h"
 #include "ui/text/error_text.h"
@@ -185,7 +186,7 @@ void SlaveEepromPage::showImage() {
 
 void SlaveEepromPage::save() {
   const auto name = QString::fromStdString(settings()->name) + QStringLiteral(".bin");
-  const auto path = QFileDialog::getSaveFileName(this, tr("Save EEPROM"), name, tr("EEPROM images (*.bin)"));
+  const auto path = askSaveName(this, tr("Save EEPROM"), name, tr("EEPROM images (*.bin)"));
   if (path.isEmpty()) return;
   if (auto status = write_whole_file(path.toStdString(), image_); !status)
     showError(window(), tr("The EEPROM could not be saved."), status.error());

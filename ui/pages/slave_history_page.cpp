@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/slave_history_page.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -13,6 +12,7 @@
 #include "support/whole_file.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/questions.h"
+#include "ui/files/save_name.h"
 #include "ui/models/diagnosis_model.h"
 #include "ui/models/dictionary.h"
 #include "ui/session/diag_text_reader.h"
@@ -232,8 +232,7 @@ void SlaveHistoryPage::acknowledgeAll() {
 
 void SlaveHistoryPage::exportCsv() {
   const auto name = QString::fromStdString(settings()->name) + QStringLiteral("-history.csv");
-  const auto path =
-      QFileDialog::getSaveFileName(this, tr("Export Diagnosis History"), name, tr("Comma-separated values (*.csv)"));
+  const auto path = askSaveName(this, tr("Export Diagnosis History"), name, tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
   if (auto status = write_whole_file(path.toStdString(), model_->csv().toStdString()); !status)
     showError(window(), tr("The history could not be exported."), status.error());

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QTreeView>
 #include <algorithm>
@@ -11,6 +10,7 @@
 
 #include "support/whole_file.h"
 #include "ui/dialogs/error_dialog.h"
+#include "ui/files/save_name.h"
 #include "ui/models/object_filter.h"
 #include "ui/models/object_model.h"
 #include "ui/pages/slave_objects_page.h"
@@ -153,8 +153,7 @@ void SlaveObjectsPage::keepWatched() {
 
 void SlaveObjectsPage::exportCsv() {
   const auto name = QString::fromStdString(settings()->name) + QStringLiteral("-objects.csv");
-  const auto path =
-      QFileDialog::getSaveFileName(this, tr("Export Objects"), name, tr("Comma-separated values (*.csv)"));
+  const auto path = askSaveName(this, tr("Export Objects"), name, tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
   if (auto status = write_whole_file(path.toStdString(), tableCsv(*filter_).toStdString()); !status)
     showError(window(), tr("The objects could not be exported."), status.error());

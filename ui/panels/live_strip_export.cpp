@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QAction>
-#include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPainter>
 
 #include "support/whole_file.h"
+#include "ui/files/save_name.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/free_plot.h"
@@ -82,15 +82,15 @@ Picture LiveStrip::picture() {
 }
 
 void LiveStrip::exportCsv() {
-  const auto path = QFileDialog::getSaveFileName(this, tr("Export the range shown"), QStringLiteral("syncline.csv"),
-                                                 tr("Comma-separated values (*.csv)"));
+  const auto path = askSaveName(this, tr("Export the range shown"), QStringLiteral("syncline.csv"),
+                                tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
   tellUnwritten(this, write_whole_file(path.toStdString(), csv()));
 }
 
 void LiveStrip::exportRange(Nanoseconds from, Nanoseconds to) {
-  const auto path = QFileDialog::getSaveFileName(this, tr("Export the episode"), QStringLiteral("episode.csv"),
-                                                 tr("Comma-separated values (*.csv)"));
+  const auto path =
+      askSaveName(this, tr("Export the episode"), QStringLiteral("episode.csv"), tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
   tellUnwritten(this, write_whole_file(path.toStdString(), csv(from, to)));
 }

@@ -21,6 +21,7 @@
 
 #include "reasons/because.h"
 #include "support/whole_file.h"
+#include "ui/files/save_name.h"
 #include "ui/text/error_text.h"
 #include "ui/theme/theme.h"
 
@@ -169,7 +170,7 @@ Status writePicture(const Picture& picture, const QString& path) {
 void exportPicture(QWidget* parent, const QString& title, const QString& proposed,
                    const std::function<Picture()>& picture) {
   const auto path = askForPictureName(parent, title, proposed);
-  if (path.isEmpty()) return;
+  if (path.isEmpty() || !mayWriteOrTell(parent, title, path)) return;
   if (const auto status = writePicture(picture(), path); !status)
     QMessageBox::warning(parent, title, errorText(status.error()));
 }

@@ -37,13 +37,13 @@ struct ViewName {
   PictureView view;
   const char* name;
 };
-constexpr std::array kViews{ViewName{PictureView::kOverview, "overview"},
-                            ViewName{PictureView::kPlots, "plots"},
-                            ViewName{PictureView::kDistribution, "distribution"},
-                            ViewName{PictureView::kStability, "stability"},
-                            ViewName{PictureView::kCycle, "cycle"},
-                            ViewName{PictureView::kSlaves, "slaves"},
-                            ViewName{PictureView::kFree, "free"}};
+constexpr std::array kPictureViews{ViewName{PictureView::kOverview, "overview"},
+                                   ViewName{PictureView::kPlots, "plots"},
+                                   ViewName{PictureView::kDistribution, "distribution"},
+                                   ViewName{PictureView::kStability, "stability"},
+                                   ViewName{PictureView::kCycle, "cycle"},
+                                   ViewName{PictureView::kSlaves, "slaves"},
+                                   ViewName{PictureView::kFree, "free"}};
 
 LiveStrip::Body bodyOf(PictureView view) {
   switch (view) {
@@ -186,13 +186,13 @@ Status prepare(LiveStrip& strip, const ReplayedRun& run, const RecordingPicture&
 
 std::optional<PictureView> pictureViewOf(const QString& name) {
   const auto* found =
-      std::ranges::find_if(kViews, [&name](const ViewName& of) { return name == QLatin1String(of.name); });
-  return found == kViews.end() ? std::nullopt : std::optional(found->view);
+      std::ranges::find_if(kPictureViews, [&name](const ViewName& of) { return name == QLatin1String(of.name); });
+  return found == kPictureViews.end() ? std::nullopt : std::optional(found->view);
 }
 
 QStringList pictureViewNames() {
   QStringList names;
-  for (const auto& of : kViews) names << QLatin1String(of.name);
+  for (const auto& of : kPictureViews) names << QLatin1String(of.name);
   return names;
 }
 

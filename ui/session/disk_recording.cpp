@@ -114,6 +114,7 @@ Status DiskRecording::start(const QString& path) {
   recorder_ = std::move(*recorder);
   number_ = number;
   path_ = path;
+  file_.hold(path);
   begun_ = run_.record()->samples().empty() ? 0 : run_.record()->samples().last_time();
   told_ = run_.record()->standing();
   first_ = 0;
@@ -150,6 +151,7 @@ void DiskRecording::onFinished(int number, const Status& status) {
   found->second.thread.join();
   const auto [path, stop] = std::pair(found->second.path, found->second.stop);
   ending_.erase(found);
+  if (recorder_ == nullptr && ending_.empty()) file_.hold({});
   std::optional<Error> error;
   if (!status) error = status.error();
   if (stop && stop->error) error = stop->error;

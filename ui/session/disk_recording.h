@@ -8,9 +8,11 @@
 #include <optional>
 #include <thread>
 
+#include "reasons/because.h"
 #include "record/recent_run.h"
 #include "record/recorder.h"
 #include "support/result.h"
+#include "ui/files/held_file.h"
 #include "ui/session/bus_connection.h"
 
 namespace syncline::ui {
@@ -91,6 +93,7 @@ class DiskRecording final : public QObject {
   const Environment& environment_;
   RecentSamples recent_;
   QString path_;
+  HeldFile file_{because("the recording that is being written")};
   Nanoseconds begun_ = 0;            // the newest sample when it was started
   Nanoseconds first_ = 0;            // of its samples; 0: none yet
   std::optional<RunStanding> told_;  // to the recorder

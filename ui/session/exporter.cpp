@@ -7,16 +7,22 @@
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
 #include "eni/report/reported_eni.h"
+#include "ui/files/held_file.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
 
 Result<std::vector<Finding>> exportEni(Workspace& workspace, const QString& path) {
+  // Two files, of which nobody else has the second in view.
+  const bool reported = workspace.eni().reported();
+  for (const auto& file : {path, reported ? reportFile(path) : path}) {
+    if (auto status = mayWrite(file); !status) return tl::unexpected(status.error());
+  }
   const auto dialect = workspace.eni().dialect();
   const auto compiled = dialect == EniDialect::kEcEngineer ? workspace.configuration().current()
                                                            : compile(workspace.document().project(), {dialect});
   if (!compiled) return tl::unexpected(compiled.error());
-  const eni::ReportedEni reported{
+  const eni::ReportedEni what{
       .config = compiled->config,
       .dialect = dialect,
       .source = &workspace.document().project(),
@@ -24,9 +30,8 @@ Result<std::vector<Finding>> exportEni(Workspace& workspace, const QString& path
       .program = QStringLiteral("Syncline %1").arg(workspace.environment().version).toStdString(),
       .date = eni::report_date(),
       .findings = compiled->findings};
-  const auto status = workspace.eni().reported()
-                          ? eni::save_reported_eni(reported, path.toStdString(), reportFile(path).toStdString())
-                          : eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect));
+  const auto status = reported ? eni::save_reported_eni(what, path.toStdString(), reportFile(path).toStdString())
+                               : eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect));
   if (!status) return tl::unexpected(status.error());
   workspace.eni().noteExport();
   return eni::errors_of_export(eni::write_eni(compiled->config, eni::style_of(dialect)));

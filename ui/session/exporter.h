@@ -14,6 +14,7 @@ class Workspace;
 /// Writes the ENI of the project as it is now, in the dialect of its preview, with its report where that is wanted:
 /// both or none. Fails when the project cannot be compiled
 /// or the file cannot be written; findings of severity error do not stop it (the messages show them).
+/// kFileNotWritable, too, where one of them is a file that is open here (held_file.h).
 /// Returns what the checker finds wrong in what was written.
 [[nodiscard]] Result<std::vector<Finding>> exportEni(Workspace& workspace, const QString& path);
 

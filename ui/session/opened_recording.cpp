@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "eni/format/eni_file.h"
-#include "reasons/because.h"
 #include "record/import_run.h"
 #include "record/recorded_configuration.h"
 #include "record/recording_notes.h"
@@ -42,6 +41,7 @@ void OpenedRecording::read(const QString& path) {
   if (worker_.joinable()) worker_.join();
   reading_ = true;
   cancelled_ = false;
+  read_file_.hold(path);
   Q_EMIT started(path);
   worker_ = std::thread([this, path] {
     auto outcome = std::make_shared<Outcome>(load(path));
@@ -83,11 +83,6 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   if (!reader) return tl::unexpected(reader.error());
   auto info = reader->info();
   if (!info) return tl::unexpected(info.error());
-  if (info->cycles == 0) {
-    return fail(Error{.code = ErrorCode::kFileNotReadable,
-                      .detail = because("it holds no cycles: it was cut short before its first second"),
-                      .file = path.toStdString()});
-  }
   QMetaObject::invokeMethod(
       this,
       [this, outline = Outline{info->begin, info->end, info->cycles, info->about.limits}] { Q_EMIT outlined(outline); },
@@ -109,6 +104,8 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   if (!run) return tl::unexpected(run.error());
   auto messages = messagesOf(*run, MessageModel::kMaximum);
   Whole whole{std::move(*run), std::move(messages)};
+  // Cut short before its first second it has no moment to be shown at.
+  if (whole.run.record->samples().empty()) return whole;
   auto replay = RunReplay::open(std::move(*reader), whole.run);
   if (!replay) return tl::unexpected(replay.error());
   whole.replay.emplace(std::move(*replay));
@@ -119,6 +116,7 @@ void OpenedRecording::deliver(const QString& path, Outcome outcome) {
   if (worker_.joinable()) worker_.join();
   pictures_.forget();
   reading_ = false;
+  if (cancelled_ || !outcome) read_file_.hold({});
   if (cancelled_) {
     Q_EMIT failed(path, Error{ErrorCode::kCancelled});
   } else if (outcome) {
@@ -134,6 +132,8 @@ void OpenedRecording::show() {
   if (next_ == nullptr) return;
   const auto before = std::exchange(shown_, std::move(next_));
   path_ = next_path_;
+  shown_file_.hold(path_);
+  read_file_.hold({});
   Q_EMIT changed();
 }
 
@@ -150,12 +150,16 @@ Status OpenedRecording::setNotes(std::vector<RunNote> notes) {
   return {};
 }
 
-void OpenedRecording::drop() { next_.reset(); }
+void OpenedRecording::drop() {
+  next_.reset();
+  if (!reading_) read_file_.hold({});
+}
 
 void OpenedRecording::close() {
   if (shown_ == nullptr) return;
   const auto before = std::exchange(shown_, nullptr);
   path_.clear();
+  shown_file_.hold({});
   Q_EMIT changed();
 }
 

@@ -12,10 +12,12 @@
 #include <utility>
 #include <vector>
 
+#include "reasons/because.h"
 #include "record/import_run.h"
 #include "record/replay_run.h"
 #include "record/run_replay.h"
 #include "support/result.h"
+#include "ui/files/held_file.h"
 #include "ui/session/first_pictures.h"
 #include "ui/text/message.h"
 
@@ -95,6 +97,8 @@ class OpenedRecording final : public QObject {
   FirstPictures pictures_;
   bool reading_ = false;
   QString path_, next_path_;
+  HeldFile shown_file_{because("a recording that is shown here")};
+  HeldFile read_file_{because("a recording that is shown here")};  // or is going to be
   std::unique_ptr<Whole> shown_, next_;
 };
 

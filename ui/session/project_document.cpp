@@ -10,6 +10,7 @@
 #include "eni/project/project_file.h"
 #include "reasons/because.h"
 #include "settings/settings_table.h"
+#include "ui/files/held_file.h"
 
 namespace syncline::ui {
 namespace {
@@ -117,8 +118,7 @@ void ProjectDocument::take(Machine machine, const QString& path, bool saved) {
   if (machine_.networks.empty()) machine_.networks.emplace_back();
   project_ = machine_.networks.front();
   current_ = 0;
-  path_ = path;
-  lock_.take(path);
+  setPath(path);
   stacks_.resize(1);
   stacks_.front()->clear();
   while (stacks_.size() < machine_.networks.size()) addStack();
@@ -144,15 +144,21 @@ Status ProjectDocument::save(const QString& path) {
     return fail(ErrorCode::kFileNotWritable, path.toStdString(),
                 because("another window has it open ({who}): save under another name", holder.toStdString()));
   }
+  if (auto status = mayWrite(path, &file_); !status) return status;
   if (auto status = eni::save_machine(machine(), path.toStdString()); !status) return status;
-  path_ = path;
-  lock_.take(path);
+  setPath(path);
   const bool regrouped = std::exchange(regrouped_, false);
   const bool viewed = std::exchange(viewed_, false);
   for (const auto& stack : stacks_) stack->setClean();
   if (regrouped || viewed) Q_EMIT modifiedChanged(isModified());
   Q_EMIT pathChanged();
   return {};
+}
+
+void ProjectDocument::setPath(const QString& path) {
+  path_ = path;
+  file_.hold(path);
+  lock_.take(path);
 }
 
 Machine ProjectDocument::machine() const {

@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "config/project.h"
+#include "reasons/because.h"
 #include "settings/setting.h"
 #include "support/result.h"
 #include "ui/commands/edit_project_command.h"
+#include "ui/files/held_file.h"
 #include "ui/session/project_lock.h"
 
 namespace syncline::ui {
@@ -90,7 +92,7 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   void take(Machine machine, const QString& path, bool saved = true);
   /// read() and take().
   Status load(const QString& path);
-  /// Fails without a trace when another window has the file open.
+  /// Fails without a trace when another window has the file open, or this one shows it as something else.
   Status save(const QString& path);
   /// All networks of the file with the edited one.
   [[nodiscard]] Machine machine() const;
@@ -122,6 +124,7 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   Project& mutableProject() override { return project_; }
   void projectEdited(bool structural) override;
 
+  void setPath(const QString& path);
   void addStack();
   /// `network` comes in work in place of what was.
   void show(std::size_t network);
@@ -135,6 +138,7 @@ class ProjectDocument final : public QObject, private ProjectHolder {
   bool viewed_ = false;     // views have changed since the file was read or written
   bool regrouped_ = false;  // networks came or went since the file was read or written
   QString path_;
+  HeldFile file_{because("the project that is open here")};
   ProjectLock lock_;
 };
 

@@ -86,6 +86,7 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&replay_, &RecordingReplay::moved, this, &Workspace::showMoment);
   connect(&replay_, &RecordingReplay::failed, this,
           [this](const Error& error) { report(error, Severity::kError, tr("Replay")); });
+  connect(&overlay_, &RecordingOverlay::changed, this, &Workspace::showRunFindings);
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::mayEditSlavesChanged);
   connect(&live(), &LiveSession::phaseChanged, this, &Workspace::mayEditSlavesChanged);
   connect(this, &Workspace::mayEditSlavesChanged, this, [this] { network_.setFixed(!mayEditSlaves()); });
@@ -234,10 +235,18 @@ std::vector<Finding> Workspace::shownFindings() const {
   return recording_.isOpen() ? recording_.run().record->findings() : runs_.current().findings.findings();
 }
 
-/// What many slaves have alike is one row, at the first of them.
+/// What many slaves have alike is one row, at the first of them. What is wrong with the file that lies over the
+/// recording stands beside it: what is a gap there was none in its run.
 void Workspace::showRunFindings() {
   std::vector<Finding> rows;
   for (auto& [finding, slaves] : folded(shownFindings())) rows.push_back(std::move(finding));
+  if (overlay_.isOpen()) {
+    for (auto finding : overlay_.run().record->findings()) {
+      if (!is_about_file(finding)) continue;
+      finding.place.file = overlay_.name().toStdString();
+      rows.push_back(std::move(finding));
+    }
+  }
   findings_.setFindings(rows);
 }
 

@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -18,6 +17,8 @@
 #include "protocol/dc_registers.h"
 #include "settings/settings_table.h"
 #include "ui/editors/field_binder.h"
+#include "ui/files/held_file.h"
+#include "ui/files/save_name.h"
 #include "ui/models/finding_model.h"
 #include "ui/text/error_text.h"
 #include "ui/text/joined_text.h"
@@ -111,12 +112,12 @@ QString SummaryStep::whyNotOn() const {
   if (!export_->isChecked()) return {};
   if (path_->text().trimmed().isEmpty()) return tr("The ENI needs a file name.");
   const QFileInfo file(exportPath());
+  if (const auto status = mayWrite(exportPath()); !status) return errorText(status.error());
   return file.absoluteDir().exists() ? QString() : tr("There is no folder %1.").arg(file.absolutePath());
 }
 
 void SummaryStep::browse() {
-  const auto path =
-      QFileDialog::getSaveFileName(this, tr("Export ENI"), path_->text(), tr("EtherCAT network information (*.xml)"));
+  const auto path = askSaveName(this, tr("Export ENI"), path_->text(), tr("EtherCAT network information (*.xml)"));
   if (!path.isEmpty()) path_->setText(path);
 }
 

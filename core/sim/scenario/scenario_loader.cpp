@@ -30,6 +30,7 @@ class Loader {
 
   Result<SimConfig> load(const Result<toml::table>& root) {
     if (!root) return tl::unexpected(root.error());
+    config_.files.push_back(path_);
     Table table(*root, path_, error_);
     const auto machine = table.text("machine", "");
     if (!machine.empty()) read_machine(table, machine);
@@ -59,7 +60,9 @@ class Loader {
     Loader loader(path, devices_);
     loader.of_machine_ = true;
     if (auto machine = loader.load(parse_toml(path))) {
+      const auto own = std::move(config_.files);
       config_ = std::move(*machine);
+      config_.files.insert(config_.files.end(), own.begin(), own.end());
     } else {
       error_ = machine.error();
     }
@@ -81,7 +84,8 @@ class Loader {
   void read_profile(Table& table, const std::string& file) {
     if (table.has("jitter")) table.fail_at("profile", "goes without jitter: one of the two");
     if (error_) return;
-    auto profile = read_host_profile((fs::path(path_).parent_path() / file).lexically_normal().string());
+    config_.files.push_back((fs::path(path_).parent_path() / file).lexically_normal().string());
+    auto profile = read_host_profile(config_.files.back());
     if (profile) {
       config_.host_jitter = std::move(*profile);
     } else {

@@ -74,15 +74,26 @@ TEST_F(BlocksAheadTest, AreReadNoFurtherThanSomebodyWantsThem) {
   EXPECT_TRUE(reader_->info());
 }
 
-TEST_F(BlocksAheadTest, EndWhereOneIsDamaged) {
+TEST_F(BlocksAheadTest, AreEmptyWhereOneIsDamaged) {
   auto database = SqlDatabase::open(path_);
   ASSERT_TRUE(database);
   ASSERT_TRUE(database->execute("UPDATE data SET cells = x'00' WHERE id >= 5 * 1048576 AND id < 6 * 1048576"));
   BlocksAhead ahead(*reader_, points_);
   std::vector<CycleSample> samples;
   std::size_t taken = 0;
-  while (ahead.next(samples)) ++taken;
-  EXPECT_EQ(taken, 5U);
+  for (; ahead.next(samples); ++taken) EXPECT_EQ(samples.empty(), taken == 5) << taken;
+  EXPECT_EQ(taken, 20U);
+  EXPECT_TRUE(ahead.finish());
+  EXPECT_FALSE(reader_->damage().empty());
+}
+
+TEST_F(BlocksAheadTest, EndWhereTheFileCannotBeRead) {
+  auto database = SqlDatabase::open(path_);
+  ASSERT_TRUE(database);
+  ASSERT_TRUE(database->execute("DROP TABLE block"));
+  BlocksAhead ahead(*reader_, points_);
+  std::vector<CycleSample> samples;
+  EXPECT_FALSE(ahead.next(samples));
   const auto status = ahead.finish();
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::kFileNotReadable);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -218,6 +219,64 @@ TEST(ImportRun, SaysWhatIsWrong) {
   EXPECT_EQ(bad.error().line, 3);
   EXPECT_THAT(bad.error().detail.text(), HasSubstr("late"));
   EXPECT_FALSE(table_kind(std::string("\0\1\2", 3)));
+}
+
+/// Cut at every byte: lines that are whole are all there, and what is not is told with its number.
+TEST(ImportRun, CutAnywhereNothingIsLostSilently) {
+  auto cycles = logged_cycles();
+  cycles.resize(20);
+  for (const auto& table : {dcm_log_of(cycles), table_of(cycles)}) {
+    const auto whole = import_table(table, "x.csv");
+    ASSERT_TRUE(whole.has_value());
+    EXPECT_TRUE(whole->findings.empty());
+    const auto begin = table.find('\n') + 1;
+    for (auto size = table.find('\n', begin) + 1; size < table.size(); ++size) {
+      const auto text = table.substr(0, size);
+      const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+      const auto run = import_table(text, "x.csv");
+      ASSERT_TRUE(run.has_value()) << size;
+      const bool ended = text.ends_with('\n');
+      ASSERT_EQ(run->findings.empty(), ended) << size;
+      const auto kept = run->samples.size() - (lines - 1);
+      EXPECT_LE(kept, ended ? 0U : 1U) << size;
+      if (ended) continue;
+      const auto told = describe(run->findings[0]);
+      EXPECT_THAT(told, HasSubstr("ine " + std::to_string(lines + 1))) << size;
+      EXPECT_EQ(run->findings[0].severity, kept == 1 ? Severity::kNote : Severity::kWarning) << size;
+    }
+  }
+}
+
+TEST(ImportRun, ALastLineWithoutAnEndIsKeptWhereItIsComplete) {
+  const auto run = import_table("Time[ms];CtlErr [ns]\n0;1\n1;2\n2;3", "log.csv");
+  ASSERT_TRUE(run.has_value());
+  EXPECT_EQ(run->samples.size(), 3U);
+  ASSERT_EQ(run->findings.size(), 1U);
+  EXPECT_EQ(run->findings[0].severity, Severity::kNote);
+  const auto replay = replayed(*run);
+  EXPECT_EQ(replay.record->findings().size(), 1U);
+  EXPECT_EQ(replay.info.findings.size(), 1U);
+}
+
+TEST(ImportRun, ALineThatLacksCellsIsAnErrorAndNoZeros) {
+  for (const std::string text : {"Time[ms];CtlErr [ns];DCMInSync\n0;1;1\n1\n2;3;1\n",
+                                 "cycle,send_time_ns,lateness_ns\n0,1000,2\n1\n2,3000,4\n"}) {
+    const auto run = import_table(text, "x.csv");
+    ASSERT_FALSE(run.has_value()) << text;
+    EXPECT_EQ(run.error().line, 3) << text;
+    EXPECT_THAT(run.error().detail.text(), HasSubstr("it has only 1")) << text;
+  }
+}
+
+TEST(ImportRun, TheMarkOfUtf8IsNoPartOfTheFirstColumn) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const std::string text :
+       {"Time[ms];CtlErr [ns]\n0;1\n1;2\n", "cycle,send_time_ns,lateness_ns\n7,1000,2\n8,2000,4\n"}) {
+    const auto run = import_table(mark + text, "x.csv");
+    ASSERT_TRUE(run.has_value()) << text;
+    EXPECT_EQ(run->samples[0].cycle, import_table(text, "x.csv")->samples[0].cycle);
+    EXPECT_EQ(table_kind(mark + text), table_kind(text));
+  }
 }
 
 }  // namespace

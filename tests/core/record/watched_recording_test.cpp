@@ -12,6 +12,7 @@
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
 #include "tests/core/record/made_samples.h"
+#include "tests/core/record/older_recording.h"
 #include "tests/support/temporary_folder.h"
 
 namespace syncline {
@@ -169,8 +170,8 @@ TEST_F(WatchedRecording, OfAnOlderVersionHasNone) {
   const auto samples = made.next(300);
   (*recorder)->add(samples);
   ASSERT_TRUE((*recorder)->finish());
-  ASSERT_TRUE(
-      SqlDatabase::open(path())->execute("DROP TABLE variable; DROP TABLE watch_list; PRAGMA user_version = 3"));
+  ASSERT_TRUE(test::make_older(path(), 3));
+  ASSERT_TRUE(SqlDatabase::open(path())->execute("DROP TABLE variable; DROP TABLE watch_list"));
   auto reader = RecordingReader::open(path());
   ASSERT_TRUE(reader) << reader.error().detail.text();
   ASSERT_TRUE(reader->info());

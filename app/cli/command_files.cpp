@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/command_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/composition/link_files.h"
+
+namespace syncline::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of(std::string_view option) {
+  // Options begin with a dash, what has no name of its own is a phrase already.
+  const bool argument = !option.starts_with('-') && option.find(' ') == std::string_view::npos;
+  return argument ? fmt::format("the argument {}", option) : std::string(option);
+}
+
+void add(std::vector<NamedFile>& files, std::string_view option, const std::string& path) {
+  if (!path.empty()) files.push_back({name_of(option), path});
+}
+
+void add_esi_files(std::vector<NamedFile>& files, const NamedFile& folder) {
+  std::error_code error;
+  const auto skip = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator it(folder.path, skip, error), end; !error && it != end; it.increment(error)) {
+    const auto extension = it->path().extension();
+    if (extension == ".xml" || extension == ".XML") files.push_back({folder.what, it->path().string()});
+  }
+}
+
+}  // namespace
+
+CommandFiles& CommandFiles::reads(std::string_view option, const std::string& path) {
+  add(read_, option, path);
+  return *this;
+}
+
+CommandFiles& CommandFiles::reads_recording(std::string_view option, const std::string& path) {
+  for (const char* const beside : {"", "-wal", "-journal"}) add(read_, option, path.empty() ? path : path + beside);
+  return *this;
+}
+
+CommandFiles& CommandFiles::reads_link(std::string_view option, const std::string& link) {
+  add(links_, option, link);
+  return *this;
+}
+
+CommandFiles& CommandFiles::reads_esi(std::string_view option, const std::string& folder) {
+  add(folders_, option, folder);
+  return *this;
+}
+
+CommandFiles& CommandFiles::writes(std::string_view option, const std::string& path) {
+  add(written_, option, path);
+  return *this;
+}
+
+CommandFiles& CommandFiles::writes_database(std::string_view option, const std::string& path) {
+  for (const char* const beside : {"", "-wal", "-shm", "-journal"}) {
+    add(written_, option, path.empty() ? path : path + beside);
+  }
+  return *this;
+}
+
+Status CommandFiles::check() const {
+  auto read = read_;
+  // What is not there yet is read by nobody: a scenario or a folder is looked through only where something may be lost.
+  const bool may_lose = std::ranges::any_of(written_, [](const NamedFile& file) {
+    std::error_code error;
+    return fs::is_regular_file(file.path, error);
+  });
+  if (may_lose) {
+    for (const auto& link : links_) {
+      for (auto& file : link_files(link.path)) read.push_back({link.what, std::move(file)});
+    }
+    for (const auto& folder : folders_) add_esi_files(read, folder);
+  }
+  return check_distinct(read, written_);
+}
+
+}  // namespace syncline::cli

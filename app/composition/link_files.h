@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace syncline {
+
+/// Files that are read for a LINK: the scenario with what it names, or the capture. As far as they can be found: what
+/// is wrong with a LINK says open_link().
+[[nodiscard]] std::vector<std::string> link_files(std::string_view text);
+
+}  // namespace syncline

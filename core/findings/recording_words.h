@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "findings/finding.h"
+
+/// What is found about a recording itself, when it is read, and about a table or capture that is made one.
+namespace syncline::words {
+
+inline constexpr FindingWords kRecording[] = {
+    {"recording-damaged",
+     Severity::kError,
+     "A part of a recording is damaged",
+     "Its bytes are not those that were written: a disk, a copy or another program has changed them. What is left out "
+     "was recorded, and nothing is known of it any more.",
+     "Read it from another copy; what is shown beside it is as it was written.",
+     "",
+     {{"", "Row {row} of the table {table} is damaged and left out."},
+      {"gap", "Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap."},
+      {"series", "Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}."},
+      {"missing", "{count:# row|# rows} of the table {table} {count:is|are} missing."},
+      {"missing-gap",
+       "{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap."},
+      {"block", "The rows of block {block} contradict each other: cycles {first} to {last} are a gap."}}},
+    {"recording-log-missing",
+     Severity::kWarning,
+     "The log of a recording is missing",
+     "A recording that was cut short has its last part in a log beside it.",
+     "Copy the file that ends in -wal together with the recording.",
+     "",
+     {{"",
+       "The recording was cut short, and its log {file} is not beside it: what that held, the end of the run, is "
+       "missing unless another program has taken it over."}}},
+    {"recording-unchecked",
+     Severity::kNote,
+     "The rows of a recording carry no checks",
+     "An older program has written it.",
+     "",
+     "",
+     {{"",
+       "The recording is of version {version}, whose rows carry no checks: damage in their values may not be seen."}}},
+    {"import-line-cut",
+     Severity::kWarning,
+     "A table is cut off",
+     "The file ends in the middle of a line: whoever has written or copied it did not come to its end.",
+     "Import the whole file.",
+     "",
+     {{"", "Line {line}, the last one, is cut off and left out."},
+      {"kept", "Line {line}, the last one, has no end: its last cell may be cut off."}}},
+    {"import-capture-cut",
+     Severity::kWarning,
+     "A capture is cut off",
+     "Whoever has written or copied it did not come to its end.",
+     "Import the whole file.",
+     "",
+     {{"", "The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported."}}},
+    {"import-frames-cut",
+     Severity::kWarning,
+     "Frames were captured in part only",
+     "What they carry is not known: a cycle without its frame is missing, or counts as one whose frame was lost.",
+     "Capture whole frames (a snap length of 0).",
+     "",
+     {{"", "{count:# frame was|# frames were} captured in part only and passed over."}}},
+};
+
+}  // namespace syncline::words

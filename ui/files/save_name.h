@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFileDialog>
+#include <QString>
+
+class QWidget;
+
+namespace syncline::ui {
+
+/// Asks for the name of a file to write. Empty: the user does not want to, or it is one that is open here, which the
+/// user has been told (mayWrite()).
+[[nodiscard]] QString askSaveName(QWidget* parent, const QString& title, const QString& proposed, const QString& filter,
+                                  QFileDialog::Options options = {});
+/// The same of a name that was asked for otherwise; false: told.
+[[nodiscard]] bool mayWriteOrTell(QWidget* parent, const QString& title, const QString& path);
+
+}  // namespace syncline::ui
