@@ -2845,10 +2845,6 @@ Einstellung %2</translation>
             <translation>Das Gerät braucht dieses PDO (Mandatory in der ESI)</translation>
         </message>
         <message>
-            <source>Excluded by the assigned PDO %1 (Exclude in the ESI)</source>
-            <translation>Ausgeschlossen durch das zugeordnete PDO %1 (Exclude in der ESI)</translation>
-        </message>
-        <message>
             <source>Assigned through object 0x1C12</source>
             <translation>Zugeordnet über Objekt 0x1C12</translation>
         </message>
@@ -2871,6 +2867,14 @@ Einstellung %2</translation>
         <message>
             <source>Size</source>
             <translation>Größe</translation>
+        </message>
+        <message>
+            <source>Excluded by %1, which the device needs (Exclude and Mandatory in the ESI)</source>
+            <translation>Ausgeschlossen durch %1, das das Gerät braucht (Exclude und Mandatory in der ESI)</translation>
+        </message>
+        <message>
+            <source>Takes the place of %1: the device does not exchange both (Exclude in the ESI)</source>
+            <translation>Tritt an die Stelle von %1: beide tauscht das Gerät nicht aus (Exclude in der ESI)</translation>
         </message>
 </context>
 <context>
@@ -3102,6 +3106,46 @@ Einstellung %2</translation>
         <message>
             <source>Pin %1</source>
             <translation>Pin %1</translation>
+        </message>
+        <message>
+            <source>One Cycle</source>
+            <translation>Ein Zyklus</translation>
+        </message>
+        <message>
+            <source>One cycle of the slave to scale</source>
+            <translation>Ein Zyklus des Slaves, maßstäblich</translation>
+        </message>
+        <message>
+            <source>Before SYNC0</source>
+            <translation>Vor SYNC0</translation>
+        </message>
+        <message>
+            <source>From the end of the frame with the slave's outputs to the SYNC0 that uses them</source>
+            <translation>Vom Ende des Frames mit den Ausgängen des Slaves bis zu dem SYNC0, das sie verwendet</translation>
+        </message>
+        <message>
+            <source>Calc + copy</source>
+            <translation>Rechnen + Kopieren</translation>
+        </message>
+        <message>
+            <source>What the slave needs of it: as it tells itself (0x1C32:06), else as its family is known</source>
+            <translation>Was der Slave davon braucht: wie er es selbst sagt (0x1C32:06), sonst wie seine Familie bekannt ist</translation>
+        </message>
+        <message>
+            <source>Compiled value, as written in PREOP to SAFEOP; online also what the slave has</source>
+            <translation>Übersetzter Wert, wie er von PREOP nach SAFEOP geschrieben wird; online auch, was der Slave hat</translation>
+        </message>
+        <message>
+            <source>%1, the slave has %2</source>
+            <translation>%1, der Slave hat %2</translation>
+        </message>
+        <message>
+            <source>%1, read back</source>
+            <translation>%1, zurückgelesen</translation>
+        </message>
+        <message>
+            <source>no SYNC0</source>
+            <translation>kein SYNC0</translation>
         </message>
 </context>
 <context>
@@ -4056,7 +4100,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>Off (no DC commands)</source>
-            <translation>Aus (keine DC-Kommandos)</translation>
+            <translation>Aus (ohne DC-Kommandos)</translation>
         </message>
         <message>
             <source>As operation mode</source>
@@ -4147,8 +4191,8 @@ Einstellung %2</translation>
             <translation>Wie Sendezeit der Frames und Referenzuhr zusammengebracht werden.</translation>
         </message>
         <message>
-            <source>Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle.</source>
-            <translation>Abstand vom Senden des zyklischen Frames bis SYNC0; auto sind zwei Drittel des Zyklus.</translation>
+            <source>Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle, and later on long buses.</source>
+            <translation>Abstand vom Senden des zyklischen Frames bis SYNC0; auto sind zwei Drittel des Zyklus, auf langen Bussen mehr.</translation>
         </message>
         <message>
             <source>Largest control error that still counts as in sync; 0 is 4000 ns.</source>
@@ -9674,6 +9718,62 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>The project cannot be compiled: the messages say why.</source>
             <translation>Das Projekt kann nicht übersetzt werden: Die Meldungen sagen, warum.</translation>
         </message>
+        <message>
+            <source>Origin</source>
+            <translation>Herkunft</translation>
+        </message>
+        <message>
+            <source>State machine</source>
+            <translation>Zustandsmaschine</translation>
+        </message>
+        <message>
+            <source>Addresses</source>
+            <translation>Adressen</translation>
+        </message>
+        <message>
+            <source>Check of the device</source>
+            <translation>Prüfung des Geräts</translation>
+        </message>
+        <message>
+            <source>SyncManagers</source>
+            <translation>SyncManager</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>Prozessabbild</translation>
+        </message>
+        <message>
+            <source>Distributed clocks</source>
+            <translation>Distributed Clocks</translation>
+        </message>
+        <message>
+            <source>Watchdogs</source>
+            <translation>Watchdogs</translation>
+        </message>
+        <message>
+            <source>Ports</source>
+            <translation>Ports</translation>
+        </message>
+        <message>
+            <source>PDO assignment</source>
+            <translation>PDO-Zuordnung</translation>
+        </message>
+        <message>
+            <source>PDO mapping</source>
+            <translation>PDO-Mapping</translation>
+        </message>
+        <message>
+            <source>ESI</source>
+            <translation>ESI</translation>
+        </message>
+        <message>
+            <source>Page Start-up</source>
+            <translation>Seite Start</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>Einstellungen</translation>
+        </message>
 </context>
 <context>
     <name>FramesPage</name>
@@ -11243,6 +11343,45 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>First picture of the recording</source>
             <translation>Erstes Bild der Aufzeichnung</translation>
+        </message>
+</context>
+<context>
+    <name>TimingDiagram</name>
+        <message>
+            <source>Without SYNC0 the device works when its outputs come.</source>
+            <translation>Ohne SYNC0 arbeitet das Gerät, wenn seine Ausgänge kommen.</translation>
+        </message>
+        <message>
+            <source>Outputs are complete at the slave %1 after the frame has passed the reference clock.</source>
+            <translation>Die Ausgänge sind am Slave vollständig %1 nachdem der Frame die Referenzuhr passiert hat.</translation>
+        </message>
+        <message>
+            <source>It calculates and copies for %1.</source>
+            <translation>Er rechnet und kopiert %1 lang.</translation>
+        </message>
+        <message>
+            <source>SYNC0 comes at %1, every %2.</source>
+            <translation>SYNC0 kommt bei %1, alle %2.</translation>
+        </message>
+        <message>
+            <source>SYNC1 comes at %1, every %2.</source>
+            <translation>SYNC1 kommt bei %1, alle %2.</translation>
+        </message>
+        <message>
+            <source>%1 are left before SYNC0, which is too little.</source>
+            <translation>%1 bleiben vor SYNC0, das ist zu wenig.</translation>
+        </message>
+        <message>
+            <source>%1 are left before SYNC0.</source>
+            <translation>%1 bleiben vor SYNC0.</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>Frame</translation>
+        </message>
+        <message>
+            <source>Calc + copy</source>
+            <translation>Rechnen + Kopieren</translation>
         </message>
 </context>
 </TS>

@@ -2835,10 +2835,6 @@ Setting %2</source>
             <translation>设备需要此 PDO（ESI 中的 Mandatory）</translation>
         </message>
         <message>
-            <source>Excluded by the assigned PDO %1 (Exclude in the ESI)</source>
-            <translation>被已分配的 PDO %1 排除（ESI 中的 Exclude）</translation>
-        </message>
-        <message>
             <source>Assigned through object 0x1C12</source>
             <translation>通过对象 0x1C12 分配</translation>
         </message>
@@ -2861,6 +2857,14 @@ Setting %2</source>
         <message>
             <source>Size</source>
             <translation>大小</translation>
+        </message>
+        <message>
+            <source>Excluded by %1, which the device needs (Exclude and Mandatory in the ESI)</source>
+            <translation>被设备所需的 %1 排除（ESI 中的 Exclude 与 Mandatory）</translation>
+        </message>
+        <message>
+            <source>Takes the place of %1: the device does not exchange both (Exclude in the ESI)</source>
+            <translation>取代 %1：设备不会同时交换两者（ESI 中的 Exclude）</translation>
         </message>
 </context>
 <context>
@@ -3092,6 +3096,46 @@ Setting %2</source>
         <message>
             <source>Pin %1</source>
             <translation>引脚 %1</translation>
+        </message>
+        <message>
+            <source>One Cycle</source>
+            <translation>一个周期</translation>
+        </message>
+        <message>
+            <source>One cycle of the slave to scale</source>
+            <translation>从站的一个周期，按比例</translation>
+        </message>
+        <message>
+            <source>Before SYNC0</source>
+            <translation>SYNC0 之前</translation>
+        </message>
+        <message>
+            <source>From the end of the frame with the slave's outputs to the SYNC0 that uses them</source>
+            <translation>从携带该从站输出的帧结束到使用这些输出的 SYNC0</translation>
+        </message>
+        <message>
+            <source>Calc + copy</source>
+            <translation>计算 + 复制</translation>
+        </message>
+        <message>
+            <source>What the slave needs of it: as it tells itself (0x1C32:06), else as its family is known</source>
+            <translation>从站从中需要的时间：按其自身报告（0x1C32:06），否则按其系列的已知值</translation>
+        </message>
+        <message>
+            <source>Compiled value, as written in PREOP to SAFEOP; online also what the slave has</source>
+            <translation>编译值，在 PREOP 到 SAFEOP 时写入；在线时还显示从站的值</translation>
+        </message>
+        <message>
+            <source>%1, the slave has %2</source>
+            <translation>%1，从站为 %2</translation>
+        </message>
+        <message>
+            <source>%1, read back</source>
+            <translation>%1，已回读</translation>
+        </message>
+        <message>
+            <source>no SYNC0</source>
+            <translation>无 SYNC0</translation>
         </message>
 </context>
 <context>
@@ -4129,8 +4173,8 @@ Setting %2</source>
             <translation>帧的发送时刻与参考时钟如何对齐。</translation>
         </message>
         <message>
-            <source>Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle.</source>
-            <translation>从发送循环帧到 SYNC0 的间隔；自动表示周期的三分之二。</translation>
+            <source>Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle, and later on long buses.</source>
+            <translation>从发送循环帧到 SYNC0 的间隔；自动表示周期的三分之二，总线较长时更晚。</translation>
         </message>
         <message>
             <source>Largest control error that still counts as in sync; 0 is 4000 ns.</source>
@@ -9621,6 +9665,62 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>The project cannot be compiled: the messages say why.</source>
             <translation>项目无法编译：原因见消息。</translation>
         </message>
+        <message>
+            <source>Origin</source>
+            <translation>来源</translation>
+        </message>
+        <message>
+            <source>State machine</source>
+            <translation>状态机</translation>
+        </message>
+        <message>
+            <source>Addresses</source>
+            <translation>地址</translation>
+        </message>
+        <message>
+            <source>Check of the device</source>
+            <translation>设备检查</translation>
+        </message>
+        <message>
+            <source>SyncManagers</source>
+            <translation>SyncManager</translation>
+        </message>
+        <message>
+            <source>Process image</source>
+            <translation>过程映像</translation>
+        </message>
+        <message>
+            <source>Distributed clocks</source>
+            <translation>分布式时钟</translation>
+        </message>
+        <message>
+            <source>Watchdogs</source>
+            <translation>看门狗</translation>
+        </message>
+        <message>
+            <source>Ports</source>
+            <translation>端口</translation>
+        </message>
+        <message>
+            <source>PDO assignment</source>
+            <translation>PDO 分配</translation>
+        </message>
+        <message>
+            <source>PDO mapping</source>
+            <translation>PDO 映射</translation>
+        </message>
+        <message>
+            <source>ESI</source>
+            <translation>ESI</translation>
+        </message>
+        <message>
+            <source>Page Start-up</source>
+            <translation>启动页</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>设置</translation>
+        </message>
 </context>
 <context>
     <name>FramesPage</name>
@@ -11185,6 +11285,45 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>First picture of the recording</source>
             <translation>记录的第一幅图</translation>
+        </message>
+</context>
+<context>
+    <name>TimingDiagram</name>
+        <message>
+            <source>Without SYNC0 the device works when its outputs come.</source>
+            <translation>没有 SYNC0 时，设备在收到输出后工作。</translation>
+        </message>
+        <message>
+            <source>Outputs are complete at the slave %1 after the frame has passed the reference clock.</source>
+            <translation>帧经过参考时钟 %1 后，输出在从站处完整。</translation>
+        </message>
+        <message>
+            <source>It calculates and copies for %1.</source>
+            <translation>它计算并复制 %1。</translation>
+        </message>
+        <message>
+            <source>SYNC0 comes at %1, every %2.</source>
+            <translation>SYNC0 在 %1 到来，每 %2 一次。</translation>
+        </message>
+        <message>
+            <source>SYNC1 comes at %1, every %2.</source>
+            <translation>SYNC1 在 %1 到来，每 %2 一次。</translation>
+        </message>
+        <message>
+            <source>%1 are left before SYNC0, which is too little.</source>
+            <translation>SYNC0 之前剩余 %1，太少。</translation>
+        </message>
+        <message>
+            <source>%1 are left before SYNC0.</source>
+            <translation>SYNC0 之前剩余 %1。</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>帧</translation>
+        </message>
+        <message>
+            <source>Calc + copy</source>
+            <translation>计算 + 复制</translation>
         </message>
 </context>
 </TS>

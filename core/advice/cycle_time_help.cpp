@@ -12,6 +12,7 @@
 #include "compile/cyclic_frames.h"
 #include "compile/task_plan.h"
 #include "config/dc_times.h"
+#include "config/startup_origin.h"
 #include "families/families.h"
 #include "families/family_problems.h"
 #include "protocol/dc_registers.h"
@@ -72,7 +73,7 @@ Demand demand_of(const Project& project, std::size_t position, const std::vector
     }
   }
   demand.interpolates = std::ranges::any_of(slave.startup, [&](const StartupCommand& command) {
-    return command.index == 0x60C2 && compiler::is_from_esi(command, slave.device);
+    return command.index == 0x60C2 && is_from_esi(command, slave.device);
   });
   return demand;
 }

@@ -7,6 +7,7 @@
 
 #include "compile/sync_init_cmds.h"
 #include "config/dc_times.h"
+#include "config/startup_origin.h"
 #include "support/byte_order.h"
 
 namespace syncline::compiler {
@@ -246,11 +247,6 @@ std::optional<InterpolationTime> interpolation_time(Nanoseconds cycle) {
     }
   }
   return std::nullopt;
-}
-
-bool is_from_esi(const StartupCommand& command, const DeviceDescription& device) {
-  return device.mailbox && device.mailbox->coe &&
-         std::ranges::find(device.mailbox->coe->init_commands, command) != device.mailbox->coe->init_commands.end();
 }
 
 std::vector<CoeInitCmd> coe_init_cmds(const SlavePlan& slave, EniDialect dialect) {

@@ -26,7 +26,4 @@ struct InterpolationTime {
 };
 [[nodiscard]] std::optional<InterpolationTime> interpolation_time(Nanoseconds cycle);
 
-/// True for a start-up command as the ESI has it: only those are adapted to the cycle, never the user's own.
-[[nodiscard]] bool is_from_esi(const StartupCommand& command, const DeviceDescription& device);
-
 }  // namespace syncline::compiler

@@ -7,6 +7,7 @@
 
 #include "compile/coe_init_cmds.h"
 #include "compile/sync_init_cmds.h"
+#include "config/startup_origin.h"
 #include "families/families.h"
 #include "families/family_problems.h"
 #include "settings/sync_settings.h"

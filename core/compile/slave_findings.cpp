@@ -13,6 +13,7 @@
 #include "compile/module_findings.h"
 #include "compile/pdo_findings.h"
 #include "config/dc_times.h"
+#include "config/startup_origin.h"
 #include "protocol/dc_registers.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"

@@ -12,6 +12,7 @@ namespace syncline::dc {
 struct Sync0Grid {
   Nanoseconds first = 0;   // any SYNC0 of it
   Nanoseconds period = 0;  // > 0; a multiple or a fraction of the bus cycle
+  bool operator==(const Sync0Grid&) const = default;
 };
 
 /// When outputs are at a slave, system time, ns: the frame passed the reference clock at `passed`, this slave is

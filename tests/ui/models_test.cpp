@@ -165,29 +165,51 @@ TEST(MessageFilter, ShowsSeverityAndText) {
   EXPECT_EQ(filter.index(0, MessageModel::kText).data().toString(), QStringLiteral("apple"));
 }
 
-TEST(PdoModel, LocksWhatAnAssignedPdoExcludes) {
-  const auto project = smallProject();
+TEST(PdoModel, LocksWhatAMandatoryPdoExcludes) {
+  auto project = smallProject();
+  project.slaves[1].device.rx_pdos[0].mandatory = true;
   PdoModel model(PdoDirection::kRx);
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);
   model.setSlave(project.slaves[1]);
   ASSERT_EQ(model.rowCount(), 3);
   EXPECT_EQ(model.index(0, 0).data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Checked));
+  EXPECT_FALSE(model.flags(model.index(0, 0)) & Qt::ItemIsUserCheckable);
   EXPECT_FALSE(model.flags(model.index(1, 0)) & Qt::ItemIsUserCheckable);
   EXPECT_TRUE(model.index(1, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("0x1600")));
+  EXPECT_FALSE(model.setData(model.index(1, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
   EXPECT_TRUE(model.flags(model.index(2, 0)) & Qt::ItemIsUserCheckable);
   EXPECT_EQ(model.assignedBits(), 56U);
 }
 
-TEST(PdoModel, AsksForTheEditInsteadOfChanging) {
-  const auto project = smallProject();
-  PdoModel model(PdoDirection::kRx);
-  model.setSlave(project.slaves[1]);
-  std::vector<std::uint16_t> wanted;
-  QObject::connect(&model, &PdoModel::assignmentWanted, [&](const std::vector<std::uint16_t>& pdos) { wanted = pdos; });
-  EXPECT_TRUE(model.setData(model.index(2, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
-  EXPECT_EQ(wanted, (std::vector<std::uint16_t>{0x1600, 0x1602}));
-  EXPECT_EQ(model.index(2, 0).data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
-  EXPECT_FALSE(model.setData(model.index(1, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
+class PdoAssignment : public testing::Test {
+ protected:
+  PdoAssignment() {
+    model_.setSlave(project_.slaves[1]);
+    QObject::connect(&model_, &PdoModel::assignmentWanted,
+                     [this](const std::vector<std::uint16_t>& pdos) { wanted_ = pdos; });
+  }
+  Project project_ = smallProject();
+  PdoModel model_{PdoDirection::kRx};
+  std::vector<std::uint16_t> wanted_;
+};
+
+TEST_F(PdoAssignment, AsksForTheEditInsteadOfChanging) {
+  EXPECT_TRUE(model_.setData(model_.index(2, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
+  EXPECT_EQ(wanted_, (std::vector<std::uint16_t>{0x1600, 0x1602}));
+  EXPECT_EQ(model_.index(2, 0).data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
+}
+
+/// In the place of the one that it excludes, whatever else is assigned.
+TEST_F(PdoAssignment, OneTickExchangesWhatExcludesEachOther) {
+  project_.slaves[1].assigned_rx_pdos = {0x1600, 0x1602};
+  model_.setSlave(project_.slaves[1]);
+  EXPECT_TRUE(model_.index(1, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("place of 0x1600")));
+  EXPECT_TRUE(model_.setData(model_.index(1, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
+  EXPECT_EQ(wanted_, (std::vector<std::uint16_t>{0x1601, 0x1602}));
+  project_.slaves[1].assigned_rx_pdos = wanted_;
+  model_.setSlave(project_.slaves[1]);
+  EXPECT_TRUE(model_.setData(model_.index(0, 0), static_cast<int>(Qt::Checked), Qt::CheckStateRole));
+  EXPECT_EQ(wanted_, (std::vector<std::uint16_t>{0x1600, 0x1602}));
 }
 
 TEST(PdoEntryModel, CountsBitOffsetsOverPadding) {

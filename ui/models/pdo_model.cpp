@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/pdo_model.h"
 
+#include <QGuiApplication>
+#include <QPalette>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "config/module_slots.h"
 #include "ui/text/units.h"
+#include "ui/theme/theme.h"
 
 namespace syncline::ui {
 namespace {
@@ -33,7 +37,7 @@ void PdoModel::setSlave(const SlaveSettings& slave) {
       rows, rows_, {}, [](const Row& row) { return row.pdo.index; }, [](const Row& row) { return row.pdo.index; });
   if (!same_rows) beginResetModel();
   rows_ = std::move(rows);
-  for (auto& row : rows_) row.locked = lockReason(row.pdo, row.assigned);
+  for (auto& row : rows_) findRules(row);
   if (!same_rows) {
     endResetModel();
   } else if (!rows_.empty()) {
@@ -57,18 +61,37 @@ std::uint32_t PdoModel::assignedBits() const {
   return bits;
 }
 
-QString PdoModel::lockReason(const Pdo& pdo, bool is_assigned) const {
-  if (is_assigned) return pdo.mandatory ? tr("The device needs this PDO (Mandatory in the ESI)") : QString();
-  for (const auto& other : rows_) {
-    if (!other.assigned) continue;
-    const auto excludes = [](const Pdo& one, std::uint16_t index) {
-      return std::ranges::find(one.exclude, index) != one.exclude.end();
-    };
-    if (excludes(other.pdo, pdo.index) || excludes(pdo, other.pdo.index)) {
-      return tr("Excluded by the assigned PDO %1 (Exclude in the ESI)").arg(hexText(other.pdo.index, 4));
-    }
+/// Why it cannot be changed, or whose place it would take.
+void PdoModel::findRules(Row& row) const {
+  if (row.assigned) {
+    if (row.pdo.mandatory) row.locked = tr("The device needs this PDO (Mandatory in the ESI)");
+    return;
   }
-  return {};
+  const auto excludes = [](const Pdo& one, std::uint16_t index) {
+    return std::ranges::find(one.exclude, index) != one.exclude.end();
+  };
+  for (const auto& other : rows_) {
+    if (!other.assigned || !(excludes(other.pdo, row.pdo.index) || excludes(row.pdo, other.pdo.index))) continue;
+    if (other.pdo.mandatory) {
+      row.locked = tr("Excluded by %1, which the device needs (Exclude and Mandatory in the ESI)")
+                       .arg(hexText(other.pdo.index, 4));
+      row.replaced.clear();
+      return;
+    }
+    row.replaced.push_back(other.pdo.index);
+  }
+}
+
+QString PdoModel::hint(const Row& row) const {
+  if (!row.locked.isEmpty()) return row.locked;
+  if (row.replaced.empty()) {
+    return direction_ == PdoDirection::kRx ? tr("Assigned through object 0x1C12")
+                                           : tr("Assigned through object 0x1C13");
+  }
+  QStringList names;
+  for (const auto index : row.replaced) names << hexText(index, 4);
+  return tr("Takes the place of %1: the device does not exchange both (Exclude in the ESI)")
+      .arg(names.join(QStringLiteral(", ")));
 }
 
 int PdoModel::rowCount(const QModelIndex& parent) const {
@@ -87,9 +110,12 @@ QVariant PdoModel::data(const QModelIndex& index, int role) const {
       if (index.column() != kIndex) return {};
       return row.assigned ? Qt::Checked : Qt::Unchecked;
     case Qt::ToolTipRole:
-      if (!row.locked.isEmpty()) return row.locked;
-      return direction_ == PdoDirection::kRx ? tr("Assigned through object 0x1C12")
-                                             : tr("Assigned through object 0x1C13");
+      return hint(row);
+    case Qt::ForegroundRole:
+      if (row.replaced.empty()) return {};
+      return theme::mutedText(QGuiApplication::palette());
+    case Qt::AccessibleDescriptionRole:
+      return hint(row);
     case Qt::AccessibleTextRole:
       if (index.column() != kIndex) return {};
       return QStringLiteral("%1 %2").arg(hexText(row.pdo.index, 4), QString::fromStdString(row.pdo.name));
@@ -144,10 +170,19 @@ Qt::ItemFlags PdoModel::flags(const QModelIndex& index) const {
 
 bool PdoModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || role != Qt::CheckStateRole || !(flags(index) & Qt::ItemIsUserCheckable)) return false;
+  const auto& row = rows_[static_cast<std::size_t>(index.row())];
+  const auto pdo = row.pdo.index;
   auto wanted = chosen_;
-  const auto pdo = rows_[static_cast<std::size_t>(index.row())].pdo.index;
   std::erase(wanted, pdo);
-  if (value.toInt() == Qt::Checked) wanted.push_back(pdo);
+  if (value.toInt() == Qt::Checked) {
+    const auto is_replaced = [&](std::uint16_t one) {
+      return std::ranges::find(row.replaced, one) != row.replaced.end();
+    };
+    // Where the first of them stood: the order is that of the process data.
+    const auto place = std::ranges::find_if(wanted, is_replaced) - wanted.begin();
+    std::erase_if(wanted, is_replaced);
+    wanted.insert(wanted.begin() + std::min(place, std::ssize(wanted)), pdo);
+  }
   Q_EMIT assignmentWanted(wanted);
   return true;
 }

@@ -8,8 +8,8 @@
 
 namespace syncline::ui {
 
-/// PDOs of one direction with their assignment as check boxes. A PDO that an assigned one excludes,
-/// and a mandatory one, cannot be ticked or unticked, and the tool tip says why.
+/// PDOs of one direction with their assignment as check boxes. Ticking one that assigned ones exclude takes their
+/// place, in one edit; a mandatory one cannot be unticked, nor what it excludes be ticked, and the tool tip says why.
 class PdoModel final : public QAbstractTableModel {
   Q_OBJECT
 
@@ -38,10 +38,12 @@ class PdoModel final : public QAbstractTableModel {
   struct Row {
     Pdo pdo;
     bool assigned = false;
-    QString locked;  // why it cannot be changed; empty = free
+    QString locked;                         // why it cannot be changed; empty = free
+    std::vector<std::uint16_t> replaced{};  // assigned ones whose place it would take
   };
 
-  [[nodiscard]] QString lockReason(const Pdo& pdo, bool assigned) const;
+  void findRules(Row& row) const;
+  [[nodiscard]] QString hint(const Row& row) const;
   [[nodiscard]] QVariant text(const Row& row, int column) const;
 
   PdoDirection direction_;

@@ -7,6 +7,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "exports/init_command_origin.h"
 #include "exports/init_commands.h"
 #include "protocol/object_value.h"
 #include "ui/editors/field_binder.h"
@@ -21,7 +22,16 @@
 namespace syncline::ui {
 namespace {
 
-enum InitColumn : int { kInitSlave, kInitTransition, kInitCommand, kInitTarget, kInitData, kInitAnswer, kInitComment };
+enum InitColumn : int {
+  kInitSlave,
+  kInitTransition,
+  kInitCommand,
+  kInitTarget,
+  kInitData,
+  kInitAnswer,
+  kInitOrigin,
+  kInitComment
+};
 
 QString dataText(const exports::InitCommandRow& row) {
   if (row.length) return InitCommandsPage::tr("%n zero byte(s)", nullptr, *row.length);
@@ -38,6 +48,40 @@ QString answerText(const exports::InitCommandRow& row) {
   return parts.join(QStringLiteral(", "));
 }
 
+/// What of the project it is there for: there it is changed.
+QString originText(exports::InitCommandOrigin origin) {
+  using enum exports::InitCommandOrigin;
+  switch (origin) {
+    case kStateMachine:
+      return InitCommandsPage::tr("State machine");
+    case kAddresses:
+      return InitCommandsPage::tr("Addresses");
+    case kDeviceCheck:
+      return InitCommandsPage::tr("Check of the device");
+    case kSyncManagers:
+      return InitCommandsPage::tr("SyncManagers");
+    case kFmmus:
+      return InitCommandsPage::tr("Process image");
+    case kClocks:
+      return InitCommandsPage::tr("Distributed clocks");
+    case kWatchdogs:
+      return InitCommandsPage::tr("Watchdogs");
+    case kPorts:
+      return InitCommandsPage::tr("Ports");
+    case kPdoAssignment:
+      return InitCommandsPage::tr("PDO assignment");
+    case kPdoMapping:
+      return InitCommandsPage::tr("PDO mapping");
+    case kEsi:
+      return InitCommandsPage::tr("ESI");
+    case kStartup:
+      return InitCommandsPage::tr("Page Start-up");
+    case kSettings:
+      break;
+  }
+  return InitCommandsPage::tr("Settings");
+}
+
 QStringList lineOf(const exports::InitCommandRow& row, const Project& project) {
   auto command = QString::fromStdString(row.protocol + " " + row.command);
   if (!row.enabled) command += u' ' + InitCommandsPage::tr("(off)");
@@ -47,6 +91,7 @@ QStringList lineOf(const exports::InitCommandRow& row, const Project& project) {
           QString::fromStdString(row.target),
           dataText(row),
           answerText(row),
+          originText(exports::origin_of(row, project)),
           QString::fromStdString(row.comment)};
 }
 
@@ -55,7 +100,8 @@ QStringList lineOf(const exports::InitCommandRow& row, const Project& project) {
 InitCommandsPage::InitCommandsPage(Workspace& workspace)
     : Page(workspace, "initCommandsPage", tr("Init Commands (Expert)")) {
   model_ = new RecordModel(
-      {tr("Slave"), tr("Transition"), tr("Command"), tr("To"), tr("Data"), tr("Answer"), tr("Comment")}, this);
+      {tr("Slave"), tr("Transition"), tr("Command"), tr("To"), tr("Data"), tr("Answer"), tr("Origin"), tr("Comment")},
+      this);
   filter_ = new WordFilter(RecordModel::kWordsRole, this);
   filter_->setSourceModel(model_);
   words_ = named(new QLineEdit, "initCommandSearch", tr("Search init commands"));
@@ -65,7 +111,8 @@ InitCommandsPage::InitCommandsPage(Workspace& workspace)
   table_->setModel(filter_);
   setUpTable(*table_);
   const std::pair<InitColumn, int> widths[] = {{kInitSlave, 130},  {kInitTransition, 90}, {kInitCommand, 110},
-                                               {kInitTarget, 190}, {kInitData, 130},      {kInitAnswer, 150}};
+                                               {kInitTarget, 190}, {kInitData, 130},      {kInitAnswer, 150},
+                                               {kInitOrigin, 130}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setStretchLastSection(true);
   count_ = new QLabel;

@@ -4,13 +4,18 @@
 #include <QLabel>
 
 #include "config/dc_times.h"
+#include "dc/sync_timeline.h"
+#include "families/families.h"
 #include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
+#include "ui/pages/dc_read_back.h"
 #include "ui/pages/sync_unit_editor.h"
+#include "ui/plots/timing_diagram.h"
 #include "ui/session/running_slave.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/pill.h"
@@ -26,13 +31,15 @@ const SlaveSettings* slaveAt(const Project& project, int position) {
 
 }  // namespace
 
-SlaveDcPage::SlaveDcPage(Workspace& workspace) : Page(workspace, "slaveDcPage", tr("Distributed Clocks")) {
+SlaveDcPage::SlaveDcPage(Workspace& workspace)
+    : Page(workspace, "slaveDcPage", tr("Distributed Clocks")), read_back_(new DcReadBack(workspace, this)) {
   auto* columns = new CardColumns;
   buildMode(*columns->add(0, tr("Operation Mode")));
   auto* sync0 = columns->add(1, tr("SYNC0"));
   auto* sync1 = columns->add(1, tr("SYNC1"));
   sync0_ = new SyncUnitEditor(0, *sync0, *this);
   sync1_ = new SyncUnitEditor(1, *sync1, *this);
+  buildTiming(*columns->add(0, tr("One Cycle")));
   buildRegisters(*columns->add(2, tr("Registers")));
   buildLive(*columns->add(2, tr("Live")));
   columns->addStretch();
@@ -57,11 +64,22 @@ void SlaveDcPage::buildMode(Card& card) {
 
 void SlaveDcPage::buildRegisters(Card& card) {
   register_activation_ =
-      card.addValue("register0980", tr("0x0980 activation"), tr("Compiled value, as written in PREOP to SAFEOP"));
+      card.addValue("register0980", tr("0x0980 activation"),
+                    tr("Compiled value, as written in PREOP to SAFEOP; online also what the slave has"));
   register_cycle0_ = card.addValue("register09A0", tr("0x09A0 SYNC0 cycle"), tr("Compiled value (ENI DC/CycleTime0)"));
   register_cycle1_ = card.addValue("register09A4", tr("0x09A4 SYNC1"), tr("Compiled value (ENI DC/CycleTime1)"));
   register_shift_ =
       card.addValue("register0990", tr("0x0990 shift"), tr("Compiled part of the start time (ENI DC/ShiftTime)"));
+}
+
+void SlaveDcPage::buildTiming(Card& card) {
+  timing_ = named(new TimingDiagram, "slaveTiming", tr("One cycle of the slave to scale"));
+  card.addWide(timing_);
+  margin_ = card.addValue("slaveMargin", tr("Before SYNC0"),
+                          tr("From the end of the frame with the slave's outputs to the SYNC0 that uses them"));
+  compute_ =
+      card.addValue("slaveCompute", tr("Calc + copy"),
+                    tr("What the slave needs of it: as it tells itself (0x1C32:06), else as its family is known"));
 }
 
 void SlaveDcPage::buildLive(Card& card) {
@@ -85,6 +103,18 @@ void SlaveDcPage::refresh() {
   sync1_->showSlave(*slave, mode, project.master.cycle_time);
   fields().refresh();
   refreshRegisters();
+  refreshTiming();
+}
+
+/// The value as it is compiled, and what the slave has where that is another.
+void SlaveDcPage::showRegister(QLabel& label, const QString& compiled, const std::optional<QString>& read) {
+  const bool differs = read && *read != compiled;
+  label.setText(!read     ? compiled
+                : differs ? tr("%1, the slave has %2").arg(compiled, *read)
+                          : tr("%1, read back").arg(compiled));
+  auto colors = palette();
+  if (differs) colors.setColor(QPalette::WindowText, theme::toneColor(palette(), theme::Tone::kBad));
+  if (label.palette() != colors) label.setPalette(colors);
 }
 
 void SlaveDcPage::refreshRegisters() {
@@ -92,13 +122,52 @@ void SlaveDcPage::refreshRegisters() {
   const auto at = static_cast<std::size_t>(node());
   const SlaveDcConfig* dc =
       config != nullptr && at < config->slaves.size() && config->slaves[at].dc ? &*config->slaves[at].dc : nullptr;
-  register_activation_->setText(dc != nullptr ? hexText(dc->assign_activate, 4) : noText());
-  register_cycle0_->setText(dc != nullptr ? timeText(dc->cycle_time0) : noText());
-  register_cycle1_->setText(dc != nullptr ? timeText(dc->cycle_time1) : noText());
-  register_shift_->setText(dc != nullptr ? timeText(dc->shift_time) : noText());
+  std::optional<QString> activation, cycle0, cycle1, shift;
+  const auto running = runningSlave(workspace(), node());
+  // Before SAFEOP nobody has written them.
+  const bool started = running && running->drives() && running->config->dc;
+  if (const auto& read = read_back_->registers(); read && started) {
+    activation = hexText(read->activation, 4);
+    cycle0 = timeText(read->cycle0);
+    cycle1 = timeText(read->cycle1);
+  }
+  if (started && running->status->evidence.sync0.time != 0) {
+    const auto& start = running->status->evidence.sync0;
+    shift = start.never ? tr("no SYNC0")
+                        : timeText(running->config->dc->shift_time + (start.misplaced() ? start.off_ns : 0));
+  }
+  showRegister(*register_activation_, dc != nullptr ? hexText(dc->assign_activate, 4) : noText(), activation);
+  showRegister(*register_cycle0_, dc != nullptr ? timeText(dc->cycle_time0) : noText(), cycle0);
+  showRegister(*register_cycle1_, dc != nullptr ? timeText(dc->cycle_time1) : noText(), cycle1);
+  showRegister(*register_shift_, dc != nullptr ? timeText(dc->shift_time) : noText(), shift);
 }
 
-void SlaveDcPage::showLive(const Snapshot&) {
+/// Online with the delay that was measured and the time that the slave tells.
+void SlaveDcPage::refreshTiming() {
+  const auto* config = workspace().configuration().config();
+  const auto at = static_cast<std::size_t>(node());
+  auto timing = config != nullptr && node() >= 0 ? dc::slave_timing(*config, at) : std::nullopt;
+  if (timing) {
+    const auto* family = families::find(config->slaves[at].identity);
+    if (family != nullptr && family->times) timing->compute = family->times->calc_and_copy;
+    const auto running = runningSlave(workspace(), node());
+    if (const auto* status = running ? running->status : nullptr) {
+      if (status->dc_enabled) timing->delay = status->propagation_delay_ns;
+      if (const auto set_value = workspace().live().snapshot().dcm.set_value_ns; set_value > 0)
+        timing->set_value = set_value;
+      if (status->evidence.calc_and_copy_ns > 0) timing->compute = status->evidence.calc_and_copy_ns;
+    }
+  }
+  timing_->setTiming(timing);
+  const auto& line = timing_->timeline();
+  margin_->setText(line.margin ? timeText(*line.margin) : noText());
+  compute_->setText(timing && timing->compute ? timeText(*timing->compute) : noText());
+}
+
+void SlaveDcPage::showLive(const Snapshot& snapshot) {
+  if (isVisible()) read_back_->tick(node(), snapshot.time);
+  refreshRegisters();
+  refreshTiming();
   const auto running = runningSlave(workspace(), node());
   const SlaveStatus* status = running ? running->status : nullptr;
   if (status == nullptr) {

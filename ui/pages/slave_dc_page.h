@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "ui/editors/page.h"
 
 class QLabel;
@@ -8,11 +10,13 @@ class QLabel;
 namespace syncline::ui {
 
 class Card;
+class DcReadBack;
 class Pill;
 class SyncUnitEditor;
+class TimingDiagram;
 
 /// Distributed clocks of a slave: operation mode, Sync Unit Cycles and shifts, the registers that
-/// follow from them, and what the slave measures.
+/// follow from them, one cycle of it to scale, and what the slave measures.
 class SlaveDcPage final : public Page {
   Q_OBJECT
 
@@ -27,11 +31,17 @@ class SlaveDcPage final : public Page {
   void buildMode(Card& card);
   void buildRegisters(Card& card);
   void buildLive(Card& card);
+  void buildTiming(Card& card);
   void refreshRegisters();
+  void refreshTiming();
+  void showRegister(QLabel& label, const QString& compiled, const std::optional<QString>& read);
 
   QLabel *description_, *assign_activate_, *bus_cycle_;
   SyncUnitEditor *sync0_, *sync1_;
   QLabel *register_activation_, *register_cycle0_, *register_cycle1_, *register_shift_;
+  DcReadBack* read_back_;
+  TimingDiagram* timing_;
+  QLabel *margin_, *compute_;
   Pill* role_;
   QLabel *deviation_, *delay_, *missed_;
 };

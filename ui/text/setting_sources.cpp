@@ -68,7 +68,9 @@ constexpr const char* kSettingSources[] = {
                       "Position of the slave whose clock all others follow; auto is the first slave with DC."),
     QT_TRANSLATE_NOOP("Setting", "Reads and shows 64 bits of the system time (0x0910)."),
     QT_TRANSLATE_NOOP("Setting", "How the send time of the frames and the reference clock are brought together."),
-    QT_TRANSLATE_NOOP("Setting", "Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle."),
+    QT_TRANSLATE_NOOP(
+        "Setting",
+        "Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle, and later on long buses."),
     QT_TRANSLATE_NOOP("Setting", "Largest control error that still counts as in sync; 0 is 4000 ns."),
     QT_TRANSLATE_NOOP("Setting", "Time inside that limit before the controller counts as in sync; 0 is 1500 ms."),
     QT_TRANSLATE_NOOP("Setting", "Watches the wire-ored system time difference of all slaves (0x092C)."),

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exports/init_command_origin.h"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "config/startup_origin.h"
+
+namespace syncline::exports {
+namespace {
+
+using enum InitCommandOrigin;
+
+struct Range {
+  std::uint16_t first, last;
+  InitCommandOrigin origin;
+};
+
+/// Registers (ESC data sheet II, register overview).
+constexpr Range kRegisters[] = {
+    {0x0010, 0x0013, kAddresses}, {0x0100, 0x0111, kPorts},        {0x0120, 0x0135, kStateMachine},
+    {0x0300, 0x0313, kPorts},     {0x0400, 0x0443, kWatchdogs},    {0x0500, 0x050F, kDeviceCheck},
+    {0x0600, 0x06FF, kFmmus},     {0x0800, 0x087F, kSyncManagers}, {0x0900, 0x09FF, kClocks},
+};
+/// Objects (ETG.1000.6, 5.6.7; ETG.1020).
+constexpr Range kObjects[] = {
+    {0x1600, 0x17FF, kPdoMapping}, {0x1A00, 0x1BFF, kPdoMapping}, {0x1C10, 0x1C2F, kPdoAssignment}};
+
+InitCommandOrigin look_up(std::span<const Range> ranges, std::uint32_t address, InitCommandOrigin otherwise) {
+  const auto found = std::ranges::find_if(
+      ranges, [address](const Range& range) { return address >= range.first && address <= range.last; });
+  return found == ranges.end() ? otherwise : found->origin;
+}
+
+}  // namespace
+
+InitCommandOrigin origin_of(const InitCommandRow& row, const Project& project) {
+  if (row.protocol == "ESC") return look_up(kRegisters, row.address, kSettings);
+  const auto at = static_cast<std::size_t>(row.slave);
+  const auto* slave = row.slave >= 0 && at < project.slaves.size() ? &project.slaves[at] : nullptr;
+  if (slave == nullptr) return kSettings;
+  if (row.protocol == "SoE") {
+    const auto same = [&](const SoeCommand& command) { return command.idn == row.address; };
+    return std::ranges::any_of(slave->soe_startup, same) ? kStartup : kSettings;
+  }
+  if (row.protocol != "CoE") return kEsi;
+  const auto same = [&](const StartupCommand& command) {
+    return command.index == row.address && command.sub_index == row.sub_index;
+  };
+  const auto own = std::ranges::find_if(slave->startup, same);
+  if (own != slave->startup.end()) return is_from_esi(*own, slave->device) ? kEsi : kStartup;
+  return look_up(kObjects, row.address, kSettings);
+}
+
+}  // namespace syncline::exports

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dc/sync_timeline.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace syncline::dc {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using Span = SyncTimeline::Span;
+
+/// 1 ms, SYNC0 in each cycle, 400 us behind the frame.
+SlaveTiming usual() {
+  SlaveTiming timing;
+  timing.bus_cycle = timing.sync0.period = kMillisecond;
+  timing.set_value = 400 * kMicrosecond;
+  timing.delay = 2 * kMicrosecond;
+  timing.wire = 10 * kMicrosecond;
+  return timing;
+}
+
+TEST(SyncTimeline, HasOutputsBehindTheReferenceClockAndTheirSync0) {
+  auto timing = usual();
+  timing.compute = 150 * kMicrosecond;
+  const auto line = sync_timeline(timing);
+  EXPECT_EQ(line.length, kMillisecond);
+  EXPECT_THAT(line.outputs, ElementsAre(Span{2'000, 12'000}));
+  EXPECT_THAT(line.compute, ElementsAre(Span{12'000, 162'000}));
+  EXPECT_THAT(line.sync0, ElementsAre(400'000));
+  EXPECT_THAT(line.sync1, IsEmpty());
+  EXPECT_EQ(line.margin, 388'000);
+}
+
+/// A shift beyond the cycle comes back from the left, a negative one from the right.
+TEST(SyncTimeline, ShiftsAreWithinThePeriod) {
+  auto timing = usual();
+  timing.sync0.first = 700 * kMicrosecond;
+  EXPECT_THAT(sync_timeline(timing).sync0, ElementsAre(100'000));
+  timing.sync0.first = -500 * kMicrosecond;
+  EXPECT_THAT(sync_timeline(timing).sync0, ElementsAre(900'000));
+}
+
+TEST(SyncTimeline, TheWorstOfAllFramesInALongerPeriodCounts) {
+  auto timing = usual();
+  timing.sync0.period = 2 * kMillisecond;
+  const auto line = sync_timeline(timing);
+  EXPECT_EQ(line.length, 2 * kMillisecond);
+  EXPECT_THAT(line.outputs, SizeIs(2));
+  EXPECT_EQ(line.margin, 388'000);
+}
+
+TEST(SyncTimeline, OversamplingHasManySync0InACycle) {
+  auto timing = usual();
+  timing.sync0.period = 100 * kMicrosecond;
+  timing.sync1 = 900 * kMicrosecond;
+  const auto line = sync_timeline(timing);
+  EXPECT_THAT(line.sync0, SizeIs(10));
+  EXPECT_EQ(line.sync0.front(), 0);
+  EXPECT_THAT(line.sync1, ElementsAre(300'000)) << "900 us behind one of each ten";
+  EXPECT_EQ(line.margin, 88'000);
+}
+
+/// 0x09A4 equal to 0x09A0.
+TEST(SyncTimeline, ASync1AsFarAsSync0ComesHalfAsOften) {
+  auto timing = usual();
+  timing.sync1 = kMillisecond;
+  const auto line = sync_timeline(timing);
+  EXPECT_EQ(line.length, 2 * kMillisecond);
+  EXPECT_THAT(line.sync1, ElementsAre(1'400'000));
+}
+
+TEST(SyncTimeline, WithoutOutputsThereIsNothingThatCouldBeLate) {
+  auto timing = usual();
+  timing.wire = 0;
+  const auto line = sync_timeline(timing);
+  EXPECT_THAT(line.outputs, IsEmpty());
+  EXPECT_FALSE(line.margin);
+}
+
+TEST(SyncTimeline, GivesNoMoreThanCanBeDrawn) {
+  auto timing = usual();
+  timing.sync0.period = 1;
+  EXPECT_THAT(sync_timeline(timing).sync0, SizeIs(kMostEdges));
+}
+
+}  // namespace
+}  // namespace syncline::dc
