@@ -48,8 +48,11 @@ DcmSettings merge_dcm_settings(const DcmSettings& current, DcmSettings change) {
 
 DcmSettings effective_dcm_settings(const DcmSettings& settings) { return merge_dcm_settings(DcmSettings{}, settings); }
 
-Nanoseconds effective_set_value(const DcmSettings& settings, Nanoseconds cycle_time) {
-  return settings.set_value.value_or(cycle_time * 2 / 3);
+Nanoseconds effective_set_value(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds outputs_there) {
+  if (settings.set_value) return *settings.set_value;
+  const auto usual = cycle_time * 2 / 3;
+  const bool tight = outputs_there > usual - cycle_time / 10 && outputs_there < cycle_time;
+  return tight ? (outputs_there + cycle_time) / 2 : usual;
 }
 
 }  // namespace syncline

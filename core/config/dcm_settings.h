@@ -37,7 +37,7 @@ enum class DcmMode : std::uint8_t {
 /// manual says "0 lets the current setting unmodified" keep that meaning; with nothing set before, it is the default.
 struct DcmSettings {
   DcmMode mode = DcmMode::kBusShift;
-  /// Distance from the cyclic frame's send time to SYNC0, ns (nCtlSetVal). Empty: two thirds of the cycle.
+  /// Distance from the cyclic frame's send time to SYNC0, ns (nCtlSetVal). Empty: see effective_set_value().
   std::optional<Nanoseconds> set_value;
   /// Share of the error that is corrected in one cycle while in sync, in thousandths (nCtlGain); 0..500.
   std::uint32_t gain_ppt = 2;
@@ -60,6 +60,10 @@ struct DcmSettings {
 [[nodiscard]] DcmSettings merge_dcm_settings(const DcmSettings& current, DcmSettings change);
 /// With the defaults for zeros.
 [[nodiscard]] DcmSettings effective_dcm_settings(const DcmSettings& settings);
-[[nodiscard]] Nanoseconds effective_set_value(const DcmSettings& settings, Nanoseconds cycle_time);
+/// Where none is chosen: two thirds of the cycle; or, on a bus so long that outputs are at the last slave less than a
+/// tenth of the cycle before that, half way between them and the next frame. `outputs_there`: since sending, ns; 0: not
+/// known yet.
+[[nodiscard]] Nanoseconds effective_set_value(const DcmSettings& settings, Nanoseconds cycle_time,
+                                              Nanoseconds outputs_there = 0);
 
 }  // namespace syncline

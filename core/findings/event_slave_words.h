@@ -56,7 +56,7 @@ inline constexpr FindingWords kEventSlaves[] = {
        "slaves OUT OF SYNC, deviation {deviation} at {subject} ({slaves:# slave is|# slaves are} over the limit)"},
       {"stepped",
        "slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the "
-       "same side, the reference clock has stepped"}}},
+       "same side, the reference clock has stepped or changed its rate"}}},
     {"event-frames-way-changed",
      Severity::kWarning,
      "The frames' way to slaves has changed",

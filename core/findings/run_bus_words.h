@@ -141,6 +141,18 @@ inline constexpr FindingWords kRunBus[] = {
      "A loose plug, a bad cable, or a neighbour without power.",
      "",
      {{"", "{slave} lost its link at port {port} {count} (0x{register}), last at {last}."}}},
+    {"foreign-frames",
+     Severity::kWarning,
+     "Frames of other programs reach the bus",
+     "Each takes the wire from the master's frames, which come later by its length.",
+     "Give the adapter no IP address and no other protocol (DHCP, IPv6, LLDP, a network manager), and put no switch "
+     "with "
+     "other devices between the host and the first slave.",
+     "",
+     {{"",
+       "{slave} has counted {count:# frame|# frames} that it could not process (0x030C) and that were not damaged, "
+       "from "
+       "{since} on: they are none of the master's."}}},
     {"frames-lost",
      Severity::kWarning,
      "Frames do not come back",

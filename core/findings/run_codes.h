@@ -48,6 +48,7 @@ inline constexpr std::string_view kMailboxSilent = "mailbox-silent";
 inline constexpr std::string_view kOutputsWatchdog = "outputs-watchdog";
 inline constexpr std::string_view kPortErrors = "port-errors";
 inline constexpr std::string_view kLinkLost = "link-lost";
+inline constexpr std::string_view kForeignFrames = "foreign-frames";
 inline constexpr std::string_view kFramesLost = "frames-lost";
 inline constexpr std::string_view kFramesLostBehind = "frames-lost-behind";
 inline constexpr std::string_view kFramesLostByNoise = "frames-lost-by-noise";

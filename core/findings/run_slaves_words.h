@@ -123,7 +123,8 @@ inline constexpr FindingWords kRunSlaves[] = {
        "for the settle time yet."},
       {"stepped",
        "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
-       "reference clock stepped. No reading is outside any more, but not for the settle time yet."}}},
+       "reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time "
+       "yet."}}},
     {"slaves-sync-unknown",
      Severity::kError,
      "Whether the slaves are in sync is not known",
@@ -150,20 +151,23 @@ inline constexpr FindingWords kRunSlaves[] = {
      {{"", "{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all."},
       {"stepped",
        "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
-       "reference clock stepped; they came back, {count} in all."}}},
+       "reference clock stepped or changed its rate; they came back, {count} in all."}}},
     {"frames-way-changed",
      Severity::kWarning,
-     "Slaves follow with delays that are not theirs any more",
+     "Slaves followed with delays that were not theirs",
      "",
-     "Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before "
-     "positions are compared across it.",
+     "Their own readings (0x092C) do not show it for long. Where delays were not measured anew, a device that nobody "
+     "knows stands on the bus: set it up or take it away, before positions are compared across it.",
      "",
      {{"",
        "{slave} went at {since}, and those behind it follow since with delays (0x0928) that were measured with it: "
        "they are off by up to {deviation}."},
       {"back",
        "{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were "
-       "measured with it: they were off by up to {deviation}."}}},
+       "measured with it: they were off by up to {deviation}."},
+      {"renewed",
+       "{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were "
+       "measured anew at {renewed}."}}},
     {"slave-clock-off",
      Severity::kWarning,
      "A slave's clock was off",

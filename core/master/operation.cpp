@@ -34,6 +34,7 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       delays_(run_),
       esm_(bus_, run_, task_, sync_, delays_),
       recovery_(bus_, run_, task_, esm_),
+      renewal_(bus_, run_, task_, delays_),
       history_(bus_, run_, task_) {
   bus_.set_link_observer([this](bool up) { run_.note_link(up, clock_.now()); });
   task_.acyclic().requests().set_positions([this](std::size_t slave) { return esm_.commands().position(slave); });
@@ -122,6 +123,7 @@ Status Operation::run_cycle() {
   delays_.take(clock_.now(), task_.reference().leader());
   unasked_ = true;
   auto status = recovery_.after_cycle();
+  if (status) status = renewal_.after_cycle();
   if (status) status = history_.after_cycle();
   unasked_ = false;
   (void)serve_state_request();

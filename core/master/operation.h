@@ -11,6 +11,7 @@
 #include "master/cyclic/cyclic_task.h"
 #include "master/exchange/bus.h"
 #include "master/exchange/run_state.h"
+#include "master/recovery/delay_renewal.h"
 #include "master/recovery/recovery.h"
 #include "master/startup/esm.h"
 #include "master/startup/history_collector.h"
@@ -31,8 +32,8 @@ class Operation {
   /// INIT, and no frames afterwards. Cannot be cancelled.
   void stop();
   [[nodiscard]] bool cyclic() const { return bus_.cyclic(); }
-  /// One bus cycle; when there is something to do, also the recovery of slaves and the reading of their diagnosis
-  /// histories, which take many cycles.
+  /// One bus cycle; when there is something to do, also the recovery of slaves, delays that are measured anew and the
+  /// reading of diagnosis histories, which take many cycles.
   Status run_cycle();
   /// While there are no cycles: a datagram of a request on a slave, or its state. False when there was nothing to do.
   Result<bool> run_requests();
@@ -75,6 +76,7 @@ class Operation {
   DelayCompensation delays_;
   Esm esm_;
   Recovery recovery_;
+  DelayRenewal renewal_;
   HistoryCollector history_;
   bool unasked_ = false;  // at work on its own account: a command of the user comes first
 };

@@ -131,6 +131,8 @@ inline constexpr std::string_view kCommonReasons[] = {
     "no slave that is there can be the reference clock",
     "no answer to the receive time latch",
     "it does not take its system time offset",
+    "{count} of the clocks do not keep what is written to 0x0920 and 0x0928, the first one reads {read} in {register} "
+    "instead of {written}",
     "its system time cannot be read",
     "its SYNC unit is not active (0x0981)",
     "the bus is at rest in INIT; lead the whole bus to PREOP first",

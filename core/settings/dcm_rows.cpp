@@ -30,7 +30,8 @@ Setting set_value_row() {
   auto row = field_setting(
       "master.dc.set_value_us", microseconds(0, limits::kLongestCycle),
       {.label = "Send to SYNC0",
-       .help = "Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle.",
+       .help =
+           "Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle, and later on long buses.",
        .object = "nCtlSetVal"},
       [](auto& p, const Place&) -> auto& { return dcm(p).set_value; });
   row.automatic = [](const Project& project, const Place&) {

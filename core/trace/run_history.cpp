@@ -152,7 +152,12 @@ struct HistoryRecorder::OfRun {
   }
   void operator()(const events::FramesWayChanged& change) const {
     if (history().way_changes.size() < kMostLosses)
-      history().way_changes.push_back({event.time, event.slave, change.deviation_ns});
+      history().way_changes.push_back({event.time, event.slave, change.deviation_ns, std::nullopt});
+  }
+  void operator()(const events::DelaysMeasured&) const {
+    for (auto& change : history().way_changes) {
+      if (!change.renewed) change.renewed = event.time;
+    }
   }
   void operator()(const events::SlavesInSync&) const { regain(history().slave_losses); }
   void operator()(const events::MasterOutOfSync& out) const {
@@ -229,7 +234,11 @@ void HistoryRecorder::add(const Snapshot& snapshot) {
   for (std::size_t i = 0; i < std::min(counts_.size(), snapshot.slaves.size()); ++i) {
     const auto& evidence = snapshot.slaves[i].evidence;
     auto& slave = history_.slaves[i];
-    slave.mailbox_silences = std::max(slave.mailbox_silences, evidence.mailbox_silences);
+    if (evidence.mailbox_silences > slave.mailbox_silences) {
+      if (slave.mailbox_silences == 0) slave.silent_from = snapshot.time;
+      slave.silent_to = snapshot.time;
+      slave.mailbox_silences = evidence.mailbox_silences;
+    }
     const auto note = [&](std::size_t n, const EvidenceCount& count, Spells& spells) {
       const auto before = std::exchange(counts_[i][n], count.total);
       if (count.total > before) spells.note(count.time, count.total - before);
@@ -237,6 +246,7 @@ void HistoryRecorder::add(const Snapshot& snapshot) {
     note(0, evidence.outputs.exceeded, slave.outputs_exceeded);
     note(1, evidence.inputs.exceeded, slave.inputs_exceeded);
     note(2, evidence.outputs.shift_too_short, slave.shift_too_short);
+    note(3, evidence.processing_unit_errors, slave.unprocessed);
   }
 }
 

@@ -62,12 +62,14 @@ struct RunHistory {
     std::optional<Fall> fall;                // the last AL status error
     std::optional<std::uint16_t> emergency;  // the last error code (0x603F)
     std::array<Spells, 4> port_errors, lost_links;
+    Spells unprocessed;  // frames that its processing unit could not use (0x030C)
     Spells process_data_watchdog, pdi_watchdog;
     Spells outputs_exceeded, inputs_exceeded;
     Spells late_inputs;  // times in which it did not renew its inputs as before; count 1 each, the last one may last
-    std::uint32_t mailbox_silences = 0;  // most requests in a row without an answer
-    Spells missed, shift_too_short;      // SM2 events; outputs too late for SYNC0 (0x1C32:0D)
-    Spells off;                          // its own deviation over the limit after it had been within; size in ns
+    std::uint32_t mailbox_silences = 0;          // most requests in a row without an answer
+    Nanoseconds silent_from = 0, silent_to = 0;  // within these times; host clock
+    Spells missed, shift_too_short;              // SM2 events; outputs too late for SYNC0 (0x1C32:0D)
+    Spells off;  // its own deviation over the limit after it had been within; size in ns
     bool was_near = false;
   };
   /// Somebody left a sync window and, perhaps, came back.
@@ -89,8 +91,9 @@ struct RunHistory {
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
   struct WayChange {
     Nanoseconds time = 0;
-    int slave = -1;              // that went or came back
-    std::int64_t deviation = 0;  // of those behind it, ns
+    int slave = -1;                      // that went or came back
+    std::int64_t deviation = 0;          // of those behind it, ns
+    std::optional<Nanoseconds> renewed;  // when delays were measured anew
   };
   std::vector<WayChange> way_changes;                 // the first kMostLosses
   std::vector<SyncLoss> slave_losses, master_losses;  // in OP, the first kMostLosses
@@ -123,7 +126,7 @@ class HistoryRecorder {
   std::int64_t limit_ns_;
   Nanoseconds cycle_, base_ = 0, set_value_ = 0;
   bool grid_known_ = false;
-  std::vector<std::array<std::uint32_t, 3>> counts_;  // totals of the sync objects, seen last
+  std::vector<std::array<std::uint32_t, 4>> counts_;  // totals of the sync objects and of 0x030C, seen last
   std::vector<std::uint32_t> missed_;                 // SM2 events, as told last
   std::optional<Nanoseconds> last_send_;
   std::uint64_t late_frames_ = 0;  // seen last

@@ -36,7 +36,8 @@ TEST(EventText, SaysWhatAProgramMayHaveLearnedToRead) {
       {{0, 4, events::SlavesOutOfSync{5000, 2}},
        "slaves OUT OF SYNC, deviation 5 us at slave 4 (2 slaves are over the limit)"},
       {{0, -1, events::SlavesOutOfSync{5000, 3}},
-       "slaves OUT OF SYNC, deviation 5 us: all 3 at once and to the same side, the reference clock has stepped"},
+       "slaves OUT OF SYNC, deviation 5 us: all 3 at once and to the same side, the reference clock has stepped or "
+       "changed its rate"},
       {{0, -1, events::SlavesSyncUnknown{40 * kMillisecond}},
        "slaves: not known whether in sync, nothing was read for 40 ms"},
       {{0, -1, events::MasterInSync{-7}}, "master in sync, error -7 ns"},

@@ -172,8 +172,11 @@ TEST_F(CliRecord, ImportsWhatIsNoRecording) {
   EXPECT_EQ(cli_run({"record", "verify", table}).code, cli::kDone);
   const auto of_log = folder.file("log.slrec");
   ASSERT_EQ(cli_run({"record", "import", log, of_log, "--dcm-limit-ns", "4000"}).code, cli::kDone);
+  // Of a stretch in OP: what counts as settled a log does not know as well as the run.
   const auto figures = [](const std::string& file) {
-    return cli_run({"record", "figures", file, "--signal", "dcm_error_filtered_ns", "--json"}).json();
+    return cli_run(
+               {"record", "figures", file, "--from", "3s", "--to", "4s", "--signal", "dcm_error_filtered_ns", "--json"})
+        .json();
   };
   const auto is = figures(of_log), was = figures(recording);
   EXPECT_EQ(is["sync"]["master"]["state"], "in_sync");

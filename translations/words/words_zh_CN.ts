@@ -2149,8 +2149,8 @@
         <translation>查找阻塞它的原因：优先级更高的进程、电源管理、虚拟机的宿主机。</translation>
     </message>
     <message>
-        <source>Slaves follow with delays that are not theirs any more</source>
-        <translation>从站使用已不再有效的延迟跟随</translation>
+        <source>Slaves followed with delays that were not theirs</source>
+        <translation>从站曾使用不属于自己的延迟跟随</translation>
     </message>
     <message>
         <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
@@ -2163,6 +2163,14 @@
     <message>
         <source>The frames' way to slaves has changed</source>
         <translation>帧到从站的路径已改变</translation>
+    </message>
+    <message>
+        <source>Their own readings (0x092C) do not show it for long. Where delays were not measured anew, a device that nobody knows stands on the bus: set it up or take it away, before positions are compared across it.</source>
+        <translation>它们自己的读数（0x092C）很快就不再显示这一点。如果延迟没有重新测量，说明总线上有未知设备：在跨该设备比较位置之前，请对其进行设置或将其移除。</translation>
+    </message>
+    <message>
+        <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>
+        <translation>{slave} 在 {since} 离开或到来，其后的从站偏差最大 {deviation}，直到 {renewed} 重新测量了延迟（0x0928）。</translation>
     </message>
     <message>
         <source>The log of a recording is missing</source>
@@ -4225,8 +4233,8 @@
         <translation>{slave} 在 {since} 离开了同步窗口（{deviation}，限值 {limit}）。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped. No reading is outside any more, but not for the settle time yet.</source>
-        <translation>所有从站在 {since} 同时向同一侧离开了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
+        <translation>所有从站在 {since} 同时向同一侧离开了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变或改变了速率。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
     </message>
     <message>
         <source>Whether the slaves are in sync is not known</source>
@@ -5657,8 +5665,8 @@
         <translation>从站未同步，{subject} 的偏差为 {deviation}（{slaves} 个从站超出限值）</translation>
     </message>
     <message>
-        <source>slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the same side, the reference clock has stepped</source>
-        <translation>从站未同步，偏差 {deviation}：全部 {slaves} 个同时朝同一方向偏离，参考时钟发生了跳变</translation>
+        <source>slaves OUT OF SYNC, deviation {deviation}: {slaves:the one that follows, at once|all # at once} and to the same side, the reference clock has stepped or changed its rate</source>
+        <translation>从站未同步，偏差 {deviation}：全部 {slaves} 个同时朝同一方向偏离，参考时钟发生了跳变或改变了速率</translation>
     </message>
     <message>
         <source>slaves in sync, deviation {deviation}</source>
@@ -8373,8 +8381,8 @@
         <translation>文件中没有 {device}</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped; they came back, {count} in all.</source>
-        <translation>所有从站在 {since} 同时向同一方向离开同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变；之后恢复，共 {count}。</translation>
+        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
+        <translation>所有从站在 {since} 同时向同一方向离开同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变或改变速率；之后恢复，共 {count}。</translation>
     </message>
     <message>
         <source>Outputs are forced</source>
@@ -8607,6 +8615,26 @@
     <message>
         <source>its alias is checked to be {alias}, and so is that of {slave}</source>
         <translation>其别名被检查是否为 {alias}，{slave} 的别名也是如此</translation>
+    </message>
+    <message>
+        <source>{count} of the clocks do not keep what is written to 0x0920 and 0x0928, the first one reads {read} in {register} instead of {written}</source>
+        <translation>{count} 个时钟不保留写入 0x0920 和 0x0928 的值，第一个在 {register} 中读到 {read} 而不是 {written}</translation>
+    </message>
+    <message>
+        <source>Frames of other programs reach the bus</source>
+        <translation>其他程序的帧到达总线</translation>
+    </message>
+    <message>
+        <source>Each takes the wire from the master's frames, which come later by its length.</source>
+        <translation>每一帧都占用主站帧的线路，使其按该帧长度延后。</translation>
+    </message>
+    <message>
+        <source>Give the adapter no IP address and no other protocol (DHCP, IPv6, LLDP, a network manager), and put no switch with other devices between the host and the first slave.</source>
+        <translation>不要给适配器分配 IP 地址或其他协议（DHCP、IPv6、LLDP、网络管理器），也不要在主机与第一个从站之间放置连接其他设备的交换机。</translation>
+    </message>
+    <message>
+        <source>{slave} has counted {count:# frame|# frames} that it could not process (0x030C) and that were not damaged, from {since} on: they are none of the master's.</source>
+        <translation>{slave} 从 {since} 起计数到 {count:# 个帧|# 个帧} 无法处理（0x030C）且未损坏：它们不是主站的帧。</translation>
     </message>
 </context>
 </TS>

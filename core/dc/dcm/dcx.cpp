@@ -10,9 +10,12 @@ namespace syncline::dc {
 namespace {
 
 constexpr double kShare = 0.2;
-constexpr double kDcxIntegralTime = 2.5e9;   // ns
-constexpr double kDcxMaxCorrection = 5'000;  // ns: moves an ESC by some 60 ppm, which the host can follow
-constexpr std::uint32_t kLeastGain = 20;     // ppt: the clock that the host follows is being moved
+constexpr double kDcxIntegralTime = 2.5e9;  // ns
+constexpr double kDcxMaxIntegral = 5'000;   // ns
+/// ns: moves an ESC by some 10 ppm. Slaves follow one that moves about 8 ms behind, so that they stay within a window
+/// of 127 ns; who is half a millisecond away needs a minute.
+constexpr double kDcxMaxCorrection = 600;
+constexpr std::uint32_t kLeastGain = 20;  // ppt: the clock that the host follows is being moved
 constexpr Nanoseconds kPatience = kSecond;
 
 DcmSettings for_host(DcmSettings settings) {
@@ -79,9 +82,10 @@ void Dcx::take(const DcmObservation& observation) {
   }
   missing_since_.reset();
   behind_ = static_cast<double>(wrap_to_half(*observation.external_difference, cycle_));
-  const double seen = std::clamp(*behind_, -kDcxMaxCorrection, kDcxMaxCorrection);
-  integral_ = std::clamp(integral_ + static_cast<double>(cycle_) / kDcxIntegralTime * seen, -kDcxMaxCorrection,
-                         kDcxMaxCorrection);
+  // What is further away is a distance to go, and no rate to learn.
+  if (kShare * std::abs(*behind_) > kDcxMaxCorrection) return;
+  integral_ = std::clamp(integral_ + static_cast<double>(cycle_) / kDcxIntegralTime * *behind_, -kDcxMaxIntegral,
+                         kDcxMaxIntegral);
 }
 
 }  // namespace syncline::dc

@@ -119,23 +119,26 @@ void find_left_window(const RunReport& report, Findings& findings) {
 /// What no reading shows: who follows with the delay of a way that is not there any more.
 void find_changed_ways(const RunReport& report, Findings& findings) {
   for (std::size_t i = 0; i < report.slaves.size(); ++i) {
-    std::optional<Nanoseconds> first;
+    const RunHistory::WayChange *first = nullptr, *last = nullptr;
     std::int64_t largest = 0;
     for (const auto& change : report.history.way_changes) {
       if (change.slave != static_cast<int>(i)) continue;
-      if (!first) first = change.time;
+      if (first == nullptr) first = &change;
+      last = &change;
       largest = std::max(largest, change.deviation);
     }
-    if (!first) continue;
+    if (first == nullptr) continue;
     const bool back = report.slaves[i].present;
-    findings.push_back({code::kFramesWayChanged,
-                        Severity::kWarning,
-                        static_cast<int>(i),
-                        *first,
-                        back ? report.history.slaves[i].absences.last() : report.history.end,
-                        {slave_figure(report, static_cast<int>(i)), moment_figure(report, "since", *first),
-                         time_figure("deviation", largest)}});
-    if (back) findings.back().facts = sentence_of(*find_finding_words(code::kFramesWayChanged), "back");
+    const auto end = last->renewed ? *last->renewed
+                     : back        ? report.history.slaves[i].absences.last()
+                                   : report.history.end;
+    Finding finding{code::kFramesWayChanged, Severity::kWarning, static_cast<int>(i), first->time, end};
+    finding.figures = {slave_figure(report, static_cast<int>(i)), moment_figure(report, "since", first->time),
+                       time_figure("deviation", largest)};
+    if (last->renewed) finding.figures.push_back(moment_figure(report, "renewed", *last->renewed));
+    const auto* variant = last->renewed ? "renewed" : back ? "back" : "";
+    finding.facts = sentence_of(*find_finding_words(code::kFramesWayChanged), variant);
+    findings.push_back(std::move(finding));
   }
 }
 
@@ -168,11 +171,13 @@ void find_master_sync(const RunReport& report, Findings& findings) {
                          phrase_figure("meaning", dc::dcm_error_text(dcm.error_code)),
                          drift}});
   } else if (dcm.state != SyncState::kInSync && !dcm.control_off) {
+    // Not since the loss that it has not come back from: never.
+    const bool was = !losses.empty() && !losses.back().back;
     findings.push_back({code::kMasterNotLocked,
                         Severity::kError,
                         -1,
-                        0,
-                        0,
+                        was ? losses.back().time : report.history.begin,
+                        report.history.end,
                         {time_figure("error", dcm.error_ns), obstacle_figure(dcm.obstacle), drift}});
   } else if (!losses.empty()) {
     findings.push_back({code::kMasterLostLock,

@@ -86,14 +86,14 @@ void find_firmware(const RunReport& report, Findings& findings) {
     find_watchdogs(report, slave, findings);
     find_exceeded(report, slave, findings);
     find_late_inputs(report, slave, findings);
-    const auto silences = report.history.slaves[slave.position].mailbox_silences;
-    if (slave.present && silences >= kSilences) {
+    const auto& history = report.history.slaves[slave.position];
+    if (slave.present && history.mailbox_silences >= kSilences) {
       findings.push_back({code::kMailboxSilent,
                           Severity::kWarning,
                           slave.position,
-                          0,
-                          0,
-                          {slave_figure(report, slave.position), count_figure("count", silences)}});
+                          history.silent_from,
+                          history.silent_to,
+                          {slave_figure(report, slave.position), count_figure("count", history.mailbox_silences)}});
     }
   }
 }

@@ -112,12 +112,13 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
         continue;
       }
     }
+    const auto& spells = report.history.slaves[slave.position].missed;
     Finding finding{
         code_of(cause, was_locked(report)),
         Severity::kWarning,
         slave.position,
-        0,
-        0,
+        spells.first(),
+        spells.last(),
         {slave_figure(report, slave.position), count_figure("missed", status.missed, status.at_least),
          count_figure("part", status.by_cause[static_cast<std::size_t>(cause)]),
          count_figure("integrator", status.integrator_highest),

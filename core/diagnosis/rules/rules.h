@@ -28,6 +28,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings);
 void find_tight_sync0(const RunReport& report, Findings& findings);
 void find_firmware(const RunReport& report, Findings& findings);
 void find_port_errors(const RunReport& report, Findings& findings);
+void find_foreign_frames(const RunReport& report, Findings& findings);
 void find_lost_frames(const RunReport& report, Findings& findings);
 void find_host(const RunReport& report, Findings& findings);
 void find_working_counters(const RunReport& report, Findings& findings);

@@ -9,10 +9,18 @@
 namespace syncline::diagnosis {
 namespace {
 
+/// It counts outputs that came too late for SYNC0 where it misses them altogether: one cause, which is told with more.
+bool misses_told(const Findings& findings, const RunReport::Slave& slave) {
+  return std::ranges::any_of(findings, [&](const Finding& finding) {
+    return finding.place.slave == slave.position &&
+           (finding.code == code::kSlaveFellByLateFrames || finding.code == code::kMissedByLateFrames);
+  });
+}
+
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
-  if (outputs.total > 0 && !sync0_had_moved(report, slave, spells)) {
+  if (outputs.total > 0 && !misses_told(findings, slave) && !sync0_had_moved(report, slave, spells)) {
     const auto margin = slave.sync0_margin.value_or(0);
     const Nanoseconds need = slave.evidence.calc_and_copy_ns;
     const auto more = advised(need - margin + worst_lateness(report));
@@ -38,11 +46,9 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
 
 /// Another finding says that frames come too late for this slave's SYNC0, and by how much.
 bool is_told(const Findings& findings, const RunReport::Slave& slave) {
-  return std::ranges::any_of(findings, [&](const Finding& finding) {
-    return finding.place.slave == slave.position &&
-           (finding.code == code::kSlaveFellByLateFrames || finding.code == code::kMissedByLateFrames ||
-            finding.code == code::kShiftTooShort);
-  });
+  return misses_told(findings, slave) || std::ranges::any_of(findings, [&](const Finding& finding) {
+           return finding.place.slave == slave.position && finding.code == code::kShiftTooShort;
+         });
 }
 
 /// The usual lateness does not fit between frame and SYNC0: known before anything is missed, and true also where

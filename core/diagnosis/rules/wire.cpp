@@ -121,6 +121,36 @@ void find_port_errors(const RunReport& report, Findings& findings) {
   }
 }
 
+/// Only the first slave sees them as they come; a cable that is plugged and a frame that was damaged count there, too.
+void find_foreign_frames(const RunReport& report, Findings& findings) {
+  const auto first =
+      std::ranges::find_if(report.slaves, [](const RunReport::Slave& slave) { return slave.parent < 0; });
+  if (first == report.slaves.end()) return;
+  const auto& history = report.history;
+  const auto explained = [&](const Spell& spell) {
+    const Spell around{spell.from - kReadLater, spell.to, 0, 0};
+    const auto by_slave = [&](const RunHistory::Slave& slave) {
+      const auto near = [&](const Spells& port) { return port.near(around, kReadLater); };
+      return slave.absences.near(around, kReadLater) || std::ranges::any_of(slave.port_errors, near) ||
+             std::ranges::any_of(slave.lost_links, near);
+    };
+    return adapter_was_away(report, around) || std::ranges::any_of(history.slaves, by_slave);
+  };
+  Spells foreign;
+  for (const auto& spell : history.slaves[first->position].unprocessed.list()) {
+    if (!explained(spell)) foreign.note(spell.to, spell.count, 0, spell.from);
+  }
+  if (foreign.empty()) return;
+  const bool at_least = first->evidence.processing_unit_errors.at_least;
+  findings.push_back({code::kForeignFrames,
+                      Severity::kWarning,
+                      first->position,
+                      foreign.first(),
+                      foreign.last(),
+                      {slave_figure(report, first->position), count_figure("count", foreign.count(), at_least),
+                       moment_figure(report, "since", foreign.first())}});
+}
+
 void find_lost_frames(const RunReport& report, Findings& findings) {
   Losses by_host, by_noise, by_slave, unexplained;
   DamagedPort noisy;

@@ -11,6 +11,7 @@
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
+#include "support/le_number.h"
 
 namespace syncline {
 namespace {
@@ -159,7 +160,9 @@ Status DcSetup::write_times(const DelayLatch& latch) {
     add_loop_values(i, filters);
   }
   // Writing the speed counter resets the filters, which must see the new times.
-  return write_all(times).and_then([&] { return write_all(filters); });
+  return write_all(times).and_then([&] { return see_whether_taken(times); }).and_then([&] {
+    return write_all(filters);
+  });
 }
 
 void DcSetup::add_loop_values(std::size_t slave, std::vector<Write>& filters) const {
@@ -179,6 +182,38 @@ Status DcSetup::write_all(std::span<Write> writes) {
     return fail(ErrorCode::kDcSetup, subject(writes[i].slave), because("it does not take its system time offset"));
   }
   return {};
+}
+
+/// A register may count a write and keep its value: such a clock stays where it is, and start times for its SYNC
+/// signals would be times that never come. Nobody waits for clocks in front of the reference clock.
+Status DcSetup::see_whether_taken(std::span<const Write> times) {
+  std::vector<std::vector<std::uint8_t>> read;
+  std::vector<Datagram> datagrams;
+  for (const auto& write : times) read.emplace_back(write.bytes.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    datagrams.push_back(addresses_[times[i].slave].read(times[i].address, read[i]));
+  }
+  if (auto status = bus_.transact(datagrams); !status) return status;
+  std::vector<std::size_t> stubborn;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto slave = times[i].slave;
+    const bool kept = datagrams[i].wkc == 0 || read[i] == times[i].bytes;
+    if (kept || !network_.slaves[slave].synchronised) continue;
+    if (stubborn.empty()) first = i;
+    if (stubborn.empty() || stubborn.back() != slave) stubborn.push_back(slave);
+  }
+  if (stubborn.empty()) return {};
+  constexpr std::size_t kMostNames = 4;
+  auto names = subject(stubborn.front());
+  for (std::size_t n = 1; n < std::min(stubborn.size(), kMostNames); ++n) names += ", " + subject(stubborn[n]);
+  if (stubborn.size() > kMostNames) names += ", ...";
+  const auto number = [](std::span<const std::uint8_t> bytes) { return fmt::format("0x{:X}", le_number(bytes)); };
+  return fail(ErrorCode::kDcSetup, std::move(names),
+              because("{count} of the clocks do not keep what is written to 0x0920 and 0x0928, the first one reads "
+                      "{read} in {register} instead of {written}",
+                      stubborn.size(), number(read[first]), fmt::format("0x{:04X}", times[first].address),
+                      number(times[first].bytes)));
 }
 
 Status DcSetup::burst() {

@@ -70,6 +70,7 @@ class DcSetup {
   Status write_times(const DelayLatch& latch);
   void add_loop_values(std::size_t slave, std::vector<Write>& filters) const;
   Status write_all(std::span<Write> writes);
+  Status see_whether_taken(std::span<const Write> times);
   Status burst();
   [[nodiscard]] std::string subject(std::size_t slave) const;
 

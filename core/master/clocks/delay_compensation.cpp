@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "protocol/registers.h"
 #include "support/byte_order.h"
@@ -16,24 +17,39 @@ constexpr unsigned kMostFailedRounds = 5;
 
 }  // namespace
 
-void DelayCompensation::start(const DcNetwork& network, Nanoseconds now) {
+void DelayCompensation::use(std::vector<std::size_t> slaves, const ClockSegment& segment, std::uint16_t leader) {
   const auto& config = run_.config();
-  slaves_ = network.measured;
-  dl_status_ = network.segment.dl_status;
-  reference_clock_ = network.reference_clock;
+  slaves_ = std::move(slaves);
+  dl_status_ = segment.dl_status;
+  reference_clock_ = leader;
   std::vector<SlaveAddress> addresses;
   for (const auto slave : slaves_) addresses.push_back(SlaveAddress::at_station(config.slaves[slave].station_address));
-  latch_ = std::make_unique<DelayLatch>(addresses, network.segment.nodes, config.dc.delay_rounds);
+  latch_ = std::make_unique<DelayLatch>(addresses, segment.nodes, config.dc.delay_rounds);
   corrections_.assign(slaves_.size(), {});
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     auto& correction = corrections_[i];
-    correction.written = correction.target = network.slaves[slaves_[i]].delay_ns;
+    correction.written = correction.target = run_.snapshot.slaves[slaves_[i]].propagation_delay_ns;
     correction.datagram = addresses[i].write(reg::kSystemTimeDelay, correction.bytes);
   }
   requests_.clear();
   requests_.reserve(3 * slaves_.size() + 1);
   step_ = Step::kWait;
-  set_enabled(config.dc.continuous_propagation_compensation, now);
+}
+
+void DelayCompensation::start(const DcNetwork& network, Nanoseconds now) {
+  use(network.measured, network.segment, network.reference_clock);
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    corrections_[i].written = corrections_[i].target = network.slaves[slaves_[i]].delay_ns;
+  }
+  measured_at_ = now;
+  set_enabled(run_.config().dc.continuous_propagation_compensation, now);
+}
+
+void DelayCompensation::renew(std::vector<std::size_t> slaves, DelaySurvey survey, std::uint16_t leader,
+                              std::uint32_t step_ns, Nanoseconds now) {
+  use(std::move(slaves), survey.segment, leader);
+  next_step_ = measured_at_ = now;
+  correct_to(survey.result, step_ns, UINT32_MAX, now);
 }
 
 void DelayCompensation::set_enabled(bool enabled, Nanoseconds now) {
@@ -41,17 +57,19 @@ void DelayCompensation::set_enabled(bool enabled, Nanoseconds now) {
   step_ = Step::kWait;
   next_measurement_ = now + kPeriod;
   next_step_ = now;
-  // What was on its way to another value stays where it is.
-  for (auto& correction : corrections_) correction.target = correction.written;
+  // What was on its way to another value by nanoseconds stays where it is; who is far off comes home.
+  for (auto& correction : corrections_) {
+    if (correction.step == 1) correction.target = correction.written;
+  }
 }
 
 std::span<Datagram* const> DelayCompensation::requests(Nanoseconds now) {
   requests_.clear();
   corrections_sent_ = 0;
-  if (!enabled_ || !latch_) return {};
+  if (!latch_) return {};
   switch (step_) {
     case Step::kWait:
-      if (now < next_measurement_) {
+      if (!enabled_ || now < next_measurement_) {
         add_corrections(now);
         break;
       }
@@ -77,7 +95,7 @@ void DelayCompensation::begin_round() {
 }
 
 void DelayCompensation::take(Nanoseconds now, std::optional<std::uint16_t> leader) {
-  if (!enabled_ || !latch_) return;
+  if (!latch_) return;
   take_corrections();
   if (step_ == Step::kWait) return;
   // Delays count from the clock that leads, and say nothing while somebody is on the way.
@@ -101,17 +119,26 @@ void DelayCompensation::take_round(Nanoseconds now) {
 void DelayCompensation::finish(Nanoseconds now) {
   step_ = Step::kWait;
   next_measurement_ = now + kPeriod;
-  const auto delays = segment_delays(latch_->nodes(), dl_status_, delay_options(run_.config().dc));
-  const auto leader = std::ranges::find(slaves_, std::size_t{reference_clock_}) - slaves_.begin();
-  const auto origin = delays.delay_ns[static_cast<std::size_t>(leader)].value_or(0);
+  correct_to(segment_delays(latch_->nodes(), dl_status_, delay_options(run_.config().dc)), 1, kLargestChange, now);
+}
+
+void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t least_step,
+                                   std::uint32_t largest_change, Nanoseconds now) {
   std::int64_t largest = 0;
   std::size_t corrected = 0;
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    if (!run_.snapshot.slaves[slaves_[i]].dc_enabled || !delays.delay_ns[i] || *delays.delay_ns[i] < origin) continue;
-    const auto delay = *delays.delay_ns[i] - origin;
-    const auto change = std::int64_t{delay} - std::int64_t{corrections_[i].written};
-    if (std::abs(change) <= kDeadBand || std::abs(change) > kLargestChange) continue;
-    corrections_[i].target = delay;
+  const auto leader =
+      static_cast<std::size_t>(std::ranges::find(slaves_, std::size_t{reference_clock_}) - slaves_.begin());
+  const auto origin = leader < slaves_.size() ? delays.delay_ns[leader] : std::nullopt;
+  for (std::size_t i = 0; origin && i < slaves_.size(); ++i) {
+    auto& correction = corrections_[i];
+    if (!run_.snapshot.slaves[slaves_[i]].dc_enabled || !delays.delay_ns[i] || *delays.delay_ns[i] < *origin) continue;
+    // Whoever leads in the place of another keeps the delay that it had behind that.
+    const auto delay = *delays.delay_ns[i] - *origin + corrections_[leader].written;
+    const auto change = std::int64_t{delay} - std::int64_t{correction.written};
+    if (std::abs(change) <= kDeadBand || std::abs(change) > largest_change) continue;
+    correction.target = delay;
+    const auto share = static_cast<std::uint32_t>(std::abs(change)) / kMostSteps;
+    correction.step = least_step == 1 ? 1 : std::max(least_step, share);
     ++corrected;
     if (std::abs(change) > std::abs(largest)) largest = change;
   }
@@ -123,13 +150,15 @@ void DelayCompensation::give_up(Nanoseconds now) {
   next_measurement_ = now + kPeriod;
 }
 
-/// A nanosecond of each slave that is not where it should be.
+/// A step of each slave that is not where it should be.
 void DelayCompensation::add_corrections(Nanoseconds now) {
   if (now < next_step_) return;
   next_step_ = now + kStepPeriod;
   for (auto& correction : corrections_) {
     if (correction.written == correction.target) continue;
-    const auto next = correction.written < correction.target ? correction.written + 1 : correction.written - 1;
+    const auto next = correction.written < correction.target
+                          ? correction.written + std::min(correction.step, correction.target - correction.written)
+                          : correction.written - std::min(correction.step, correction.written - correction.target);
     store_le(std::span(correction.bytes), next);
     correction.datagram.answered = false;
     correction.datagram.wkc = 0;

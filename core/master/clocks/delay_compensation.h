@@ -8,20 +8,28 @@
 #include <span>
 #include <vector>
 
+#include "master/clocks/clock_survey.h"
 #include "master/clocks/dc_setup.h"
 #include "master/clocks/delay_latch.h"
 #include "master/exchange/run_state.h"
 
 namespace syncline {
 
-/// Continuous compensation of the propagation delays (EC-Master emDcContDelayCompEnable): measures them again every
-/// 30 s by datagrams that ride with the bus cycles, and corrects 0x0928 by a nanosecond at a time, because each write
-/// of that register is a step of the clock. 0x0920 and 0x0930 stay: their writes would cost the learned drift.
-/// What it sends and writes is sized at start(); the end of a measurement alone allocates, between two cycles.
+/// Corrects 0x0928 while the bus runs, by datagrams that ride with its cycles, and in small steps, because each write
+/// of that register is a step of what the slave's control loop sees. 0x0920 and 0x0930 stay: their writes would cost
+/// the learned drift. Two reasons for it:
+/// - Continuous compensation of the propagation delays (EC-Master emDcContDelayCompEnable), where it is switched on:
+///   measures them again every 30 s, and corrects by a nanosecond at a time.
+/// - Slaves went or came: whoever has measured the new tree calls renew().
+///
+/// What it sends and writes is sized at start() and renew(); the end of a measurement alone allocates, between two
+/// cycles.
 class DelayCompensation {
  public:
   static constexpr Nanoseconds kPeriod = 30 * kSecond;
   static constexpr Nanoseconds kStepPeriod = 100 * kMillisecond;
+  /// So many steps at most when slaves went or came: those behind them are off as long as it takes.
+  static constexpr std::uint32_t kMostSteps = 20;
   /// Differences up to this are noise of the stamps.
   static constexpr std::uint32_t kDeadBand = 20;  // ns
   /// A larger one is no change of a delay but another segment.
@@ -33,9 +41,17 @@ class DelayCompensation {
 
   /// After the DC initialisation.
   void start(const DcNetwork& network, Nanoseconds now);
+  /// `slaves`, positions in the configuration, are who is on the bus now, and `survey` is of them in that order: from
+  /// now on they are who is measured. Delays count from the clock that leads, whose own register stays. `step_ns`: how
+  /// far a clock may be moved at once without leaving its place; more where kMostSteps would not do. Tells
+  /// DelaysMeasured.
+  void renew(std::vector<std::size_t> slaves, DelaySurvey survey, std::uint16_t leader, std::uint32_t step_ns,
+             Nanoseconds now);
   /// While the bus runs; the first measurement comes a period after it was switched on.
   void set_enabled(bool enabled, Nanoseconds now);
   [[nodiscard]] bool enabled() const { return enabled_; }
+  /// When the tree was measured that it counts with, host clock.
+  [[nodiscard]] Nanoseconds measured_at() const { return measured_at_; }
 
   /// What is to be sent with the next cycle.
   [[nodiscard]] std::span<Datagram* const> requests(Nanoseconds now);
@@ -45,11 +61,14 @@ class DelayCompensation {
  private:
   enum class Step : std::uint8_t { kWait, kTrigger, kRead };
   struct Correction {
-    std::uint32_t written = 0, target = 0;
+    std::uint32_t written = 0, target = 0, step = 1;
     std::array<std::uint8_t, 4> bytes{};
     Datagram datagram;
   };
 
+  void use(std::vector<std::size_t> slaves, const ClockSegment& segment, std::uint16_t leader);
+  void correct_to(const dc::DelayResult& delays, std::uint32_t least_step, std::uint32_t largest_change,
+                  Nanoseconds now);
   void begin_round();
   void take_round(Nanoseconds now);
   void finish(Nanoseconds now);
@@ -70,7 +89,7 @@ class DelayCompensation {
   std::size_t corrections_sent_ = 0;
   unsigned patience_ = 0;  // cycles that a round may still take
   unsigned failed_rounds_ = 0;
-  Nanoseconds next_measurement_ = 0, next_step_ = 0;
+  Nanoseconds next_measurement_ = 0, next_step_ = 0, measured_at_ = 0;
 };
 
 }  // namespace syncline

@@ -259,10 +259,15 @@ std::optional<std::size_t> SlavesSync::who_moved(Nanoseconds time) const {
   }
   const auto leader = run_.snapshot.dc.reference_clock;
   if (later == sooner || leader < 0) return std::nullopt;
+  const auto has_moved = [&](std::size_t slave) {
+    const auto moved = run_.snapshot.slaves[slave].moved;
+    return moved != 0 && time - moved < kJust;
+  };
+  // It was away itself, with whoever else: clocks that nobody led meanwhile, and no change of the way.
+  if (has_moved(static_cast<std::size_t>(leader))) return std::nullopt;
   // Whoever stands in front of the reference clock changes its own way as much as the others'.
   for (auto i = static_cast<std::size_t>(leader) + 1; i < first; ++i) {
-    const auto& slave = run_.snapshot.slaves[i];
-    if (slave.moved != 0 && time - slave.moved < kJust) return i;
+    if (has_moved(i)) return i;
   }
   return std::nullopt;
 }

@@ -33,14 +33,14 @@ void SyncWatch::note_settings() {
   auto& dcm = run_.snapshot.dcm;
   dcm.mode = settings_.mode;
   dcm.control_off = settings_.control_off || settings_.mode == DcmMode::kMasterShiftByApp;
-  dcm.set_value_ns = to_32(effective_set_value(settings_, run_.config().cycle_time()));
+  dcm.set_value_ns = to_32(set_value());
   dcm.in_sync_limit = settings_.in_sync_limit;
   dcm.bus_shift_configured = bus_shift_configured(run_.config());
 }
 
 void SyncWatch::make_controller() {
   const auto cycle = run_.config().cycle_time();
-  controller_ = dc::make_dcm_controller(settings_, cycle, effective_set_value(settings_, cycle), least_set_value_);
+  controller_ = dc::make_dcm_controller(settings_, cycle, set_value(), least_set_value_);
 }
 
 Status SyncWatch::configure(const DcmSettings& change) {
@@ -64,19 +64,26 @@ void SyncWatch::start_verdict(Nanoseconds time) {
   dc::MasterVerdict::Settings settings;
   settings.settle = settings_.in_sync_settle_time_ms * kMillisecond;
   settings.stale = std::max(kLeastStale, kStaleCycles * cycle);
-  settings.late_allowed = effective_set_value(settings_, cycle) - least_set_value_;
+  settings.late_allowed = set_value() - least_set_value_;
   verdict_ = dc::MasterVerdict(settings, time);
   start_ = time;
   run_.snapshot.dcm.in_sync_after_ms.reset();
   run_.snapshot.dcm.late_allowed_ns = to_32(settings.late_allowed);
 }
 
-Nanoseconds SyncWatch::first_cycle(const DcNetwork& network, Nanoseconds earliest) const {
+Nanoseconds SyncWatch::set_value() const {
+  return effective_set_value(settings_, run_.config().cycle_time(), least_set_value_);
+}
+
+Nanoseconds SyncWatch::first_cycle(const DcNetwork& network, Nanoseconds earliest) {
   const auto& config = run_.config();
+  Nanoseconds farthest = 0;
+  for (const auto& slave : network.slaves) farthest = std::max<Nanoseconds>(farthest, slave.delay_ns);
+  least_set_value_ = least_set_value(config, farthest);
   if (config.dc.start_time_grid <= 0) return earliest;
   const auto reference = network.reference_time + (earliest - network.host_time);
   const auto cycle = config.cycle_time();
-  auto phase = (reference + effective_set_value(settings_, cycle)) % cycle;
+  auto phase = (reference + set_value()) % cycle;
   if (phase < 0) phase += cycle;
   return earliest + (phase == 0 ? 0 : cycle - phase);
 }
@@ -87,14 +94,11 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   last_host_ = network.host_time;
   last_reference_ = network.reference_time;
   line_.start(last_host_, last_reference_);
-  const auto set_value = effective_set_value(settings_, config.cycle_time());
   const auto first_reference = reference_time_at(first_cycle);
   // The grid is laid where the frames pass anyway: the controller starts with an error near zero.
   // With a grid it lies at its multiples, and the frames were laid to suit that: see first_cycle().
-  base_ = config.dc.start_time_grid > 0 ? 0 : (first_reference + set_value) % config.cycle_time();
-  Nanoseconds farthest = 0;
-  for (const auto& slave : network.slaves) farthest = std::max<Nanoseconds>(farthest, slave.delay_ns);
-  least_set_value_ = least_set_value(config, farthest);
+  base_ = config.dc.start_time_grid > 0 ? 0 : (first_reference + set_value()) % config.cycle_time();
+  note_settings();
   make_controller();
   controller_->start(base_, first_reference, first_cycle);
 

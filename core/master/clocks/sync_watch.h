@@ -24,8 +24,8 @@ class SyncWatch {
 
   /// First cycle at or behind `earliest` that suits the start time grid: with one, SYNC0 comes at multiples of the
   /// cycle in system time, so that networks whose reference clocks follow one host are in phase; without, `earliest`
-  /// itself.
-  [[nodiscard]] Nanoseconds first_cycle(const DcNetwork& network, Nanoseconds earliest) const;
+  /// itself. Comes before start(): how long the bus is decides where an automatic set value lies.
+  [[nodiscard]] Nanoseconds first_cycle(const DcNetwork& network, Nanoseconds earliest);
   /// After the DC initialisation, before the first cyclic frame, which is scheduled for `first_cycle`.
   /// Without distributed clocks it is not called and nothing is watched.
   void start(const DcNetwork& network, Nanoseconds first_cycle);
@@ -73,6 +73,7 @@ class SyncWatch {
   void leader_moved(std::uint16_t position);
 
  private:
+  [[nodiscard]] Nanoseconds set_value() const;
   void update_dcm(const dc::DcmObservation& observation, std::int64_t skipped);
   void judge_master(const dc::DcmObservation& observation, std::int64_t skipped);
   void count_errors();
@@ -84,7 +85,7 @@ class SyncWatch {
 
   RunState& run_;
   DcmSettings settings_;
-  Nanoseconds least_set_value_ = 0;
+  Nanoseconds least_set_value_ = 0;  // until outputs are at the last slave
   std::unique_ptr<dc::DcmController> controller_;
   SlavesSync slaves_;
   dc::MasterVerdict verdict_;

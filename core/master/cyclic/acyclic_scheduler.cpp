@@ -15,7 +15,19 @@ constexpr std::size_t kMostFrames = 8;
 /// inputs come back, later by no more than that, 6.7 us.
 constexpr std::size_t kLongestRide = 84;
 
+/// Room that a cycle has for one short datagram, whatever is left of it: registers of 16 bytes, deviations, AL states.
+constexpr std::size_t kLeast = 28;
+constexpr unsigned kMostHeldUp = 8;  // cycles
+
 std::size_t size_of(const Datagram& datagram) { return kDatagramHeaderSize + datagram.data.size() + kWkcSize; }
+
+/// Of datagrams in a frame that keeps the wire busy for so long.
+std::size_t bytes_within(Nanoseconds time) {
+  constexpr Nanoseconds kEmpty = wire_time_ns(kMinEthernetFrame);
+  if (time < kEmpty) return 0;
+  const auto more = static_cast<std::size_t>((time - kEmpty) / kWireByteTime);
+  return kMinEthernetFrame + more - kFrameOverhead;
+}
 
 }  // namespace
 
@@ -28,59 +40,75 @@ AcyclicScheduler::AcyclicScheduler(RunState& run, const MailboxBits& bits, SyncE
       inputs_(run),
       frames_(kMostFrames) {}
 
-PendingFrame& AcyclicScheduler::clear() {
+PendingFrame& AcyclicScheduler::clear(const Room& room) {
   for (auto& frame : frames_) frame.clear();
   carrier_ = nullptr;
-  return frames_.front();
+  left_ = latest_return(room.cycle_time) - room.travel - room.cyclic_wire_time;
+  return bounded(0);
+}
+
+/// The frame, to be filled with no more than comes back in time beside the others. The first one always takes a short
+/// datagram. Where nothing comes back in time, it is the host that is slow, and not the number of bytes.
+PendingFrame& AcyclicScheduler::bounded(std::size_t index) {
+  auto& frame = frames_[index];
+  if (left_ <= 0) return frame;
+  const auto own = frame.empty() ? 0 : wire_time_ns(frame.size() + kFrameOverhead);
+  frame.set_capacity(std::max(bytes_within(left_ - wire_time() + own), index == 0 ? kLeast : 0));
+  return frame;
 }
 
 /// A mailbox may fill a frame of its own.
-bool AcyclicScheduler::add(Datagram& datagram) { return frames_[0].add(datagram) || frames_[1].add(datagram); }
+bool AcyclicScheduler::add(Datagram& datagram) { return bounded(0).add(datagram) || bounded(1).add(datagram); }
 
-void AcyclicScheduler::fill(std::span<Datagram* const> waiting, const Room& room, Nanoseconds now) {
-  mailboxes_.add_to(frames_.front(), now);
+void AcyclicScheduler::fill(std::span<Datagram* const> waiting, Nanoseconds now) {
+  mailboxes_.add_to(bounded(0), now);
   sm2_.begin(now);
-  add_request(room, now);
+  add_request(now);
   auto* own = mailbox_.next(now);
   mailbox_asked_ = own != nullptr && add(*own);
-  add_waiting(waiting, room);
+  add_waiting(waiting);
   // Whoever waits for an answer goes first, and evidence takes one datagram a cycle.
   evidence_asked_ = false;
-  if (inputs_.add_to(frames_.front())) return;
+  if (inputs_.add_to(bounded(0))) return;
   auto* evidence = evidence_.next(now);
-  evidence_asked_ = evidence != nullptr && frames_.front().add(*evidence);
+  evidence_asked_ = evidence != nullptr && bounded(0).add(*evidence);
 }
 
 /// In a cycle that it would burst it waits for the next; one that is too long for every cycle is refused.
-void AcyclicScheduler::add_request(const Room& room, Nanoseconds now) {
+void AcyclicScheduler::add_request(Nanoseconds now) {
   request_asked_ = false;
   auto* datagram = requests_.next(now);
   if (datagram == nullptr) return;
-  const auto needed = wire_time_ns(size_of(*datagram) + kFrameOverhead);
-  const auto left = latest_return(room.cycle_time) - room.cyclic_wire_time;
-  if (needed > left) {
+  const auto size = size_of(*datagram);
+  if (left_ > 0 && size > std::max(bytes_within(left_), kLeast)) {
     requests_.refuse_asked(
         {.code = ErrorCode::kNotSupported,
          .why = brief("its datagram of {bytes} bytes takes {time} us on the wire, and the cycle leaves "
                       "no room for it; choose a longer cycle",
-                      datagram->data.size(), needed / kMicrosecond)});
+                      datagram->data.size(), wire_time_ns(size + kFrameOverhead) / kMicrosecond)});
     return;
   }
-  request_asked_ = needed + wire_time() <= left && add(*datagram);
+  request_asked_ = add(*datagram);
 }
 
-/// What would not come back in time is left for the next cycle; one request a cycle goes in any case. Where nothing
-/// comes back in time, it is the host that is slow, and not the number of bytes.
-void AcyclicScheduler::add_waiting(std::span<Datagram* const> waiting, const Room& room) {
-  auto left = latest_return(room.cycle_time) - room.travel - room.cyclic_wire_time - wire_time();
-  const bool limited = left > 0;
-  std::size_t frame = 0;
+/// What would not come back in time is left for the next cycle.
+void AcyclicScheduler::add_waiting(std::span<Datagram* const> waiting) {
+  std::size_t frame = 0, added = 0;
   for (auto* request : waiting) {
-    left -= static_cast<Nanoseconds>(size_of(*request)) * kWireByteTime;
-    if (limited && left < 0 && request != waiting.front()) break;
-    while (frame < limit_ && !frames_[frame].add(*request)) ++frame;
-    if (frame == limit_) break;
+    if (!add_waiting_one(*request, frame)) break;
+    ++added;
   }
+  held_up_ = waiting.empty() || added > 0 ? 0 : held_up_ + 1;
+  // One that no cycle has room for must go nevertheless, late as it comes back: somebody waits for it.
+  if (held_up_ < kMostHeldUp) return;
+  held_up_ = 0;
+  frames_[0].set_capacity(PendingFrame::kMostBytes);
+  (void)frames_[0].add(*waiting.front());
+}
+
+bool AcyclicScheduler::add_waiting_one(Datagram& request, std::size_t& frame) {
+  while (frame < limit_ && !bounded(frame).add(request)) ++frame;
+  return frame < limit_;
 }
 
 void AcyclicScheduler::ride(PendingFrame& cyclic) {

@@ -36,10 +36,10 @@ class AcyclicScheduler {
     Nanoseconds cyclic_wire_time = 0;
     Nanoseconds travel = 0;  // through the segment and back
   };
-  /// The first frame, empty, for who comes first of all.
-  [[nodiscard]] PendingFrame& clear();
+  /// The first frame, empty, for who comes first of all. It takes what comes back in time, and something in any case.
+  [[nodiscard]] PendingFrame& clear(const Room& room);
   /// Behind what is in there.
-  void fill(std::span<Datagram* const> waiting, const Room& room, Nanoseconds now);
+  void fill(std::span<Datagram* const> waiting, Nanoseconds now);
   [[nodiscard]] std::span<PendingFrame> frames() { return frames_; }
   /// When what goes in this cycle is short, it goes behind the commands of `cyclic`, and no frame of its own is sent:
   /// that would take longer on the wire, and the host twice as long. Behind fill().
@@ -56,10 +56,12 @@ class AcyclicScheduler {
 
  private:
   bool add(Datagram& datagram);
+  [[nodiscard]] PendingFrame& bounded(std::size_t index);
   /// The frame in which what is in this one was sent; null when it was not.
   [[nodiscard]] const PendingFrame* sent(const PendingFrame& frame) const;
-  void add_request(const Room& room, Nanoseconds now);
-  void add_waiting(std::span<Datagram* const> waiting, const Room& room);
+  void add_request(Nanoseconds now);
+  void add_waiting(std::span<Datagram* const> waiting);
+  bool add_waiting_one(Datagram& request, std::size_t& frame);
 
   AcyclicRequests requests_;
   CyclicMailbox mailbox_;
@@ -68,6 +70,8 @@ class AcyclicScheduler {
   EvidenceReader evidence_;
   InputWatch inputs_;
   std::vector<PendingFrame> frames_;
+  Nanoseconds left_ = 0;                   // on the wire for the frames of this cycle
+  unsigned held_up_ = 0;                   // cycles in which nothing of what waits found room
   const PendingFrame* carrier_ = nullptr;  // the cyclic frame that took the first one's place in this cycle
   std::size_t limit_ = 1;                  // frames a cycle, as many as come back in time
   bool request_asked_ = false, mailbox_asked_ = false, evidence_asked_ = false;

@@ -164,10 +164,10 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
 
 void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now) {
   // Short and regular readings first: a long mailbox datagram finds room in the next cycle.
-  auto& first = acyclic_.clear();
+  auto& first = acyclic_.clear({cycle_time_, cyclic_wire_time(), travel_});
   slaves_.add_to(first, sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
   reference_.add_to(first);
-  acyclic_.fill(requests, {cycle_time_, cyclic_wire_time(), travel_}, now);
+  acyclic_.fill(requests, now);
   if (!frames_.frames().empty()) acyclic_.ride(*frames_.frames().back());
 }
 

@@ -6,7 +6,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::size_t kFrameCapacity = kMaxEthernetFrame - kEthernetHeaderSize - kEtherCatHeaderSize;
 /// No frame is on its way for longer: hosts and switches that stall for a second drop what they hold.
 constexpr Nanoseconds kIndexRest = 1 * kSecond;
 
@@ -23,13 +22,14 @@ bool same_request(const DatagramView& view, const Datagram& sent) {
 void PendingFrame::clear() {
   count_ = 0;
   bytes_ = 0;
+  capacity_ = kMostBytes;
   in_flight_ = false;
   answered_ = false;
 }
 
 bool PendingFrame::add(Datagram& datagram) {
   const std::size_t size = kDatagramHeaderSize + datagram.data.size() + kWkcSize;
-  if (count_ == kMaxDatagrams || bytes_ + size > kFrameCapacity) return false;
+  if (count_ == kMaxDatagrams || bytes_ + size > capacity_) return false;
   datagram.answered = false;
   datagram.wkc = 0;
   datagrams_[count_++] = &datagram;
@@ -38,7 +38,7 @@ bool PendingFrame::add(Datagram& datagram) {
 }
 
 bool PendingFrame::has_room(const PendingFrame& other) const {
-  return count_ + other.count_ <= kMaxDatagrams && bytes_ + other.bytes_ <= kFrameCapacity;
+  return count_ + other.count_ <= kMaxDatagrams && bytes_ + other.bytes_ <= capacity_;
 }
 
 void FrameExchange::set_addresses(const MacAddress& destination, const MacAddress& source) {
@@ -144,7 +144,9 @@ bool FrameExchange::dispatch(std::span<PendingFrame* const> frames, const Receiv
     missing_.returned(frame->sequence_);
     return true;
   }
-  return missing_.take_late(first->header, received.arrival_time);
+  if (!missing_.take_late(first->header, received.arrival_time)) return false;
+  index_rests_until_[first->header.index] = 0;  // nothing with it is on its way any more
+  return true;
 }
 
 bool FrameExchange::accept(PendingFrame& frame, std::span<std::uint8_t> bytes) {

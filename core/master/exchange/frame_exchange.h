@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -40,10 +41,14 @@ class SendStamp {
 class PendingFrame {
  public:
   static constexpr std::size_t kMaxDatagrams = 120;
+  static constexpr std::size_t kMostBytes = kMaxEthernetFrame - kFrameOverhead;
 
   void clear();
   /// False when the frame is full; the datagram then belongs into the next one.
   bool add(Datagram& datagram);
+  /// So many bytes of datagrams from now on, as clear() gives them again; more than an Ethernet frame holds count as
+  /// that.
+  void set_capacity(std::size_t bytes) { capacity_ = std::min(bytes, kMostBytes); }
   /// For all that is in `other`.
   [[nodiscard]] bool has_room(const PendingFrame& other) const;
   [[nodiscard]] bool empty() const { return count_ == 0; }
@@ -61,7 +66,7 @@ class PendingFrame {
   friend class FrameExchange;
   std::array<Datagram*, kMaxDatagrams> datagrams_{};
   std::size_t count_ = 0;
-  std::size_t bytes_ = 0;
+  std::size_t bytes_ = 0, capacity_ = kMostBytes;
   std::uint8_t index_ = 0;
   std::uint64_t sequence_ = 0;
   bool in_flight_ = false;

@@ -48,7 +48,13 @@ Result<Attendance::Differences> Attendance::look(std::uint16_t count) {
   // Hot-connect groups may be absent; others only where the user said so.
   const bool complete = match.missing.empty() && match.extra.empty();
   differences.allowed = usable && (complete || config.recovery.start_incomplete);
-  if (!differences.allowed) return differences;
+  if (!differences.allowed) {
+    // Who is in its place is there, whatever keeps the bus from being started.
+    for (std::size_t i = 0; i < config.slaves.size(); ++i)
+      run_.snapshot.slaves[i].present = match.position[i].has_value();
+    run_.note_slave_change();
+    return differences;
+  }
   for (std::size_t i = 0; i < config.slaves.size(); ++i) {
     missing_[i] = !match.position[i].has_value();
     if (match.position[i]) commands_.set_position(i, *match.position[i]);

@@ -222,5 +222,40 @@ TEST(DcSetup, ReplacesAReferenceClockWithoutSystemTimeByTheNextOne) {
   EXPECT_NE(clocks.error().subject.find("slave 1"), std::string::npos);
 }
 
+/// A terminal, and four more behind it, of which some keep their clocks as they are.
+SimulatedNetwork with_stubborn(std::vector<int> slaves) {
+  SimulatedNetwork network;
+  for (int i = 0; i < 5; ++i) network.add(test::io8());
+  for (const auto slave : slaves) {
+    FaultConfig fault;
+    fault.kind = FaultKind::kIgnoredClockWrites;
+    fault.slave = slave;
+    network.sim.faults.push_back(fault);
+  }
+  return network;
+}
+
+TEST(DcSetup, NamesTheClocksThatDoNotTakeTheirOffset) {
+  ClockBed bed(with_stubborn({2, 4}));
+  const auto network = bed.set_up();
+  ASSERT_FALSE(network);
+  EXPECT_EQ(network.error().code, ErrorCode::kDcSetup);
+  const auto& subject = network.error().subject;
+  EXPECT_NE(subject.find("slave 2"), std::string::npos) << subject;
+  EXPECT_NE(subject.find("slave 4"), std::string::npos) << subject;
+  EXPECT_EQ(subject.find("slave 3"), std::string::npos) << subject;
+  const auto why = network.error().detail.text();
+  EXPECT_NE(why.find("2 of the clocks"), std::string::npos) << why;
+  EXPECT_NE(why.find("0x0920"), std::string::npos) << why;
+}
+
+TEST(DcSetup, ClocksThatNobodyUsesMayStayAsTheyAre) {
+  auto network = with_stubborn({0});
+  network.project.master.dc.reference_clock = 1;
+  ClockBed bed(network);
+  const auto result = bed.set_up();
+  EXPECT_TRUE(result) << result.error().detail.text();
+}
+
 }  // namespace
 }  // namespace syncline

@@ -71,6 +71,17 @@ TEST_P(FrameAccounts, AreTrueAfterAStandstillOfTheWire) {
   EXPECT_GT(taken_back, 0);
 }
 
+/// More of them than there are indices, within the time that the index of a frame rests that never comes.
+TEST_P(FrameAccounts, AreTrueWhereEachFrameIsLate) {
+  link->set_faults({.late = 1, .late_by = 1'200 * kMicrosecond, .seed = GetParam()});
+  run(700 * kMillisecond);
+  finish();
+  EXPECT_GT(link->injected().late, 600U);
+  EXPECT_EQ(snapshot.lost_frames, 0U);
+  EXPECT_EQ(snapshot.late_frames, link->injected().late);
+  EXPECT_EQ(told_late, static_cast<std::int64_t>(snapshot.late_frames));
+}
+
 /// What goes out and what comes back, counted by somebody who does not know the master.
 class CountedLink final : public Link {
  public:
