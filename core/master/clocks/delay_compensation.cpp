@@ -45,7 +45,7 @@ void DelayCompensation::start(const DcNetwork& network, Nanoseconds now) {
   set_enabled(run_.config().dc.continuous_propagation_compensation, now);
 }
 
-void DelayCompensation::renew(std::vector<std::size_t> slaves, DelaySurvey survey, std::uint16_t leader,
+void DelayCompensation::renew(std::vector<std::size_t> slaves, const DelaySurvey& survey, std::uint16_t leader,
                               std::uint32_t step_ns, Nanoseconds now) {
   use(std::move(slaves), survey.segment, leader);
   next_step_ = measured_at_ = now;

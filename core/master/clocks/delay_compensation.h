@@ -45,7 +45,7 @@ class DelayCompensation {
   /// now on they are who is measured. Delays count from the clock that leads, whose own register stays. `step_ns`: how
   /// far a clock may be moved at once without leaving its place; more where kMostSteps would not do. Tells
   /// DelaysMeasured.
-  void renew(std::vector<std::size_t> slaves, DelaySurvey survey, std::uint16_t leader, std::uint32_t step_ns,
+  void renew(std::vector<std::size_t> slaves, const DelaySurvey& survey, std::uint16_t leader, std::uint32_t step_ns,
              Nanoseconds now);
   /// While the bus runs; the first measurement comes a period after it was switched on.
   void set_enabled(bool enabled, Nanoseconds now);

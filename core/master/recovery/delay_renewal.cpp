@@ -81,7 +81,7 @@ Status DelayRenewal::measure(std::uint16_t leader) {
   }
   const auto limit = run_.snapshot.dc.limit_ns;
   const auto step = limit > 0 ? std::max<std::uint32_t>(limit / 4, 1) : kUsualStep;
-  delays_.renew(std::move((*members)->slaves), std::move(*survey), leader, step, now);
+  delays_.renew(std::move((*members)->slaves), *survey, leader, step, now);
   return {};
 }
 
