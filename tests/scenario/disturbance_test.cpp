@@ -225,6 +225,9 @@ TEST_F(Disturbance, ABusThatIsNotTheConfiguredOneIsExplained) {
   EXPECT_THAT(errors_of_start(), ::testing::ElementsAre(ErrorCode::kSlaveMissing, ErrorCode::kSlaveCount)) << log();
   EXPECT_NE(log().find("slave 2"), std::string::npos) << log();
   EXPECT_FALSE(service->online());
+  service->channels().snapshot.read(snapshot);
+  for (std::size_t i = 0; i < snapshot.slaves.size(); ++i)
+    EXPECT_EQ(snapshot.slaves[i].present, i != 2) << i << ": only that one is missing";
   // One too many.
   network = configured;
   network.project.slaves.pop_back();

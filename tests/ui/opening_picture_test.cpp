@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QImage>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QTemporaryDir>
 #include <optional>
@@ -203,8 +204,9 @@ TEST_F(OpeningPictureTest, StandsInTheWindowWhileALongOneIsRead) {
   MainWindow window(workspace);
   window.show();
   window.files().openAny(path_);
-  auto* dialog = window.findChild<QProgressDialog*>(QStringLiteral("recordingProgress"));
-  ASSERT_NE(dialog, nullptr);
+  // It goes when all is read, sooner or later.
+  const QPointer dialog(window.findChild<QProgressDialog*>(QStringLiteral("recordingProgress")));
+  ASSERT_FALSE(dialog.isNull());
   auto few = outline();
   Q_EMIT workspace.recording().outlined(few);
   EXPECT_EQ(dialog->findChild<OpeningPicture*>(), nullptr) << "it is read in an instant";
@@ -218,7 +220,7 @@ TEST_F(OpeningPictureTest, StandsInTheWindowWhileALongOneIsRead) {
   picture->refresh();
   EXPECT_GT(picture->findChild<TracePlot*>()->grid().columns, 50);
   ASSERT_TRUE(waitFor([&] { return workspace.recording().isOpen(); }));
-  EXPECT_FALSE(dialog->isVisible());
+  EXPECT_TRUE(dialog.isNull() || !dialog->isVisible());
 }
 
 }  // namespace

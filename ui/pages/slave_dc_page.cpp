@@ -5,13 +5,13 @@
 
 #include "config/dc_times.h"
 #include "dc/sync_timeline.h"
-#include "families/families.h"
 #include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/pages/dc_read_back.h"
 #include "ui/pages/sync_unit_editor.h"
 #include "ui/plots/timing_diagram.h"
+#include "ui/session/calc_and_copy.h"
 #include "ui/session/running_slave.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"
@@ -39,8 +39,8 @@ SlaveDcPage::SlaveDcPage(Workspace& workspace)
   auto* sync1 = columns->add(1, tr("SYNC1"));
   sync0_ = new SyncUnitEditor(0, *sync0, *this);
   sync1_ = new SyncUnitEditor(1, *sync1, *this);
-  buildTiming(*columns->add(0, tr("One Cycle")));
-  buildRegisters(*columns->add(2, tr("Registers")));
+  buildRegisters(*columns->add(0, tr("Registers")));
+  buildTiming(*columns->add(2, tr("One Cycle")));
   buildLive(*columns->add(2, tr("Live")));
   columns->addStretch();
   setWidget(columns);
@@ -148,14 +148,13 @@ void SlaveDcPage::refreshTiming() {
   const auto at = static_cast<std::size_t>(node());
   auto timing = config != nullptr && node() >= 0 ? dc::slave_timing(*config, at) : std::nullopt;
   if (timing) {
-    const auto* family = families::find(config->slaves[at].identity);
-    if (family != nullptr && family->times) timing->compute = family->times->calc_and_copy;
     const auto running = runningSlave(workspace(), node());
-    if (const auto* status = running ? running->status : nullptr) {
+    const auto* status = running ? running->status : nullptr;
+    timing->compute = calcAndCopy(config->slaves[at].identity, status != nullptr ? &status->evidence : nullptr);
+    if (status != nullptr) {
       if (status->dc_enabled) timing->delay = status->propagation_delay_ns;
       if (const auto set_value = workspace().live().snapshot().dcm.set_value_ns; set_value > 0)
         timing->set_value = set_value;
-      if (status->evidence.calc_and_copy_ns > 0) timing->compute = status->evidence.calc_and_copy_ns;
     }
   }
   timing_->setTiming(timing);

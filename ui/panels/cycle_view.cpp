@@ -11,9 +11,9 @@
 #include <iterator>
 #include <utility>
 
-#include "families/families.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/plots/signal_source.h"
+#include "ui/session/calc_and_copy.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/value_label.h"
@@ -23,12 +23,9 @@ namespace {
 
 constexpr unsigned kArrivalsEvery = 6;  // ticks: faster cannot be read
 
-/// As the slave has told (0x1C32:06), else as its family is known.
-std::optional<Nanoseconds> calcAndCopy(const RunRecord& record, std::size_t slave) {
+std::optional<Nanoseconds> calcAndCopyOf(const RunRecord& record, std::size_t slave) {
   const auto& told = record.snapshot().slaves;
-  if (slave < told.size() && told[slave].evidence.calc_and_copy_ns > 0) return told[slave].evidence.calc_and_copy_ns;
-  const auto* family = families::find(record.config().slaves[slave].identity);
-  return family != nullptr && family->times ? std::optional(family->times->calc_and_copy) : std::nullopt;
+  return calcAndCopy(record.config().slaves[slave].identity, slave < told.size() ? &told[slave].evidence : nullptr);
 }
 
 }  // namespace
@@ -90,7 +87,7 @@ void CycleView::refresh() {
   if (std::optional(shown) == std::exchange(shown_, shown)) return;
   CyclePlot::Picture picture;
   picture.period = samples.sync0(position).period;
-  picture.calc_and_copy = calcAndCopy(*record_, position);
+  picture.calc_and_copy = calcAndCopyOf(*record_, position);
   picture.begin = view_->begin();
   picture.end = view_->end() + 1;
   picture.figures = arrival_figures(samples.series(Signal::kArrivalPhase, position), picture.period, picture.begin,

@@ -99,7 +99,8 @@ void AcyclicScheduler::add_waiting(std::span<Datagram* const> waiting) {
     ++added;
   }
   held_up_ = waiting.empty() || added > 0 ? 0 : held_up_ + 1;
-  // One that no cycle has room for must go nevertheless, late as it comes back: somebody waits for it.
+  // One that no cycle has room for goes nevertheless: the way that was learned may be longer than it is, and whoever
+  // waits ends by his own time limit and not by our guess.
   if (held_up_ < kMostHeldUp) return;
   held_up_ = 0;
   frames_[0].set_capacity(PendingFrame::kMostBytes);
