@@ -56,6 +56,7 @@ Json misses_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"by_cause",
            {{"frame_lost", of(dc::MissCause::kFrameLost)},
             {"cycles_left_out", of(dc::MissCause::kCyclesLeftOut)},
+            {"frame_held_up", of(dc::MissCause::kFrameHeldUp)},
             {"frame_late", of(dc::MissCause::kFrameLate)},
             {"unknown", of(dc::MissCause::kUnknown)}}}};
 }

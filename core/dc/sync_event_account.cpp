@@ -23,9 +23,12 @@ void SyncEventAccount::observe(const Cycle& cycle) {
     // The first outputs begin the account: nobody knows what came before.
     if (!cycle.delivered) return;
     evaluated_ = delivered_ = period;
-    frames_lost_ = left_out_ = 0;
+    frames_lost_ = held_up_ = left_out_ = 0;
     return;
   }
+  const auto meant = cycle.held > 0 ? sync0_arrival(grid_, cycle.time - cycle.held).number : period;
+  if (cycle.delivered && meant < period)
+    held_up_ += static_cast<std::uint32_t>(std::min<std::int64_t>(period - meant, UINT16_MAX));
   const auto ended = period - *evaluated_;
   if (ended > 0) {
     const bool served = delivered_ == evaluated_;
@@ -33,9 +36,10 @@ void SyncEventAccount::observe(const Cycle& cycle) {
     evaluated_ = period;
   }
   if (cycle.delivered) {
-    if (delivered_ != period && arrival.phase != 0 && arrival.margin < cycle.need) ++doubtful_;
+    if (delivered_ != period && arrival.phase != 0 && arrival.margin < cycle.need)
+      ++(arrival.margin + cycle.held < cycle.need ? doubtful_.late : doubtful_.held_up);
     delivered_ = std::max(delivered_.value_or(period), period);
-    frames_lost_ = left_out_ = 0;
+    frames_lost_ = held_up_ = left_out_ = 0;
   } else {
     ++frames_lost_;
   }
@@ -64,7 +68,22 @@ void SyncEventAccount::presume(std::uint32_t missed) {
   };
   take(frames_lost_, MissCause::kFrameLost);
   take(left_out_, MissCause::kCyclesLeftOut);
+  take(held_up_, MissCause::kFrameHeldUp);
   at(presumed_, MissCause::kFrameLate) += missed;
+}
+
+/// The latest first: a frame comes soon after its cycle or never.
+void SyncEventAccount::came_late(std::uint32_t cycles) {
+  const auto move = [&cycles](std::uint32_t& lost, std::uint32_t& held_up) {
+    const auto part = std::min(lost, cycles);
+    lost -= part;
+    held_up += part;
+    cycles -= part;
+  };
+  move(frames_lost_, held_up_);
+  for (auto* pool : {&presumed_, &carried_, &by_cause_}) {
+    move(at(*pool, MissCause::kFrameLost), at(*pool, MissCause::kFrameHeldUp));
+  }
 }
 
 /// Explains up to `debt` misses of the slave by what was presumed, the older ones first; what is left.
@@ -83,12 +102,16 @@ std::uint32_t SyncEventAccount::explain(std::uint32_t debt) {
 /// Misses that were thought to be good periods are late outputs where these may have been too late; what is left.
 std::uint32_t SyncEventAccount::explain_by_doubt(std::uint32_t debt) {
   auto left = debt;
-  for (auto* pool : {&doubted_, &doubtful_}) {
-    const auto part = std::min(*pool, left);
-    *pool -= part;
+  const auto take = [&](std::uint32_t& pool, MissCause cause) {
+    const auto part = std::min(pool, left);
+    pool -= part;
     left -= part;
+    at(by_cause_, cause) += part;
+  };
+  for (auto* doubt : {&doubted_, &doubtful_}) {
+    take(doubt->held_up, MissCause::kFrameHeldUp);
+    take(doubt->late, MissCause::kFrameLate);
   }
-  at(by_cause_, MissCause::kFrameLate) += debt - left;
   correct(debt - left);
   return left;
 }
@@ -124,7 +147,7 @@ void SyncEventAccount::read(std::uint32_t counter) {
   // What was presumed before the last reading, and neither of the two told: those were good periods.
   correct(-std::int64_t{sum(carried_)});
   carried_ = std::exchange(presumed_, {});
-  doubted_ = std::exchange(doubtful_, 0);
+  doubted_ = std::exchange(doubtful_, {});
   counted_down_ = 0;
   candidate_ = std::max(candidate_, integrator_);
 }
@@ -160,8 +183,8 @@ void SyncEventAccount::entered_op(const Sync0Grid& grid) {
   counter_.begin_anew();
   evaluated_.reset();
   delivered_.reset();
-  frames_lost_ = left_out_ = 0;
-  doubtful_ = doubted_ = 0;
+  frames_lost_ = held_up_ = left_out_ = 0;
+  doubtful_ = doubted_ = {};
 }
 
 std::uint32_t SyncEventAccount::missed() const {

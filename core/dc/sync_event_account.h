@@ -25,15 +25,19 @@ class SyncEventAccount {
     bool delivered = false;      // the frame came back
     std::uint32_t left_out = 0;  // cycles that the host left out just before this one
     Nanoseconds need = 0;        // what the slave takes at most from its outputs to SYNC0 (0x1C32:06)
+    Nanoseconds held = 0;        // of `time`: so much longer than it usually takes was the frame on its way
   };
   /// One bus cycle in OP. Outputs that leave less than `need` to SYNC0 may have been too late, and only the slave
   /// knows: its next reading tells.
   void observe(const Cycle& cycle);
+  /// So many cycles that were not delivered have come back since, later than anybody waited for them: what was missed
+  /// by them was not lost, but held up on the way. Also after the slave has left OP.
+  void came_late(std::uint32_t cycles);
   /// System time at which the period behind the running one begins, while cycles are regular: each delivers its outputs
   /// in the period behind the one before, and there is no error to be counted down. Such a cycle changes nothing that
   /// can be asked for; nothing when they are not.
   [[nodiscard]] std::optional<Nanoseconds> regular_until() const {
-    if ((frames_lost_ | left_out_ | integrator_ | candidate_) != 0) return std::nullopt;
+    if ((frames_lost_ | held_up_ | left_out_ | integrator_ | candidate_) != 0) return std::nullopt;
     if (!evaluated_ || delivered_ != evaluated_) return std::nullopt;
     return grid_.first + (*evaluated_ + 1) * grid_.period;
   }
@@ -77,13 +81,17 @@ class SyncEventAccount {
 
   Sync0Grid grid_;
   std::uint32_t limit_ = 0;
-  std::optional<std::int64_t> evaluated_;         // number of the SYNC0 period that is running
-  std::optional<std::int64_t> delivered_;         // the last period with outputs
-  std::uint32_t frames_lost_ = 0, left_out_ = 0;  // since then
-  MissesByCause presumed_{}, carried_{};          // since the last reading, and left over from before it
-  std::uint32_t doubtful_ = 0, doubted_ = 0;      // periods whose outputs left less than the slave needs; likewise
-  std::uint32_t counted_down_ = 0;                // of the error counter, since the last reading
-  std::uint32_t unexplained_ = 0;                 // told by the last reading, and not presumed yet
+  std::optional<std::int64_t> evaluated_;                       // number of the SYNC0 period that is running
+  std::optional<std::int64_t> delivered_;                       // the last period with outputs
+  std::uint32_t frames_lost_ = 0, held_up_ = 0, left_out_ = 0;  // since then
+  MissesByCause presumed_{}, carried_{};                        // since the last reading, and left over from before it
+  /// Periods whose outputs left less than the slave needs; likewise.
+  struct Doubt {
+    std::uint32_t late = 0, held_up = 0;
+  };
+  Doubt doubtful_, doubted_;
+  std::uint32_t counted_down_ = 0;  // of the error counter, since the last reading
+  std::uint32_t unexplained_ = 0;   // told by the last reading, and not presumed yet
   CounterTotal counter_{16, CounterTotal::End::kWraps};
   bool readable_ = false, any_since_reading_ = false;
   std::uint32_t computed_ = 0;

@@ -78,6 +78,7 @@ constexpr std::string_view kPhrases[] = {
     // why slaves miss events and the master is out of sync
     "frames were lost",
     "the host left cycles out",
+    "frames were held up on their way",
     "frames came behind the SYNC0 they were meant for",
     "not seen by the master; look at its firmware and at frames that are damaged in front of it",
     "its own clock was out of its place",

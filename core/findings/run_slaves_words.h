@@ -152,6 +152,19 @@ inline constexpr FindingWords kRunSlaves[] = {
       {"stepped",
        "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
        "reference clock stepped or changed its rate; they came back, {count} in all."}}},
+    {"reference-clock-written-late",
+     Severity::kWarning,
+     "A frame that was held up brought the reference clock an old time",
+     "",
+     "Look for what holds frames up behind the master: the network card, its driver, a switch, a busy host. In master "
+     "shift nothing is written to the reference clock, and such a frame moves nobody.",
+     "",
+     {{"",
+       "A frame that was held up on its way brought the reference clock an old time at {since}: the slaves were up to "
+       "{deviation} off it until they had followed."},
+      {"master",
+       "A frame that was held up on its way brought the reference clock an old time at {since}: the slaves followed, "
+       "and the master found back to it."}}},
     {"frames-way-changed",
      Severity::kWarning,
      "Slaves followed with delays that were not theirs",
@@ -221,6 +234,16 @@ inline constexpr FindingWords kRunSlaves[] = {
      {{"",
        "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because the host left cycles out; its error "
        "counter reached {integrator} of {limit}."}}},
+    {"missed-by-held-frames",
+     Severity::kWarning,
+     "SM2 events were missed because frames were held up on their way",
+     "They were sent in time, and nothing was lost.",
+     "Look for what holds frames up behind the master: the network card, its driver, a switch; its SYNC0 is not the "
+     "reason.",
+     "",
+     {{"",
+       "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were held up on their way; its "
+       "error counter reached {integrator} of {limit}."}}},
     {"missed-by-late-frames",
      Severity::kWarning,
      "SM2 events were missed because frames came too late",

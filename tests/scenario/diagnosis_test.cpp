@@ -54,6 +54,22 @@ TEST_F(Diagnosis, NamesLostFramesAsTheCauseOfMissedEvents) {
   EXPECT_EQ(slave(1).sm2_missed->integrator_highest, 3U);
 }
 
+TEST_F(Diagnosis, CallsNoFrameLostThatCameBehindItsCycle) {
+  for (int i = 0; i < 6; ++i) {
+    const auto from = 5 * kSecond + i * 400 * kMillisecond;
+    machine.held_up.push_back({from, from + kMillisecond, 1300 * kMicrosecond});
+  }
+  machine.run(9 * kSecond);
+  EXPECT_EQ(machine.report.lost_frames, 0U);
+  EXPECT_GE(machine.report.late_frames, 6U);
+  for (const int axis : {1, 2}) {
+    const auto& missed = *slave(static_cast<std::size_t>(axis)).sm2_missed;
+    EXPECT_GE(missed.missed, 6U);
+    EXPECT_EQ(missed.by_cause[static_cast<std::size_t>(dc::MissCause::kFrameLost)], 0U);
+    EXPECT_TRUE(machine.found(code::kMissedByHeldFrames, axis)) << machine.said();
+  }
+}
+
 TEST_F(Diagnosis, NeverComputesAboveTheLimitOfADriveInOp) {
   for (int i = 0; i < 200; ++i) lose(4500 * kMillisecond + i * 5 * kMillisecond + 200 * kMicrosecond, 1);
   machine.run(7 * kSecond);

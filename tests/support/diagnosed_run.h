@@ -12,6 +12,7 @@
 #include "diagnosis/run_diagnosis.h"
 #include "findings/run_codes.h"
 #include "master/master_service.h"
+#include "tests/support/holding_link.h"
 #include "tests/support/simulated_network.h"
 #include "trace/run_report.h"
 
@@ -68,6 +69,7 @@ class DiagnosedRun {
   std::vector<Event> events;
   std::map<std::size_t, std::uint32_t> shown_misses;  // the last that the samples said, by position
   std::vector<AwaySpan> adapter_away;
+  std::vector<HeldSpan> held_up;
 
   FaultConfig& fault(FaultKind kind, Nanoseconds at, int slave = -1) {
     FaultConfig fault;
@@ -81,7 +83,8 @@ class DiagnosedRun {
     clock.set_wakeup_jitter(jitter, 1);
     const auto config = network.compiled();
     RunRecorder recorder(config);
-    MasterService service(std::make_unique<AwayLink>(network.link(clock), clock, adapter_away), clock);
+    auto way = std::make_unique<HoldingLink>(network.link(clock), clock, held_up);
+    MasterService service(std::make_unique<AwayLink>(std::move(way), clock, adapter_away), clock);
     auto& channels = service.channels();
     channels.commands.push(GoOnlineCommand{config, AlState::kOp});
     std::vector<CycleSample> samples;

@@ -2853,6 +2853,34 @@
         <translation>SM2-Ereignisse fehlten, weil Frames verloren gingen</translation>
     </message>
     <message>
+        <source>A frame that was held up brought the reference clock an old time</source>
+        <translation>Ein aufgehaltener Frame brachte der Referenzuhr eine alte Zeit</translation>
+    </message>
+    <message>
+        <source>Look for what holds frames up behind the master: the network card, its driver, a switch, a busy host. In master shift nothing is written to the reference clock, and such a frame moves nobody.</source>
+        <translation>Suchen, was Frames hinter dem Master aufhält: Netzwerkkarte, Treiber, Switch, ein ausgelasteter Rechner. Bei Master Shift wird nichts in die Referenzuhr geschrieben, und ein solcher Frame verschiebt niemanden.</translation>
+    </message>
+    <message>
+        <source>A frame that was held up on its way brought the reference clock an old time at {since}: the slaves were up to {deviation} off it until they had followed.</source>
+        <translation>Ein unterwegs aufgehaltener Frame brachte der Referenzuhr bei {since} eine alte Zeit: die Slaves lagen bis zu {deviation} daneben, bis sie gefolgt waren.</translation>
+    </message>
+    <message>
+        <source>A frame that was held up on its way brought the reference clock an old time at {since}: the slaves followed, and the master found back to it.</source>
+        <translation>Ein unterwegs aufgehaltener Frame brachte der Referenzuhr bei {since} eine alte Zeit: die Slaves folgten, und der Master fand zu ihr zurück.</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed because frames were held up on their way</source>
+        <translation>SM2-Ereignisse fehlten, weil Frames unterwegs aufgehalten wurden</translation>
+    </message>
+    <message>
+        <source>They were sent in time, and nothing was lost.</source>
+        <translation>Sie wurden rechtzeitig gesendet, und verloren ging nichts.</translation>
+    </message>
+    <message>
+        <source>Look for what holds frames up behind the master: the network card, its driver, a switch; its SYNC0 is not the reason.</source>
+        <translation>Suchen, was Frames hinter dem Master aufhält: Netzwerkkarte, Treiber, Switch; sein SYNC0 ist nicht der Grund.</translation>
+    </message>
+    <message>
         <source>SM2 events were missed because the host left cycles out</source>
         <translation>SM2-Ereignisse fehlten, weil der Host Zyklen ausließ</translation>
     </message>
@@ -5893,6 +5921,10 @@
         <translation>die Firmware; sie in BOOT laden</translation>
     </message>
     <message>
+        <source>frames were held up on their way</source>
+        <translation>Frames wurden unterwegs aufgehalten</translation>
+    </message>
+    <message>
         <source>the host left cycles out</source>
         <translation>der Rechner ließ Zyklen aus</translation>
     </message>
@@ -6555,6 +6587,10 @@
     <message>
         <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
         <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, {part} davon, weil Frames verloren gingen; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
+    </message>
+    <message>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were held up on their way; its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, {part} davon, weil Frames unterwegs aufgehalten wurden; der Fehlerzähler erreichte {integrator} von {limit}.</translation>
     </message>
     <message>
         <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>

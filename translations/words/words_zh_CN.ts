@@ -2853,6 +2853,34 @@
         <translation>因帧丢失而错过 SM2 事件</translation>
     </message>
     <message>
+        <source>A frame that was held up brought the reference clock an old time</source>
+        <translation>被延误的帧给参考时钟带来了旧时间</translation>
+    </message>
+    <message>
+        <source>Look for what holds frames up behind the master: the network card, its driver, a switch, a busy host. In master shift nothing is written to the reference clock, and such a frame moves nobody.</source>
+        <translation>请查找主站之后延误帧的原因：网卡、驱动程序、交换机或繁忙的主机。在 Master Shift 模式下不向参考时钟写入任何内容，这样的帧不会使任何从站偏移。</translation>
+    </message>
+    <message>
+        <source>A frame that was held up on its way brought the reference clock an old time at {since}: the slaves were up to {deviation} off it until they had followed.</source>
+        <translation>在途中被延误的帧于 {since} 给参考时钟带来了旧时间：各从站在跟上之前最多偏离 {deviation}。</translation>
+    </message>
+    <message>
+        <source>A frame that was held up on its way brought the reference clock an old time at {since}: the slaves followed, and the master found back to it.</source>
+        <translation>在途中被延误的帧于 {since} 给参考时钟带来了旧时间：各从站随之调整，主站已重新与其同步。</translation>
+    </message>
+    <message>
+        <source>SM2 events were missed because frames were held up on their way</source>
+        <translation>因帧在途中被延误而错过 SM2 事件</translation>
+    </message>
+    <message>
+        <source>They were sent in time, and nothing was lost.</source>
+        <translation>这些帧按时发出，没有丢失任何帧。</translation>
+    </message>
+    <message>
+        <source>Look for what holds frames up behind the master: the network card, its driver, a switch; its SYNC0 is not the reason.</source>
+        <translation>请查找主站之后延误帧的原因：网卡、驱动程序或交换机；与其 SYNC0 无关。</translation>
+    </message>
+    <message>
         <source>SM2 events were missed because the host left cycles out</source>
         <translation>因主机漏掉周期而错过 SM2 事件</translation>
     </message>
@@ -5893,6 +5921,10 @@
         <translation>固件；请在 BOOT 中加载</translation>
     </message>
     <message>
+        <source>frames were held up on their way</source>
+        <translation>帧在途中被延误</translation>
+    </message>
+    <message>
         <source>the host left cycles out</source>
         <translation>主机漏掉了周期</translation>
     </message>
@@ -6555,6 +6587,10 @@
     <message>
         <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were lost; its error counter reached {integrator} of {limit}.</source>
         <translation>{slave} 错过了 {missed} 个 SM2 事件，其中 {part} 个是因为丢帧；其错误计数器达到 {integrator}（限值：{limit}）。</translation>
+    </message>
+    <message>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were held up on their way; its error counter reached {integrator} of {limit}.</source>
+        <translation>{slave} 错过了 {missed} 个 SM2 事件，其中 {part} 个是因为帧在途中被延误；其错误计数器达到 {integrator}（限值：{limit}）。</translation>
     </message>
     <message>
         <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because the host left cycles out; its error counter reached {integrator} of {limit}.</source>

@@ -11,10 +11,11 @@ namespace syncline::dc {
 enum class MissCause : std::uint8_t {
   kFrameLost,      // the frame with the outputs did not come back
   kCyclesLeftOut,  // the host sent none
+  kFrameHeldUp,    // the frame was sent in time and held up on its way: not lost, and not the host's
   kFrameLate,      // the frame came, but behind the SYNC0 it was meant for
   kUnknown,        // the slave counts a miss where the master sees a good cycle
 };
-inline constexpr std::size_t kMissCauses = 4;
+inline constexpr std::size_t kMissCauses = 5;
 using MissesByCause = std::array<std::uint32_t, kMissCauses>;
 
 }  // namespace syncline::dc

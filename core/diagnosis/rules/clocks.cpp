@@ -27,15 +27,23 @@ void find_unmonitored(const RunReport& report, Findings& findings) {
     findings.push_back({code::kNotMonitored, Severity::kNote});
   }
   for (const auto& slave : report.slaves) {
-    const auto& off = report.history.slaves[slave.position].off;
-    if (off.empty() || slave.position == report.dc.reference_clock) continue;
+    if (slave.position == report.dc.reference_clock) continue;
+    Spell off;
+    for (const auto& spell : report.history.slaves[slave.position].off.list()) {
+      if (was_written_late(report, spell.from)) continue;
+      if (off.count == 0) off.from = spell.from;
+      off.to = spell.to;
+      off.count += spell.count;
+      off.largest = std::max(off.largest, spell.largest);
+    }
+    if (off.count == 0) continue;
     findings.push_back({code::kSlaveClockOff,
                         Severity::kWarning,
                         slave.position,
-                        off.first(),
-                        off.last(),
-                        {slave_figure(report, slave.position), time_figure("deviation", off.largest()),
-                         moment_figure(report, "since", off.first())}});
+                        off.from,
+                        off.to,
+                        {slave_figure(report, slave.position), time_figure("deviation", off.largest),
+                         moment_figure(report, "since", off.from)}});
   }
 }
 
@@ -102,7 +110,8 @@ bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) 
 void find_left_window(const RunReport& report, Findings& findings) {
   std::vector<RunHistory::SyncLoss> losses;
   std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
-    return !came_back(report, loss) && !without_adapter(report, loss);
+    const bool told = loss.back && was_written_late(report, loss.time);
+    return !told && !came_back(report, loss) && !without_adapter(report, loss);
   });
   if (losses.empty()) return;
   const auto& first = losses.front();
@@ -156,8 +165,10 @@ void find_master_sync(const RunReport& report, Findings& findings) {
   const auto& dcm = report.dcm;
   if (!report.dc.enabled || dcm.mode == DcmMode::kOff) return;
   std::vector<RunHistory::SyncLoss> losses;
-  std::ranges::copy_if(report.history.master_losses, std::back_inserter(losses),
-                       [&](const RunHistory::SyncLoss& loss) { return !without_adapter(report, loss); });
+  std::ranges::copy_if(report.history.master_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
+    const bool told = loss.back && was_written_late(report, loss.time);
+    return !told && !without_adapter(report, loss);
+  });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
   if (std::abs(dcm.drift_ppm) > kMaxDriftPpm) {
     findings.push_back({code::kDriftTooHigh, Severity::kError, -1, 0, 0, {drift}});

@@ -18,6 +18,8 @@ std::string_view code_of(dc::MissCause cause, bool locked) {
       return code::kMissedByLostFrames;
     case dc::MissCause::kCyclesLeftOut:
       return code::kMissedByHost;
+    case dc::MissCause::kFrameHeldUp:
+      return code::kMissedByHeldFrames;
     case dc::MissCause::kFrameLate:
       return locked ? code::kMissedByLateFrames : code::kMissedUnlocked;
     case dc::MissCause::kUnknown:
@@ -76,6 +78,8 @@ std::string_view miss_cause_words(dc::MissCause cause) {
       return "frames were lost";
     case dc::MissCause::kCyclesLeftOut:
       return "the host left cycles out";
+    case dc::MissCause::kFrameHeldUp:
+      return "frames were held up on their way";
     case dc::MissCause::kFrameLate:
       return "frames came behind the SYNC0 they were meant for";
     case dc::MissCause::kUnknown:

@@ -22,6 +22,7 @@ void find_link_outages(const RunReport& report, Findings& findings);
 void find_absent_slaves(const RunReport& report, Findings& findings);
 void find_states(const RunReport& report, Findings& findings);
 void find_clocks(const RunReport& report, Findings& findings);
+void find_late_writes(const RunReport& report, Findings& findings);
 void find_master_sync(const RunReport& report, Findings& findings);
 void find_misplaced_sync0(const RunReport& report, Findings& findings);
 void find_missed_outputs(const RunReport& report, Findings& findings);
@@ -56,6 +57,9 @@ void find_short_cycle(const RunReport& report, Findings& findings);
 [[nodiscard]] Nanoseconds advised(Nanoseconds amount);
 /// Adapter and slaves are told apart by when: what is away together with the master's own adapter is its doing.
 [[nodiscard]] bool adapter_was_away(const RunReport& report, const Spell& spell);
+/// Who left a sync window at `loss` did so behind a reference clock that a frame which had been held up on its way had
+/// brought an old time.
+[[nodiscard]] bool was_written_late(const RunReport& report, Nanoseconds loss);
 /// The slave was away, fell, or has an active cable fault near that time: what is seen then on the bus is its doing.
 [[nodiscard]] int slave_in_trouble(const RunReport& report, const Spell& spell);
 

@@ -124,7 +124,7 @@ void CyclicFrameSet::add_task(const CyclicTask& task, Nanoseconds base_cycle) {
           is_logical(command.command) ? command.logical_address : device_address(command.adp, command.ado);
       entries_.push_back(std::move(entry));
     }
-    frames_.emplace_back();
+    frames_.emplace_back().set_cyclic();
   }
 }
 

@@ -72,7 +72,9 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   acyclic_.adapt(scheduled_, cycle_time_);
   note_sending(sample);
   exchange_.missing().expire(clock_.now());
-  health_.observe_frames(exchange_.lost_frames() - lost_seen_, exchange_.missing().take_news(), send_time_, sample);
+  const auto missing = exchange_.missing().take_news();
+  health_.observe_frames(exchange_.lost_frames() - lost_seen_, missing, send_time_, sample);
+  sync_events_.came_late(missing.late_cycles);
   lost_seen_ = exchange_.lost_frames();
   evaluate(sample);
   if (auto amended = amend_clock(); !amended && amended.error().code != ErrorCode::kLinkDown)
@@ -295,7 +297,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   reference_.watch(send_time_);
   const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);
   acyclic_.take_evidence(send_time_, all_back && sample.skipped_cycles == 0);
-  sync_events_.observe(sample, all_back);
+  sync_events_.observe(sample, all_back, stamp_doubt_);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   sync_.observe_slaves(send_time_, deviation, sample);
 }

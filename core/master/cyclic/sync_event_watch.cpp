@@ -77,11 +77,14 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
   slave.account->entered_op(grid_of(slave));
 }
 
-void SyncEventWatch::observe(CycleSample& sample, bool outputs_back) {
+void SyncEventWatch::observe(CycleSample& sample, bool outputs_back, Nanoseconds held) {
   if (!sync_.active()) return;
   const bool known = (sample.flags & CycleSample::kReferenceValid) != 0;
-  const auto passed = known ? sample.reference_time : sync_.reference_time_at(sample.send_time);
-  const Outputs outputs{sample.send_time, passed, outputs_back, sample.skipped_cycles};
+  const auto sent = sync_.reference_time_at(sample.send_time);
+  const auto passed = known ? sample.reference_time : sent;
+  // It may as well have been the way back that took longer: no longer than from the master to the reference clock.
+  held = std::clamp<Nanoseconds>(held, 0, std::max<Nanoseconds>(passed - sent, 0));
+  const Outputs outputs{sample.send_time, passed, outputs_back, sample.skipped_cycles, held};
   if (!outputs.regular() || !pass_together(passed)) observe_each(outputs);
   if (sample.sm2_position < 0) tell(sample);
 }
@@ -124,7 +127,7 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
     }
     settle(slave);
     // The gap that made a slave fall may be told in the same cycle as its fall: first the gap, then the state.
-    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped, slave.need};
+    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped, slave.need, outputs.held};
     const bool was_in_op = slave.in_op_since.has_value();
     if (was_in_op) slave.account->observe(cycle);
     follow_state(slave, outputs.send_time);
@@ -174,6 +177,16 @@ void SyncEventWatch::confirm(Slave& slave, Nanoseconds time) {
     slave.at_limit_since = time;
   }
   if (!slave.at_limit_since || time - *slave.at_limit_since > kStillInOp) slave.account->confirm_op();
+}
+
+void SyncEventWatch::came_late(std::uint32_t cycles) {
+  if (cycles == 0) return;
+  for (auto& slave : slaves_) {
+    if (slave.before) slave.before->came_late(cycles);
+    if (!slave.account) continue;
+    slave.account->came_late(cycles);
+    if (!slave.before) publish(slave);
+  }
 }
 
 void SyncEventWatch::read(std::size_t position, std::uint32_t counter) {

@@ -18,9 +18,13 @@ class SyncEventWatch {
  public:
   SyncEventWatch(RunState& run, const SyncWatch& sync);
 
-  /// One cycle; `outputs_back`: all cyclic frames came back. Not before SYNC0 has its grid.
+  /// One cycle; `outputs_back`: all cyclic frames came back; `held`: by how much later than frames usually do, ns. Not
+  /// before SYNC0 has its grid.
   /// Tells in the sample the count of one slave that has changed since it was told.
-  void observe(CycleSample& sample, bool outputs_back);
+  void observe(CycleSample& sample, bool outputs_back, Nanoseconds held);
+  /// So many cycles whose outputs were thought to be lost came back after all. Before observe() of the cycle in which
+  /// they came.
+  void came_late(std::uint32_t cycles);
   /// A reading of the slave's counter of missed events.
   void read(std::size_t slave, std::uint32_t counter);
   void set_limit(std::size_t slave, std::uint32_t limit);
@@ -48,6 +52,7 @@ class SyncEventWatch {
     Nanoseconds send_time = 0, passed = 0;  // the master, by the host's clock; the reference clock, by its own
     bool back = false;
     std::uint32_t skipped = 0;  // cycles before
+    Nanoseconds held = 0;       // see SyncEventAccount::Cycle
     [[nodiscard]] bool regular() const { return back && skipped == 0; }
   };
   /// The cycles of all slaves in OP are regular, and will be as long as outputs pass the reference clock in time. Who

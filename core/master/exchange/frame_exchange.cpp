@@ -114,8 +114,8 @@ Status FrameExchange::collect(std::span<PendingFrame* const> frames, Nanoseconds
 
 void FrameExchange::miss(PendingFrame& frame, Nanoseconds deadline) {
   const auto& first = *frame.datagrams().front();
-  missing_.miss(frame.index_,
-                {frame.sequence_, frame.send_time_, deadline, first.command, first.address, first.data.size()});
+  missing_.miss(frame.index_, {frame.sequence_, frame.send_time_, deadline, first.command, first.address,
+                               first.data.size(), frame.cyclic_});
   give_up(frame);
 }
 

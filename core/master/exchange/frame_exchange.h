@@ -52,6 +52,8 @@ class PendingFrame {
   /// For all that is in `other`.
   [[nodiscard]] bool has_room(const PendingFrame& other) const;
   [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// One of those that bring the slaves their process data; clear() leaves that as it is.
+  void set_cyclic() { cyclic_ = true; }
   [[nodiscard]] std::span<Datagram* const> datagrams() const { return {datagrams_.data(), count_}; }
   [[nodiscard]] bool answered() const { return answered_; }
   [[nodiscard]] bool in_flight() const { return in_flight_; }
@@ -71,6 +73,7 @@ class PendingFrame {
   std::uint64_t sequence_ = 0;
   bool in_flight_ = false;
   bool answered_ = false;
+  bool cyclic_ = false;
   Nanoseconds send_time_ = 0, arrival_time_ = 0;
 };
 

@@ -46,6 +46,7 @@ bool MissingFrames::take_late(const DatagramHeader& header, Nanoseconds arrival)
   // The stamp of a frame that waited in the host's buffers may lie before the deadline at which nobody had looked yet.
   news_.late_by = std::max({news_.late_by, arrival - slot.frame.deadline, Nanoseconds{0}});
   slot.state = State::kNone;
+  if (slot.frame.cyclic && std::exchange(late_cycle_, slot.frame.deadline) != slot.frame.deadline) ++news_.late_cycles;
   returned(slot.frame.sequence);
   return true;
 }

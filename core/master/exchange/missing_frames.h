@@ -23,6 +23,7 @@ class MissingFrames {
     Command command = Command::kNop;  // of its first datagram
     std::uint32_t address = 0;
     std::size_t length = 0;  // data of the first datagram
+    bool cyclic = false;     // it carried process data; all that do so in one cycle have the same deadline
   };
   /// What has been found out since the last take().
   struct News {
@@ -31,6 +32,7 @@ class MissingFrames {
     std::uint32_t late = 0;
     std::uint32_t late_after_lost = 0;  // of the late ones: they had been news as lost before
     Nanoseconds late_by = 0;            // largest time between deadline and return
+    std::uint32_t late_cycles = 0;      // cycles whose process data came late; each is news once
   };
 
   void miss(std::uint8_t index, const Frame& frame);
@@ -58,6 +60,7 @@ class MissingFrames {
 
   std::array<Slot, 256> slots_{};
   std::size_t missing_ = 0;
+  Nanoseconds late_cycle_ = 0;  // deadline of the latest that was news as late
   News news_;
 };
 

@@ -90,6 +90,24 @@ class TightBench : public ::testing::Test {
   std::int64_t number_ = 0;
 };
 
+/// `late` cycles after the loss: before its period has ended, before the reading that tells it, and behind that.
+TEST(SyncEventAccount, CallsALossHeldUpWhenTheFrameComesAfterAll) {
+  for (const int late : {0, 2, 30}) {
+    Bench bench;
+    bench.good(3);
+    bench.cycle(Fate::kLost);
+    bench.cycle(Fate::kLost);
+    for (int i = 0; i < 40; ++i) {
+      if (i == late) bench.account.came_late(1);
+      bench.cycle(Fate::kGood);
+      if (i % 10 == 5) bench.read();
+    }
+    EXPECT_EQ(bench.account.missed(), bench.counter) << late;
+    EXPECT_EQ(of(bench.account, MissCause::kFrameLost), 1U) << late;
+    EXPECT_EQ(of(bench.account, MissCause::kFrameHeldUp), 1U) << late;
+  }
+}
+
 TEST_F(TightBench, BlamesOutputsThatLeftLessThanTheSlaveNeeds) {
   for (int i = 0; i < 20; ++i) cycle(i == 5 || i == 6 ? 100'000 : 400'000);
   account.read(2);

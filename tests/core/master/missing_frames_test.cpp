@@ -42,6 +42,20 @@ TEST(MissingFrames, AreLostWhenNothingComesBackForLong) {
   EXPECT_EQ(missing.take_news().lost, 1U);
 }
 
+TEST(MissingFrames, TellEachCycleOnceWhoseProcessDataCameLate) {
+  MissingFrames missing;
+  auto process_data = frame(1, 0);
+  process_data.cyclic = true;
+  missing.miss(1, process_data);
+  process_data.sequence = 2;
+  missing.miss(2, process_data);  // the second frame of that cycle
+  missing.miss(3, frame(3, 0));   // of no cycle
+  for (std::uint8_t index = 1; index <= 3; ++index) EXPECT_TRUE(missing.take_late(answer(index), 2 * kMillisecond));
+  const auto news = missing.take_news();
+  EXPECT_EQ(news.late, 3U);
+  EXPECT_EQ(news.late_cycles, 1U);
+}
+
 TEST(MissingFrames, AreLateWhenTheyComeAfterAll) {
   MissingFrames missing;
   missing.miss(1, frame(1, 0));

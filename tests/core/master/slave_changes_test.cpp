@@ -78,7 +78,7 @@ struct WatchedLine {
       run.note_slave_change();
       for (std::size_t i = 0; i < limits.size(); ++i) events->set_limit(i, limits[i]);  // ends the closed form
     }
-    events->observe(sample, back);
+    events->observe(sample, back, 0);
     take_events();
   }
 

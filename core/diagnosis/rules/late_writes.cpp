@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// In the modes that write the reference clock's system time, a frame that is held up on its way brings it a time that
+// is over by then: its control loop follows that (ESC data sheet I, 9.1.3), and all who follow it are off for a while.
+#include <algorithm>
+#include <optional>
+
+#include "diagnosis/rules/rules.h"
+
+namespace syncline::diagnosis {
+namespace {
+
+/// Readings in turn, and the controller, show it so much later at most.
+constexpr Nanoseconds kShownAfter = 100 * kMillisecond;
+
+struct Effect {
+  std::optional<Nanoseconds> first;
+  Nanoseconds last = 0;
+  std::int64_t deviation = 0;  // of slaves; 0: none was seen to leave
+  void add(Nanoseconds from, Nanoseconds to, std::int64_t size) {
+    first = std::min(first.value_or(from), from);
+    last = std::max({last, from, to});
+    deviation = std::max(deviation, std::abs(size));
+  }
+};
+
+}  // namespace
+
+bool was_written_late(const RunReport& report, Nanoseconds loss) {
+  return steers_reference_clock(report.dcm.mode) &&
+         report.history.late_frames.near({loss - kShownAfter, loss, 0, 0}, kTogether);
+}
+
+void find_late_writes(const RunReport& report, Findings& findings) {
+  Effect effect;
+  for (const auto& loss : report.history.slave_losses) {
+    if (loss.back && was_written_late(report, loss.time)) effect.add(loss.time, *loss.back, loss.size);
+  }
+  for (const auto& slave : report.slaves) {
+    if (report.dc.monitored || slave.position == report.dc.reference_clock) continue;
+    for (const auto& off : report.history.slaves[slave.position].off.list()) {
+      if (was_written_late(report, off.from)) effect.add(off.from, off.to, off.largest);
+    }
+  }
+  for (const auto& loss : report.history.master_losses) {
+    if (loss.back && was_written_late(report, loss.time)) effect.add(loss.time, *loss.back, 0);
+  }
+  if (!effect.first) return;
+  Finding finding{code::kReferenceWrittenLate, Severity::kWarning, report.dc.reference_clock, *effect.first,
+                  effect.last};
+  finding.figures = {moment_figure(report, "since", *effect.first), time_figure("deviation", effect.deviation)};
+  if (effect.deviation == 0) finding.facts = sentence_of(*find_finding_words(code::kReferenceWrittenLate), "master");
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace syncline::diagnosis

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/support/diagnosed_run.h"
+#include "tests/support/small_machines.h"
+
+namespace syncline {
+namespace {
+
+class HeldFrames : public ::testing::TestWithParam<DcmMode> {
+ protected:
+  test::DiagnosedRun machine;
+  void SetUp() override {
+    test::add_two_axes(machine.network);
+    machine.network.project.master.dc.dcm.mode = GetParam();
+    machine.network.project.master.dc.sync_window.enabled = true;
+  }
+};
+
+/// One frame, 1 ms cycle, outputs some 650 us before SYNC0.
+TEST_P(HeldFrames, AreTheCauseOfWhatTheyDo) {
+  for (const int us : {100, 300, 600, 1300, 3000}) {
+    auto run = machine;
+    run.held_up.push_back({5 * kSecond, 5 * kSecond + kMillisecond, us * kMicrosecond});
+    run.run(12 * kSecond);
+    SCOPED_TRACE(std::to_string(us) + " us:\n" + run.said());
+    EXPECT_EQ(run.report.lost_frames, 0U);
+    EXPECT_EQ(run.report.late_frames > 0, us > 1000);
+    for (const int axis : {1, 2}) {
+      const auto& missed = *run.report.slaves.at(static_cast<std::size_t>(axis)).sm2_missed;
+      EXPECT_EQ(missed.missed > 0, us >= 600);
+      EXPECT_EQ(missed.by_cause[static_cast<std::size_t>(dc::MissCause::kFrameHeldUp)], missed.missed);
+      EXPECT_EQ(run.found(code::kMissedByHeldFrames, axis), us == 600 || us == 1300);
+      EXPECT_EQ(run.found(code::kSlaveFellByMisses, axis), us == 3000);
+    }
+    // Only where the reference clock is written does an old time move anybody, and no clock stepped.
+    EXPECT_EQ(run.found(code::kReferenceWrittenLate), us > 1000 && GetParam() == DcmMode::kBusShift);
+    EXPECT_FALSE(run.found(code::kWindowLeft));
+    EXPECT_FALSE(run.found(code::kMasterLostLock));
+    EXPECT_EQ(run.accuses(), us >= 600);
+  }
+}
+
+/// Nobody monitors the slaves, and nobody's clock has stepped.
+TEST(HeldFramesUnmonitored, AccuseNoClock) {
+  test::DiagnosedRun run;
+  test::add_two_axes(run.network);
+  run.held_up.push_back({5 * kSecond, 5 * kSecond + kMillisecond, 1300 * kMicrosecond});
+  run.run(12 * kSecond);
+  EXPECT_TRUE(run.found(code::kReferenceWrittenLate)) << run.said();
+  EXPECT_FALSE(run.found(code::kSlaveClockOff)) << run.said();
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, HeldFrames, ::testing::Values(DcmMode::kBusShift, DcmMode::kMasterShift));
+
+}  // namespace
+}  // namespace syncline
