@@ -3840,6 +3840,10 @@ Einstellung %2</translation>
 <context>
     <name>Workspace</name>
         <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation>Notiz</translation>
         </message>

@@ -3823,6 +3823,10 @@ Setting %2</source>
 <context>
     <name>Workspace</name>
         <message>
+            <source>ENI</source>
+            <translation>ENI</translation>
+        </message>
+        <message>
             <source>Note</source>
             <translation>注释</translation>
         </message>

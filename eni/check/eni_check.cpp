@@ -76,15 +76,24 @@ Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_n
   return check;
 }
 
-std::vector<Finding> errors_of_export(std::string_view text) {
-  auto check = check_eni_text(text, "ENI");
-  if (!check) return {finding_of(check.error())};
-  std::erase_if(check->findings, [](const Finding& finding) { return finding.severity != Severity::kError; });
-  for (Finding& finding : check->findings) {
+std::vector<Finding> findings_of_export(const EniCheck& check) {
+  auto findings = check.findings;
+  for (Finding& finding : findings) {
     if (finding.place.key.empty())
       finding.place.key = setting_at(find_finding_words(finding.code)->setting, finding.place.slave);
   }
-  return check->findings;
+  return findings;
+}
+
+std::vector<Finding> errors_of_export(const EniCheck& check) {
+  auto findings = findings_of_export(check);
+  std::erase_if(findings, [](const Finding& finding) { return finding.severity != Severity::kError; });
+  return findings;
+}
+
+std::vector<Finding> errors_of_export(std::string_view text) {
+  const auto check = check_eni_text(text, "ENI");
+  return check ? errors_of_export(*check) : std::vector{finding_of(check.error())};
 }
 
 Result<EniCheck> check_eni(const std::string& path) {

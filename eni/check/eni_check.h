@@ -25,8 +25,10 @@ struct EniCheck {
 [[nodiscard]] Result<EniCheck> check_eni(const std::string& path);
 [[nodiscard]] Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_name);
 
-/// What another master would refuse in an ENI that our writer made of a project: the errors among the findings of
-/// check_eni_text(), with the settings that cure them.
+/// The findings about an ENI that our writer made of a project, with the settings of the project that cure them.
+[[nodiscard]] std::vector<Finding> findings_of_export(const EniCheck& check);
+/// What another master would refuse in it: the errors among them.
+[[nodiscard]] std::vector<Finding> errors_of_export(const EniCheck& check);
 [[nodiscard]] std::vector<Finding> errors_of_export(std::string_view text);
 
 }  // namespace syncline::eni

@@ -451,6 +451,32 @@ TEST_F(EniPageTest, GoesToTheLineOfAFinding) {
             index.data(EniFindingModel::kLineRole).toInt());
 }
 
+/// Nobody looks at the ENI: what the checker would say of it stands among the messages all the same.
+TEST_F(EniPageTest, TellsOfFindingsWithoutBeingLookedAt) {
+  const auto told = [this](const QString& key) {
+    const auto& model = workspace_.messages();
+    int count = 0;
+    for (int row = 0; row < model.rowCount(); ++row) count += model.message(row).key == key ? 1 : 0;
+    return count;
+  };
+  ASSERT_TRUE(test::waitFor([this] { return preview().isCurrent() && preview().check() != nullptr; }));
+  const auto before = workspace_.messages().count(Severity::kError);
+  const auto key = QStringLiteral("slave.2.station_address");
+  ASSERT_TRUE(workspace_.document().edit(QStringLiteral("twice"), [](Project& target) -> Status {
+    target.slaves[2].station_address = target.slaves[1].station_address;
+    return {};
+  }));
+  EXPECT_FALSE(preview().isCurrent()) << "never stale without saying so";
+  ASSERT_TRUE(test::waitFor([this] { return preview().isCurrent() && preview().check() != nullptr; }));
+  EXPECT_EQ(told(key), 1) << "the compiler's and the checker's are one";
+  EXPECT_GT(workspace_.messages().count(Severity::kError), before);
+  workspace_.document().undoStack().undo();
+  static_cast<void>(workspace_.configuration().current());
+  EXPECT_EQ(told(key), 0);
+  ASSERT_TRUE(test::waitFor([this] { return preview().isCurrent() && preview().check() != nullptr; }));
+  EXPECT_EQ(workspace_.messages().count(Severity::kError), before);
+}
+
 TEST_F(EniPageTest, SaysWhatStandsAgainstIt) {
   open();
   const auto before = shown().after;

@@ -13,6 +13,8 @@ namespace syncline::ui {
 namespace {
 
 constexpr std::chrono::milliseconds kEditsWithin{40};
+/// While nobody looks at the ENI its findings can wait until the user pauses.
+constexpr std::chrono::milliseconds kPauseOfEdits{400};
 
 }  // namespace
 
@@ -20,6 +22,9 @@ EniPreview::EniPreview(ProjectDocument& document, QObject* parent) : QObject(par
   debounce_.setSingleShot(true);
   debounce_.setInterval(kEditsWithin);
   connect(&debounce_, &QTimer::timeout, this, &EniPreview::start);
+  idle_.setSingleShot(true);
+  idle_.setInterval(kPauseOfEdits);
+  connect(&idle_, &QTimer::timeout, this, &EniPreview::ask);
   connect(&document_, &ProjectDocument::projectChanged, this, &EniPreview::onEdit);
   connect(&document_, &ProjectDocument::taken, this, [this] { other_ = true; });
   connect(&document_, &ProjectDocument::slavesReplaced, this, [this] { key_.clear(); });
@@ -36,9 +41,9 @@ void EniPreview::onEdit() {
   last_ = now_;
   now_ = ProjectCopy::of(document_.project(), now_.get());
   edited_ = true;
-  computing_ = watched_;
+  computing_ = true;
   if (!debounce_.isActive()) debounce_.start();
-  if (computing_) Q_EMIT progressed();
+  Q_EMIT progressed();
 }
 
 /// Only now the undo stack says what kind of edit it was: what is without steps was loaded.
@@ -58,9 +63,14 @@ void EniPreview::start() {
 }
 
 void EniPreview::request() {
+  if (watched_) return ask();
+  idle_.start();
+}
+
+void EniPreview::ask() {
   // What was edited last is asked for when start() has seen it.
-  if (!watched_ || now_ == nullptr || edited_) return;
-  const auto since = before();
+  if (now_ == nullptr || edited_) return;
+  const auto since = watched_ ? before() : nullptr;
   if (asked_ == now_ && asked_before_ == since && asked_dialect_ == dialect_ && asked_key_ == key_) return;
   if (writer_ == nullptr) {
     const auto post = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };

@@ -19,8 +19,9 @@ class EniWriterThread;
 class ProjectCopy;
 class ProjectDocument;
 
-/// The ENI that the project would export, made in a thread of its own while somebody looks, and what has become other
-/// in it since a time of the user's choice.
+/// The ENI that the project would export, made in a thread of its own, and what the checker says of it: at once while
+/// somebody looks, with what has become other in it since a time of the user's choice; else when nobody has edited for
+/// a moment.
 class EniPreview final : public QObject {
   Q_OBJECT
 
@@ -76,12 +77,13 @@ class EniPreview final : public QObject {
   void onEdit();
   void start();
   void request();
+  void ask();
   [[nodiscard]] const std::shared_ptr<const ProjectCopy>& before() const;
   void take(std::uint64_t number, const Result<std::shared_ptr<const EniView>>& view);
   void takeCheck(std::uint64_t number, const std::shared_ptr<const eni::EniCheck>& check);
 
   ProjectDocument& document_;
-  QTimer debounce_;
+  QTimer debounce_, idle_;
   EniDialect dialect_ = EniDialect::kEcEngineer;
   Since since_ = Since::kOpened;
   std::string key_;  // of the setting whose lines are shown in place of changes

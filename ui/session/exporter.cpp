@@ -34,6 +34,10 @@ Result<std::vector<Finding>> exportEni(Workspace& workspace, const QString& path
                                : eni::save_eni(compiled->config, path.toStdString(), eni::style_of(dialect));
   if (!status) return tl::unexpected(status.error());
   workspace.eni().noteExport();
+  // The preview has checked the same text already, where nobody has edited since.
+  const auto& preview = workspace.eni();
+  if (preview.isCurrent() && preview.check() != nullptr && preview.view()->dialect == dialect)
+    return eni::errors_of_export(*preview.check());
   return eni::errors_of_export(eni::write_eni(compiled->config, eni::style_of(dialect)));
 }
 

@@ -65,6 +65,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
     network_.setConfiguration(configuration_.config());
     showFindings();
   });
+  for (const auto signal : {&EniPreview::changed, &EniPreview::progressed})
+    connect(&eni_, signal, this, &Workspace::showEniFindings);
   connect(&live(), &LiveSession::snapshotChanged, this, [this] {
     network_.setSnapshot(live().snapshot(), running_slaves_.positions());
     cables_.setSnapshot(live().snapshot(), running_slaves_.positions());
@@ -265,8 +267,26 @@ void Workspace::showFindings() {
   } else if (!document_.project().slaves.empty()) {
     lines.push_back(messageOf(result.error(), Severity::kError, tr("Configuration")));
   }
+  // What both say of a setting the compiler says with a way to mend it.
+  const auto is_told = [&lines](const Finding& finding) {
+    return !finding.place.key.empty() && std::ranges::any_of(lines, [&](const Message& line) {
+      return line.key == QString::fromStdString(finding.place.key);
+    });
+  };
+  for (const auto& finding : shown_check_ ? eni::findings_of_export(*shown_check_) : std::vector<Finding>{}) {
+    if (is_told(finding)) continue;
+    lines.push_back(messageOf(finding, document_.project()));
+    if (finding.place.slave < 0) lines.back().source = tr("ENI");
+  }
   std::ranges::stable_sort(lines, std::ranges::greater{}, &Message::severity);
   messages_.setFindings(std::move(lines));
+}
+
+/// What the checker says of the ENI that would be exported as the project is now: while it is made anew, nothing.
+void Workspace::showEniFindings() {
+  const auto check = eni_.isCurrent() && !document_.project().slaves.empty() ? eni_.check() : nullptr;
+  if (check == std::exchange(shown_check_, check)) return;
+  showFindings();
 }
 
 void Workspace::tellOfExport(const std::vector<Finding>& wrong) {

@@ -127,6 +127,7 @@ class Workspace final : public QObject {
   void appendNote(int network, const RunNote& note);
   void appendOfRun(int network, Message message);
   void showFindings();
+  void showEniFindings();
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
   void showRunFindings();
   void showRecording();
@@ -155,6 +156,7 @@ class Workspace final : public QObject {
   TriggerMonitor trigger_{memory_};
   FindingModel findings_;
   bool found_shown_ = true;  // of a moment of a recording nothing is found, see RunRecord::findings()
+  std::shared_ptr<const eni::EniCheck> shown_check_;  // of the ENI, in the messages
   MessageModel messages_;
   NetworkModel network_;
   CableCounters cables_;
