@@ -1835,23 +1835,26 @@
         </message>
     </context>
     <context>
+    <name>CycleDialog</name>
+        <message>
+            <source>Cycle Times</source>
+            <translation>Zykluszeiten</translation>
+        </message>
+        <message>
+            <source>Cycles and who refuses them</source>
+            <translation>Zyklen und wer sie ablehnt</translation>
+        </message>
+        <message>
+            <source>&amp;Use This Cycle</source>
+            <translation>Diesen Zyklus &amp;verwenden</translation>
+        </message>
+        <message>
+            <source>The slaves accept: %1.</source>
+            <translation>Die Slaves nehmen an: %1.</translation>
+        </message>
+</context>
+<context>
     <name>CycleStep</name>
-        <message>
-            <source>the frames</source>
-            <translation>die Frames</translation>
-        </message>
-        <message>
-            <source>Refused</source>
-            <translation>Abgelehnt</translation>
-        </message>
-        <message>
-            <source>Accepted by all</source>
-            <translation>Alle nehmen ihn an</translation>
-        </message>
-        <message>
-            <source>Taken with a loss</source>
-            <translation>Mit Einbußen angenommen</translation>
-        </message>
         <message>
             <source>Cycle</source>
             <translation>Zyklus</translation>
@@ -1876,6 +1879,25 @@
             <source>Cycles and who refuses them</source>
             <translation>Zyklen und wer sie ablehnt</translation>
         </message>
+    </context>
+<context>
+    <name>CycleTable</name>
+        <message>
+            <source>Refused</source>
+            <translation>Abgelehnt</translation>
+        </message>
+        <message>
+            <source>Accepted by all</source>
+            <translation>Alle nehmen ihn an</translation>
+        </message>
+        <message>
+            <source>Taken with a loss</source>
+            <translation>Mit Einbußen angenommen</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
+        </message>
         <message>
             <source>Slaves</source>
             <translation>Slaves</translation>
@@ -1896,7 +1918,18 @@
             <source>any cycle</source>
             <translation>jeden Zyklus</translation>
         </message>
-    </context>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>%n weiterer</numerusform>
+                <numerusform>%n weitere</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
+        </message>
+</context>
     <context>
     <name>DcModeModel</name>
         <message>
@@ -2488,6 +2521,14 @@
     </context>
 <context>
     <name>MasterGeneralPage</name>
+        <message>
+            <source>Which cycles do the slaves accept?</source>
+            <translation>Welche Zyklen nehmen die Slaves an?</translation>
+        </message>
+        <message>
+            <source>Cycle times that all slaves accept, who refuses the others, and why</source>
+            <translation>Zykluszeiten, die alle Slaves annehmen, wer die anderen ablehnt, und warum</translation>
+        </message>
         <message>
             <source>Recovery</source>
             <translation>Wiederanlauf</translation>

@@ -32,6 +32,13 @@
         </message>
     </context>
     <context>
+    <name>CycleTable</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation><numerusform>%n more</numerusform><numerusform>%n more</numerusform></translation>
+    </message>
+    </context>
+    <context>
     <name>DeviceEditor</name>
         <message numerus="yes">
             <source>%n slave(s), cycle %1</source>

@@ -1833,23 +1833,26 @@
         </message>
     </context>
     <context>
+    <name>CycleDialog</name>
+        <message>
+            <source>Cycle Times</source>
+            <translation>周期时间</translation>
+        </message>
+        <message>
+            <source>Cycles and who refuses them</source>
+            <translation>各周期及拒绝它的从站</translation>
+        </message>
+        <message>
+            <source>&amp;Use This Cycle</source>
+            <translation>使用此周期(&amp;U)</translation>
+        </message>
+        <message>
+            <source>The slaves accept: %1.</source>
+            <translation>从站接受：%1。</translation>
+        </message>
+</context>
+<context>
     <name>CycleStep</name>
-        <message>
-            <source>the frames</source>
-            <translation>帧</translation>
-        </message>
-        <message>
-            <source>Refused</source>
-            <translation>被拒绝</translation>
-        </message>
-        <message>
-            <source>Accepted by all</source>
-            <translation>全部接受</translation>
-        </message>
-        <message>
-            <source>Taken with a loss</source>
-            <translation>接受但有损失</translation>
-        </message>
         <message>
             <source>Cycle</source>
             <translation>周期</translation>
@@ -1874,6 +1877,25 @@
             <source>Cycles and who refuses them</source>
             <translation>周期及拒绝它的从站</translation>
         </message>
+    </context>
+<context>
+    <name>CycleTable</name>
+        <message>
+            <source>Refused</source>
+            <translation>被拒绝</translation>
+        </message>
+        <message>
+            <source>Accepted by all</source>
+            <translation>全部接受</translation>
+        </message>
+        <message>
+            <source>Taken with a loss</source>
+            <translation>接受但有损失</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
+        </message>
         <message>
             <source>Slaves</source>
             <translation>从站</translation>
@@ -1894,7 +1916,17 @@
             <source>any cycle</source>
             <translation>任意周期</translation>
         </message>
-    </context>
+        <message numerus="yes">
+            <source>%n more</source>
+            <translation>
+                <numerusform>另外 %n 个</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+</context>
     <context>
     <name>DcModeModel</name>
         <message>
@@ -2478,6 +2510,14 @@
     </context>
 <context>
     <name>MasterGeneralPage</name>
+        <message>
+            <source>Which cycles do the slaves accept?</source>
+            <translation>从站接受哪些周期？</translation>
+        </message>
+        <message>
+            <source>Cycle times that all slaves accept, who refuses the others, and why</source>
+            <translation>所有从站都接受的周期时间、谁拒绝其他周期以及原因</translation>
+        </message>
         <message>
             <source>Recovery</source>
             <translation>恢复</translation>

@@ -27,8 +27,10 @@ double us(Nanoseconds time) { return static_cast<double>(time) / 1e3; }
 Json candidate_json(const CycleCandidate& candidate) {
   Json refusals = Json::array();
   for (const auto& refusal : candidate.refusals) {
-    refusals.push_back(
-        {{"slave", refusal.slave}, {"name", refusal.name}, {"reason", refusal.reason}, {"partly", refusal.partly}});
+    refusals.push_back({{"slave", refusal.slave},
+                        {"name", refusal.name},
+                        {"reason", refusal.reason.text()},
+                        {"partly", refusal.partly}});
   }
   return {{"cycle_us", us(candidate.cycle)}, {"accepted", candidate.accepted()}, {"refusals", refusals}};
 }
@@ -64,7 +66,7 @@ void print_text(Context& context, const CycleTimeHelp& help) {
       }
       const auto& refusal = candidate.refusals[i];
       const std::string who = refusal.slave < 0 ? "bus" : fmt::format("slave {} {}", refusal.slave, refusal.name);
-      out << fmt::format("              {}: {}\n", who, refusal.reason);
+      out << fmt::format("              {}: {}\n", who, refusal.reason.text());
     }
   }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "advice/cycle_time_help.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -16,6 +14,7 @@
 #include "families/families.h"
 #include "families/family_problems.h"
 #include "protocol/dc_registers.h"
+#include "reasons/because.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
 
@@ -79,7 +78,7 @@ Demand demand_of(const Project& project, std::size_t position, const std::vector
 }
 
 struct Refusal {
-  std::string reason;  // empty: it takes the cycle
+  Reason reason;  // empty: it takes the cycle
   bool partly = false;
 };
 
@@ -87,7 +86,7 @@ struct Refusal {
 Refusal refusal(const Demand& demand, Nanoseconds bus_cycle) {
   const Nanoseconds cycle = bus_cycle * demand.multiple;
   if (demand.minimum && cycle < *demand.minimum) {
-    return {fmt::format("{} is the shortest cycle that its object 0x1C32:05 names", microseconds(*demand.minimum))};
+    return {because("{limit} is the shortest cycle that its object 0x1C32:05 names", microseconds(*demand.minimum))};
   }
   // A free-running drive takes process data whenever they come.
   if (demand.family != nullptr && demand.mode != nullptr) {
@@ -98,18 +97,19 @@ Refusal refusal(const Demand& demand, Nanoseconds bus_cycle) {
   }
   for (const Nanoseconds fixed : demand.fixed) {
     if (!settings::keeps_step(fixed, cycle)) {
-      return {fmt::format("its operation mode {} has a SYNC0 every {}, which is neither a multiple nor a part of it",
-                          demand.settings->dc.op_mode, microseconds(fixed))};
+      return {
+          because("its operation mode {mode} has a SYNC0 every {cycle}, which is neither a multiple nor a part of it",
+                  demand.settings->dc.op_mode, microseconds(fixed))};
     }
   }
   for (const std::int64_t divisor : demand.divisors) {
     if (cycle % divisor != 0) {
-      return {fmt::format("its operation mode {} divides the cycle by {}, which leaves a rest",
-                          demand.settings->dc.op_mode, divisor)};
+      return {because("its operation mode {mode} divides the cycle by {divisor}, which leaves a rest",
+                      demand.settings->dc.op_mode, divisor)};
     }
   }
   if (demand.interpolates && !compiler::interpolation_time(cycle)) {
-    return {"its object 0x60C2 (interpolation time) cannot express it"};
+    return {because("its object 0x60C2 (interpolation time) cannot express it")};
   }
   return {};
 }
@@ -185,17 +185,19 @@ class Help {
     CycleCandidate candidate{cycle, {}};
     if (cycle < kShortest || cycle > kLongest) {
       candidate.refusals.push_back(
-          {-1, {}, fmt::format("the bus cycle is {} to {}", microseconds(kShortest), microseconds(kLongest))});
+          {-1,
+           {},
+           because("the bus cycle is {shortest} to {longest}", microseconds(kShortest), microseconds(kLongest))});
     }
     if (need_.wire >= cycle) {
       candidate.refusals.push_back(
-          {-1, {}, fmt::format("the cyclic frames take {} of wire time", microseconds(need_.wire))});
+          {-1, {}, because("the cyclic frames take {time} of wire time", microseconds(need_.wire))});
     } else if (need_.all() > cycle) {
       candidate.refusals.push_back(
           {-1,
            {},
-           fmt::format("the cyclic frames take {} of wire time and about {} through the slaves",
-                       microseconds(need_.wire), microseconds(need_.travel)),
+           because("the cyclic frames take {time} of wire time and about {travel} through the slaves",
+                   microseconds(need_.wire), microseconds(need_.travel)),
            true});
     }
     for (const Demand& demand : demands_) {

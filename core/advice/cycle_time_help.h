@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/project.h"
+#include "reasons/reason.h"
 #include "support/result.h"
 
 /// Which bus cycles all slaves of a project accept, and who refuses the others and why.
@@ -15,7 +16,7 @@ namespace syncline {
 struct CycleRefusal {
   int slave = -1;       // position; -1 = the bus itself
   std::string name;     // of the slave
-  std::string reason;   // one sentence
+  Reason reason;        // one sentence
   bool partly = false;  // the slave takes the cycle, but not as it should
   bool operator==(const CycleRefusal&) const = default;
 };

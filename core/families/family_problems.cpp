@@ -8,6 +8,7 @@
 #include "findings/eni_devices_words.h"
 #include "findings/sentence.h"
 #include "protocol/dc_registers.h"
+#include "reasons/because.h"
 
 namespace syncline::families {
 namespace {
@@ -250,20 +251,22 @@ std::string microseconds(Nanoseconds time) { return fmt::format("{:g} us", stati
 CycleJudgement judge_cycle(const Family& family, Nanoseconds sync0_cycle) {
   if (!family.cycle) return {};
   const CycleLimits& limits = *family.cycle;
-  const auto of = [&](std::string_view what, Nanoseconds time) {
-    return fmt::format(fmt::runtime(what), microseconds(time), family.name, family.devices);
-  };
+  const auto devices = Reason::phrase(family.devices);
   switch (cycle_verdict(limits, sync0_cycle)) {
     case CycleVerdict::kFits:
       return {};
     case CycleVerdict::kTooShort:
-      return {true, of("{0} is the shortest cycle that {1} {2} take", limits.shortest)};
+      return {true, because("{limit} is the shortest cycle that {family} {devices} take", microseconds(limits.shortest),
+                            family.name, devices)};
     case CycleVerdict::kTooLong:
-      return {true, of("{0} is the longest cycle that {1} {2} take", limits.longest)};
+      return {true, because("{limit} is the longest cycle that {family} {devices} take", microseconds(limits.longest),
+                            family.name, devices)};
     case CycleVerdict::kOffStep:
-      return {true, of("{1} {2} take multiples of {0}", limits.step)};
+      return {true,
+              because("{family} {devices} take multiples of {step}", family.name, devices, microseconds(limits.step))};
     case CycleVerdict::kPartly:
-      return {false, of("{1} {2} need multiples of {0}", limits.full_step) + "; " + std::string(limits.otherwise)};
+      return {false, because("{family} {devices} need multiples of {step}; {otherwise}", family.name, devices,
+                             microseconds(limits.full_step), Reason::phrase(limits.otherwise))};
   }
   return {};
 }

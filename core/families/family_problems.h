@@ -9,6 +9,7 @@
 #include "config/network_config.h"
 #include "families/device_family.h"
 #include "findings/finding.h"
+#include "reasons/reason.h"
 
 namespace syncline::families {
 
@@ -38,7 +39,7 @@ struct Problem {
 /// Whether a SYNC0 cycle (ns) suits the device.
 struct CycleJudgement {
   bool refused = false;
-  std::string reason;  // empty: it does
+  Reason reason;  // empty: it does
 };
 [[nodiscard]] CycleJudgement judge_cycle(const Family& family, Nanoseconds sync0_cycle);
 

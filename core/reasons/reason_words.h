@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "reasons/advice_reason_words.h"
 #include "reasons/bus_reason_words.h"
 #include "reasons/file_reason_words.h"
 #include "reasons/scenario_reason_words.h"
@@ -233,6 +234,6 @@ template <std::size_t... kRows>
 }
 
 inline constexpr auto kReasons =
-    all_reasons(kCommonReasons, kScenarioReasons, kBusReasons, kFileReasons, kSurveyReasons);
+    all_reasons(kCommonReasons, kScenarioReasons, kBusReasons, kFileReasons, kSurveyReasons, kAdviceReasons);
 
 }  // namespace syncline::words

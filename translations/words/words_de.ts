@@ -1121,8 +1121,8 @@
         <translation>Einen Zyklus in ganzen Mikrosekunden wählen.</translation>
     </message>
     <message>
-        <source>Choose a cycle that all devices take (synclinectl project cycle-times)</source>
-        <translation>Einen Zyklus wählen, den alle Geräte annehmen (synclinectl project cycle-times)</translation>
+        <source>Choose a cycle that all devices take (page General, or synclinectl project cycle-times)</source>
+        <translation>Einen Zyklus wählen, den alle Geräte annehmen (Seite Allgemein, oder synclinectl project cycle-times)</translation>
     </message>
     <message>
         <source>Choose a factor of that range.</source>
@@ -8519,6 +8519,50 @@
     <message>
         <source>it is at position {position}</source>
         <translation>es steht an Position {position}</translation>
+    </message>
+    <message>
+        <source>{limit} is the shortest cycle that {family} {devices} take</source>
+        <translation>{limit} ist der kürzeste Zyklus, den {family} {devices} annehmen</translation>
+    </message>
+    <message>
+        <source>{limit} is the longest cycle that {family} {devices} take</source>
+        <translation>{limit} ist der längste Zyklus, den {family} {devices} annehmen</translation>
+    </message>
+    <message>
+        <source>{family} {devices} take multiples of {step}</source>
+        <translation>{family} {devices} nehmen Vielfache von {step}</translation>
+    </message>
+    <message>
+        <source>{family} {devices} need multiples of {step}; {otherwise}</source>
+        <translation>{family} {devices} brauchen Vielfache von {step}; {otherwise}</translation>
+    </message>
+    <message>
+        <source>{limit} is the shortest cycle that its object 0x1C32:05 names</source>
+        <translation>{limit} ist der kürzeste Zyklus, den sein Objekt 0x1C32:05 nennt</translation>
+    </message>
+    <message>
+        <source>its operation mode {mode} has a SYNC0 every {cycle}, which is neither a multiple nor a part of it</source>
+        <translation>seine Betriebsart {mode} hat alle {cycle} ein SYNC0: weder ein Vielfaches noch ein Teil davon</translation>
+    </message>
+    <message>
+        <source>its operation mode {mode} divides the cycle by {divisor}, which leaves a rest</source>
+        <translation>seine Betriebsart {mode} teilt den Zyklus durch {divisor}, und es bleibt ein Rest</translation>
+    </message>
+    <message>
+        <source>its object 0x60C2 (interpolation time) cannot express it</source>
+        <translation>sein Objekt 0x60C2 (Interpolationszeit) kann ihn nicht ausdrücken</translation>
+    </message>
+    <message>
+        <source>the bus cycle is {shortest} to {longest}</source>
+        <translation>der Buszyklus beträgt {shortest} bis {longest}</translation>
+    </message>
+    <message>
+        <source>the cyclic frames take {time} of wire time</source>
+        <translation>die zyklischen Frames brauchen {time} auf der Leitung</translation>
+    </message>
+    <message>
+        <source>the cyclic frames take {time} of wire time and about {travel} through the slaves</source>
+        <translation>die zyklischen Frames brauchen {time} auf der Leitung und etwa {travel} durch die Slaves</translation>
     </message>
     <message>
         <source>it should be the first on the bus</source>

@@ -1121,8 +1121,8 @@
         <translation>选择整数微秒的周期。</translation>
     </message>
     <message>
-        <source>Choose a cycle that all devices take (synclinectl project cycle-times)</source>
-        <translation>选择所有设备都接受的周期 (synclinectl project cycle-times)</translation>
+        <source>Choose a cycle that all devices take (page General, or synclinectl project cycle-times)</source>
+        <translation>选择所有设备都接受的周期（“常规”页面，或 synclinectl project cycle-times）</translation>
     </message>
     <message>
         <source>Choose a factor of that range.</source>
@@ -8519,6 +8519,50 @@
     <message>
         <source>it is at position {position}</source>
         <translation>它位于位置 {position}</translation>
+    </message>
+    <message>
+        <source>{limit} is the shortest cycle that {family} {devices} take</source>
+        <translation>{limit} 是 {family} {devices}接受的最短周期</translation>
+    </message>
+    <message>
+        <source>{limit} is the longest cycle that {family} {devices} take</source>
+        <translation>{limit} 是 {family} {devices}接受的最长周期</translation>
+    </message>
+    <message>
+        <source>{family} {devices} take multiples of {step}</source>
+        <translation>{family} {devices}只接受 {step} 的整数倍</translation>
+    </message>
+    <message>
+        <source>{family} {devices} need multiples of {step}; {otherwise}</source>
+        <translation>{family} {devices}需要 {step} 的整数倍；{otherwise}</translation>
+    </message>
+    <message>
+        <source>{limit} is the shortest cycle that its object 0x1C32:05 names</source>
+        <translation>{limit} 是其对象 0x1C32:05 给出的最短周期</translation>
+    </message>
+    <message>
+        <source>its operation mode {mode} has a SYNC0 every {cycle}, which is neither a multiple nor a part of it</source>
+        <translation>其运行模式 {mode} 的 SYNC0 每 {cycle} 到来一次，既不是该周期的整数倍也不是其整数分之一</translation>
+    </message>
+    <message>
+        <source>its operation mode {mode} divides the cycle by {divisor}, which leaves a rest</source>
+        <translation>其运行模式 {mode} 将周期除以 {divisor}，不能整除</translation>
+    </message>
+    <message>
+        <source>its object 0x60C2 (interpolation time) cannot express it</source>
+        <translation>其对象 0x60C2（插补时间）无法表示该周期</translation>
+    </message>
+    <message>
+        <source>the bus cycle is {shortest} to {longest}</source>
+        <translation>总线周期为 {shortest} 至 {longest}</translation>
+    </message>
+    <message>
+        <source>the cyclic frames take {time} of wire time</source>
+        <translation>循环帧的线路时间为 {time}</translation>
+    </message>
+    <message>
+        <source>the cyclic frames take {time} of wire time and about {travel} through the slaves</source>
+        <translation>循环帧的线路时间为 {time}，经过各从站约需 {travel}</translation>
     </message>
     <message>
         <source>it should be the first on the bus</source>

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "ui/dialogs/cycle_dialog.h"
 #include "ui/editors/cycle_field.h"
 #include "ui/editors/field_binder.h"
 #include "ui/session/workspace.h"
@@ -58,6 +59,15 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
 void MasterGeneralPage::buildSettings(Card& card) {
   fields().text(card, "masterName", "master.name");
   addCycleField(*this, card);
+  auto* cycles = named(new QPushButton(tr("Which cycles do the slaves accept?")), "masterCycles",
+                       tr("Which cycles do the slaves accept?"));
+  cycles->setToolTip(tr("Cycle times that all slaves accept, who refuses the others, and why"));
+  connect(cycles, &QPushButton::clicked, this, [this] {
+    CycleDialog dialog(project(), this);
+    dialog.exec();
+    if (dialog.taken() > 0) fields().set("master.cycle_time_us", dialog.taken());
+  });
+  card.addWide(cycles);
   fields().text(card, "networkName", "network.name");
   fields().toggle(card, "masterOverlap", "master.overlap_process_data");
 }

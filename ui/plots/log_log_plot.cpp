@@ -20,9 +20,9 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kLeftOfScale = 58, kRightOfScale = 10, kTopOfScale = 6, kBelowScale = 32;
-constexpr double kReach = 14;      // px from the pointer to a point that it means
-constexpr double kFloor = 1e-7;    // of the highest value: what is below is rounding
-constexpr double kLimitRoom = 30;  // a limit so many times above the curves is still shown in its place
+constexpr double kPointReach = 14;  // px from the pointer to a point that it means
+constexpr double kFloor = 1e-7;     // of the highest value: what is below is rounding
+constexpr double kLimitRoom = 30;   // a limit so many times above the curves is still shown in its place
 
 double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
@@ -237,7 +237,7 @@ QString LogLogPlot::reading() const {
 
 std::optional<LogLogPlot::Reading> LogLogPlot::readingAt(const QPointF& pointer) const {
   std::optional<Reading> best;
-  double nearest = kReach;
+  double nearest = kPointReach;
   for (int i = 0; i < static_cast<int>(curves_.size()); ++i) {
     for (const auto& stop : curves_[static_cast<std::size_t>(i)].stops) {
       const double far = distance(placeOf(stop.at), pointer);
@@ -256,7 +256,7 @@ std::optional<LogLogPlot::Reading> LogLogPlot::highestNear(const QPointF& pointe
   const auto from = x_.value((pointer.x() - 2 - all.left()) / all.width());
   const auto to = x_.value((pointer.x() + 2 - all.left()) / all.width());
   std::optional<Reading> best;
-  double nearest = 3 * kReach;
+  double nearest = 3 * kPointReach;
   for (int i = 0; i < static_cast<int>(curves_.size()); ++i) {
     const auto& line = curves_[static_cast<std::size_t>(i)].line;
     if (!curves_[static_cast<std::size_t>(i)].numbered) continue;

@@ -4,9 +4,10 @@
 #include "ui/wizard/wizard_step.h"
 
 class QLabel;
-class QTableWidget;
 
 namespace syncline::ui {
+
+class CycleTable;
 
 /// The network's cycle time, and which cycles the slaves accept.
 class CycleStep final : public WizardStep {
@@ -21,11 +22,10 @@ class CycleStep final : public WizardStep {
 
  private:
   void showCycles();
-  void takeSelected();
 
   QWidget* cycle_;
   QLabel* limits_;
-  QTableWidget* cycles_;
+  CycleTable* cycles_;
 };
 
 }  // namespace syncline::ui

@@ -38,7 +38,7 @@ TEST(CycleTimeHelp, CommonMultipleOfTwoFamilies) {
   const auto& short_cycle = candidate(help, 125 * kMicrosecond);
   ASSERT_EQ(short_cycle.refusals.size(), 1U);
   EXPECT_EQ(short_cycle.refusals[0].slave, 1);
-  EXPECT_THAT(short_cycle.refusals[0].reason, HasSubstr("multiples of 250 us"));
+  EXPECT_THAT(short_cycle.refusals[0].reason.text(), HasSubstr("multiples of 250 us"));
   const auto& long_cycle = candidate(help, 5 * kMillisecond);
   ASSERT_EQ(long_cycle.refusals.size(), 1U);
   EXPECT_EQ(long_cycle.refusals[0].slave, 0);
@@ -65,8 +65,8 @@ TEST(CycleTimeHelp, AFixedSyncCycleAndTheDictionary) {
   project.master.cycle_time = 300 * kMicrosecond;
   const auto help = cycle_time_help(project).value();
   ASSERT_EQ(help.current.refusals.size(), 2U);
-  EXPECT_THAT(help.current.refusals[0].reason, HasSubstr("SYNC0 every 250 us"));
-  EXPECT_THAT(help.current.refusals[1].reason, HasSubstr("0x1C32:05"));
+  EXPECT_THAT(help.current.refusals[0].reason.text(), HasSubstr("SYNC0 every 250 us"));
+  EXPECT_THAT(help.current.refusals[1].reason.text(), HasSubstr("0x1C32:05"));
   EXPECT_TRUE(candidate(help, 500 * kMicrosecond).accepted());
   project.master.dc.enabled = false;  // no SYNC signals, no rule about them
   EXPECT_EQ(cycle_time_help(project).value().current.refusals.size(), 1U);
@@ -77,14 +77,14 @@ TEST(CycleTimeHelp, InterpolationTimeAndWireTime) {
   project.master.cycle_time = 31'250;
   const auto help = cycle_time_help(project).value();
   ASSERT_EQ(help.current.refusals.size(), 1U);
-  EXPECT_THAT(help.current.refusals[0].reason, HasSubstr("0x60C2"));
+  EXPECT_THAT(help.current.refusals[0].reason.text(), HasSubstr("0x60C2"));
   std::vector<DeviceDescription> many(200, sample::digital_output());
   for (auto& device : many) device.rx_pdos[0].entries[0].bit_length = 800;
   const auto busy = cycle_time_help(sample::project(many)).value();
   const auto& refused = candidate(busy, 500 * kMicrosecond);
   ASSERT_FALSE(refused.accepted());
   EXPECT_EQ(refused.refusals[0].slave, -1);
-  EXPECT_THAT(refused.refusals[0].reason, HasSubstr("wire time"));
+  EXPECT_THAT(refused.refusals[0].reason.text(), HasSubstr("wire time"));
 }
 
 TEST(CycleTimeHelp, NothingIsKnownNothingIsRefused) {
