@@ -2522,8 +2522,12 @@
 <context>
     <name>MasterGeneralPage</name>
         <message>
-            <source>Which cycles do the slaves accept?</source>
-            <translation>Welche Zyklen nehmen die Slaves an?</translation>
+            <source>Accepted…</source>
+            <translation>Angenommen…</translation>
+        </message>
+        <message>
+            <source>Cycles that the slaves accept</source>
+            <translation>Zyklen, die die Slaves annehmen</translation>
         </message>
         <message>
             <source>Cycle times that all slaves accept, who refuses the others, and why</source>

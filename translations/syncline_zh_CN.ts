@@ -2511,8 +2511,12 @@
 <context>
     <name>MasterGeneralPage</name>
         <message>
-            <source>Which cycles do the slaves accept?</source>
-            <translation>从站接受哪些周期？</translation>
+            <source>Accepted…</source>
+            <translation>可接受的…</translation>
+        </message>
+        <message>
+            <source>Cycles that the slaves accept</source>
+            <translation>从站接受的周期</translation>
         </message>
         <message>
             <source>Cycle times that all slaves accept, who refuses the others, and why</source>

@@ -18,7 +18,7 @@ constexpr Nanoseconds kUsualCycles[] = {125'000,   250'000,   500'000,   1'000'0
 
 }  // namespace
 
-PresetEdit* addCycleField(Page& page, Card& card) {
+PresetEdit* addCycleField(Page& page, Card& card, QWidget* beside) {
   auto* cycle = page.fields().presetField("masterCycle", "master.cycle_time_us", kUsualCycles);
   auto* field = new QWidget;
   auto* layout = new QHBoxLayout(field);
@@ -26,6 +26,7 @@ PresetEdit* addCycleField(Page& page, Card& card) {
   layout->addWidget(cycle, 1);
   field->setFocusProxy(cycle);
   layout->addWidget(new QLabel(QStringLiteral("\u00B5s")));
+  if (beside != nullptr) layout->addWidget(beside);
   card.addRow(cycle->accessibleName(), field, cycle->toolTip());
   return cycle;
 }

@@ -16,6 +16,7 @@ namespace {
 
 enum CycleColumn : int { kCycle, kVerdict, kBy, kCycleColumns };
 constexpr qsizetype kMostTold = 3;
+constexpr int kBetweenRows = 6;  // px
 
 /// "A, B: why": those who refuse a cycle, or take it with a loss, each reason once.
 QStringList refusalsOf(const CycleCandidate& candidate) {
@@ -58,7 +59,6 @@ CycleTable::CycleTable(QWidget* parent) : QTableWidget(0, kCycleColumns, parent)
   setColumnWidth(kVerdict, 150);
   stretchColumn(*this, kBy);
   setWordWrap(true);
-  verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   setToolTip(tr("Enter or a double click takes the cycle"));
   connect(this, &QTableWidget::activated, this, [this] {
     if (const auto cycle = markedCycle(); cycle > 0) Q_EMIT cycleTaken(cycle);
@@ -92,6 +92,18 @@ void CycleTable::showHelp(const CycleTimeHelp& help) {
     setItem(i, kBy, by);
     if (own && none_marked) setCurrentItem(cycle);
   }
+  fitRowHeights();
+}
+
+void CycleTable::resizeEvent(QResizeEvent* event) {
+  QTableWidget::resizeEvent(event);
+  fitRowHeights();
+}
+
+/// Lines that belong together stand nearer to each other than to those of the next row.
+void CycleTable::fitRowHeights() {
+  resizeRowsToContents();
+  for (int row = 0; row < rowCount(); ++row) setRowHeight(row, rowHeight(row) + kBetweenRows);
 }
 
 QString acceptedCycles(const CycleTimeHelp& help) {

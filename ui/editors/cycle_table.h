@@ -26,6 +26,12 @@ class CycleTable final : public QTableWidget {
  Q_SIGNALS:
   /// ns
   void cycleTaken(qint64 cycle);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void fitRowHeights();
 };
 
 /// "250 µs to 4 ms, in steps of 250 µs"

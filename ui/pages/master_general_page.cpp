@@ -58,16 +58,14 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
 
 void MasterGeneralPage::buildSettings(Card& card) {
   fields().text(card, "masterName", "master.name");
-  addCycleField(*this, card);
-  auto* cycles = named(new QPushButton(tr("Which cycles do the slaves accept?")), "masterCycles",
-                       tr("Which cycles do the slaves accept?"));
+  auto* cycles = named(new QPushButton(tr("Accepted…")), "masterCycles", tr("Cycles that the slaves accept"));
   cycles->setToolTip(tr("Cycle times that all slaves accept, who refuses the others, and why"));
   connect(cycles, &QPushButton::clicked, this, [this] {
     CycleDialog dialog(project(), this);
     dialog.exec();
     if (dialog.taken() > 0) fields().set("master.cycle_time_us", dialog.taken());
   });
-  card.addWide(cycles);
+  addCycleField(*this, card, cycles);
   fields().text(card, "networkName", "network.name");
   fields().toggle(card, "masterOverlap", "master.overlap_process_data");
 }
