@@ -6,6 +6,7 @@
 
 #include "compare/difference_list.h"
 #include "settings/settings_keys.h"
+#include "settings/settings_table.h"
 
 namespace syncline {
 namespace {
@@ -26,9 +27,9 @@ bool is_run_time(const std::string& key) {
 }  // namespace
 
 bool is_unsaid_setting(const std::string& key) {
-  static const std::set<std::string> kSaid = {"master.dc.continuous_propagation_compensation",
-                                              "master.dc.standard_loop_values"};
-  return is_run_time(key) && !kSaid.contains(key);
+  if (!is_run_time(key)) return false;
+  // An ENI does not tell all modes apart.
+  return key == "master.dc.mode" || settings::row(key).words.eni.empty();
 }
 
 std::vector<ConfigDifference> compare_run_time(const Project& left, const Project& right) {

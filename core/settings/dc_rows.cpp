@@ -114,6 +114,7 @@ std::vector<Setting> clock_rows() {
           {.label = "Continuous propagation compensation",
            .help = "Measures the propagation delays again every 30 s and corrects them in small steps.",
            .object = "0x0928",
+           .eni = "Cyclic/Frame/Cmd (0x0900)",
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).continuous_propagation_compensation; }),
       field_setting(
@@ -132,12 +133,14 @@ std::vector<Setting> choice_rows() {
           "master.dc.first_slave_is_reference_clock", Switch{},
           {.label = "First slave leads",
            .help = "The first slave on the bus that has a system time leads, whatever is configured.",
+           .eni = "Slave/DC/ReferenceClock",
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).first_slave_is_reference_clock; }),
       field_setting(
           "master.dc.all_slaves", Switch{},
           {.label = "Synchronise all slaves",
            .help = "Every slave that has a system time is synchronised, with or without a DC operation mode.",
+           .eni = "Slave/DC, Cyclic/Frame/Cmd",
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).all_slaves; }),
       field_setting(

@@ -111,6 +111,7 @@ std::vector<Setting> judgement_rows() {
           {.label = "Standard loop values",
            .help = "Leaves the time control loops of the slaves (0x0930, 0x0934) at the values of their reset.",
            .object = "0x0930, 0x0934",
+           .eni = "Master/InitCmds",
            .expert = true},
           [](auto& p, const Place&) -> auto& { return dcm(p).standard_loop_values; }),
       field_setting(

@@ -77,7 +77,7 @@ std::vector<Setting> eoe_rows() {
           "eoe.enabled", Switch{},
           {.label = "Ethernet (EoE)",
            .help = "Ethernet frames are passed to and from the slave (EoE).",
-           .eni = "Slave/Mailbox/Protocol"},
+           .eni = "Slave/Mailbox/EoE"},
           [](auto& slave) -> auto& { return slave.eoe.enabled; }),
       with_unset(slave_setting(
                      "eoe.mac", MacAddress{},
@@ -102,7 +102,7 @@ std::vector<Setting> eoe_rows() {
 std::vector<Setting> aoe_rows() {
   return {slave_setting(
       "aoe.net_id", kNetId,
-      {.label = "AMS Net ID", .help = "AMS Net ID of the slave (AoE).", .eni = "Mailbox/AoE/InitCmds"},
+      {.label = "AMS Net ID", .help = "AMS Net ID of the slave (AoE).", .eni = "Slave/Mailbox/AoE/NetId"},
       [](auto& slave) -> auto& { return slave.ams_net_id; })};
 }
 

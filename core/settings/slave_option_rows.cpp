@@ -120,7 +120,7 @@ std::vector<Setting> timeout_rows() {
       return described ? to_value((*described).*of_device) : Value{};
     };
   };
-  constexpr auto kState = "InitCmd/Timeout", kMailbox = "Slave/Mailbox";
+  constexpr auto kState = "InitCmd/Timeout", kNowhere = "";
   std::vector<Setting> rows{
       timeout_row("preop", "INIT to PREOP", "INIT to PREOP or BOOT", kState, &TimeoutSettings::preop,
                   state(&StateTimeouts::preop)),
@@ -134,9 +134,9 @@ std::vector<Setting> timeout_rows() {
   append(rows,
          for_devices(
              {
-                 timeout_row("mailbox_request", "Mailbox request", "the slave to take a mailbox request", kMailbox,
+                 timeout_row("mailbox_request", "Mailbox request", "the slave to take a mailbox request", kNowhere,
                              &TimeoutSettings::mailbox_request, mailbox(&MailboxDescription::request_timeout_ms)),
-                 timeout_row("mailbox_response", "Mailbox response", "the slave to answer a mailbox request", kMailbox,
+                 timeout_row("mailbox_response", "Mailbox response", "the slave to answer a mailbox request", kNowhere,
                              &TimeoutSettings::mailbox_response, mailbox(&MailboxDescription::response_timeout_ms)),
              },
              has_mailbox));
