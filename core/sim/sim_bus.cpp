@@ -246,17 +246,21 @@ bool SimBus::Impl::meet(const Stop& stop, Nanoseconds time) {
 void SimBus::Impl::pass_slaves(Reach& way, Nanoseconds send_time, Nanoseconds length) {
   touched.clear();
   const auto& called = addresses.called_by(passing, event_changes);
+  const bool whole = std::min(way.end, way.damaged) == path.passages.size() && work == Work::kAtOnce;
   if (passing.is_for_single_slaves()) {
     for (const auto place : called) {
       const auto& stop = stops[place];
       if (stop.passage >= way.end) return;
       const auto time = send_time + stop.offset;
       stop.device->advance_to(time);
+      if (whole && !stop.device->sees_frames() && stop.esc->is_only_asked_by(passing) &&
+          stop.esc->answer_at_once(passing, time, time + length))
+        continue;
       if (!meet(stop, time)) way.end = stop.passage;
     }
     return;
   }
-  const bool at_once = passing.shape() != nullptr && std::min(way.end, way.damaged) == path.passages.size();
+  const bool at_once = whole && passing.shape() != nullptr;
   auto next = called.begin();
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const auto& stop = stops[i];
@@ -265,8 +269,8 @@ void SimBus::Impl::pass_slaves(Reach& way, Nanoseconds send_time, Nanoseconds le
     stop.device->advance_to(time);
     const bool is_called = next != called.end() && *next == i;
     if (is_called) ++next;
-    if (at_once && !is_called && !stop.device->sees_frames() && stop.esc->pass_at_once(passing, time, time + length))
-      continue;
+    const bool possible = at_once && (!is_called || stop.esc->is_only_asked_by(passing)) && !stop.device->sees_frames();
+    if (possible && stop.esc->pass_at_once(passing, is_called, time, time + length)) continue;
     if (!meet(stop, time)) way.end = stop.passage;
   }
 }

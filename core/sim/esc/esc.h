@@ -94,24 +94,22 @@ class Esc {
   /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
   [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
   /// Both of process() and frame_end(), for a frame with a shape that no slave sees damaged: possible where nothing is
-  /// due before `end` and nothing unusual is under way. None of its datagrams for single slaves is for this one. False:
-  /// it has done nothing.
-  [[nodiscard]] bool pass_at_once(PassingFrame& frame, Nanoseconds begin, Nanoseconds end) {
+  /// due before `end` and nothing unusual is under way. `asked`: datagrams for single slaves are for this one, too, all
+  /// of them as is_only_asked_by() says; otherwise none is. False: it has done nothing.
+  [[nodiscard]] bool pass_at_once(PassingFrame& frame, bool asked, Nanoseconds begin, Nanoseconds end) {
     const auto& shape = *frame.shape();
     const auto& plan = plans_[shape.place];
     const bool known = plan.shape == shape.id && plan.generation == generation_ && !plan.executed;
-    if (!known || end >= idle_until_ || has_something_under_way()) [[unlikely]]
-      return false;
-    if (plan.is_passive()) {
-      follow_passively(plan, frame, begin, end);
-      return true;
-    }
-    if (!cycles_.repeating) {
-      follow_at_once(plan, frame, begin, end);
-      return true;
-    }
-    return repeat_at_once(plan, frame, begin, end);
+    return known && pass_at_once(plan, frame, asked, begin, end);
   }
+  /// The same for a frame in which everything is for single slaves, as is_only_asked_by() says where it is for this
+  /// one.
+  [[nodiscard]] bool answer_at_once(PassingFrame& frame, Nanoseconds begin, Nanoseconds end) {
+    static constexpr FramePlan kNothing{.executed = false};
+    return pass_at_once(kNothing, frame, true, begin, end);
+  }
+  /// What is for this one alone is behind all else in the frame, and only reads registers.
+  [[nodiscard]] bool is_only_asked_by(const PassingFrame& frame);
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
   /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
@@ -307,13 +305,27 @@ class Esc {
     return maps_stale_ || any_pending_ || reset_.begun() || ports_.changed() || protection_.lifted() ||
            ports_.port0_automatically_closed();
   }
+  [[nodiscard]] bool pass_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
+                                  Nanoseconds end) {
+    if (end >= idle_until_ || has_something_under_way()) [[unlikely]]
+      return false;
+    if (cycles_.repeating && (asked || !plan.is_passive())) return repeat_at_once(plan, frame, asked, begin, end);
+    if (asked) [[unlikely]]
+      answer(frame, begin);
+    plan.is_passive() ? follow_passively(plan, frame, begin, end) : follow_at_once(plan, frame, begin, end);
+    return true;
+  }
   void follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
   /// The same by a plan that is_passive().
   void follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
   /// The same while cycles are counted; false: this one is another, and nothing has been done.
-  [[nodiscard]] bool repeat_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  [[nodiscard]] bool repeat_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
+                                    Nanoseconds end);
+  /// Gives what it is asked for, before anything else that the frame does: the registers show the time before its end.
+  void answer(PassingFrame& frame, Nanoseconds begin);
   /// The outputs that it brings are those that are there.
   [[nodiscard]] bool holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const;
+  [[nodiscard]] bool only_reads_registers(const PassingDatagram& datagram) const;
   /// What is done with the frame's data, and what follows from it at once.
   void follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end);
   /// Something else happens then, unless the cycle goes on.

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::uint16_t kClockBegin = reg::kReceiveTimePort0, kClockSize = 0x100;
 constexpr std::uint8_t kTellsDlStatus = 0x01, kTellsAlStatus = 0x02;  // detail of kOrRegister
+constexpr std::uint16_t kLatchesEnd = 0x0A00;                         // of the DC unit, too
 constexpr unsigned kMemoryBit = 4;                                    // detail of kGiveBit
 constexpr std::uint8_t kNarrowTime = 4, kWideTime = 8;                // bytes
 
@@ -159,7 +160,7 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
   if (plan.time_size != 0) dc_.system_time_received(plan.time_size, time_in(plan, bytes), end);
 }
 
-[[gnu::flatten]] bool Esc::repeat_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
+[[gnu::flatten]] bool Esc::repeat_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
                                           Nanoseconds end) {
   auto& cycles = cycles_;
   const auto moment = dc_.moment(begin);
@@ -179,6 +180,8 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
     cycles.awaits_sync0 = false;
     renew(cycles.work.renewed, 1);
   }
+  if (asked) [[unlikely]]
+    answer(frame, begin);
   frame_time_ = begin;
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   if (plan.time_size != 0) dc_.start_of_frame(moment);
@@ -193,6 +196,35 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
   // A second SYNC0 without outputs between them is another matter.
   repeat_until(begin + RepeatedCycles::surely(cycles.awaits_sync0 ? ahead + cycle : ahead));
   return true;
+}
+
+bool Esc::is_only_asked_by(const PassingFrame& frame) {
+  const auto [station, alias] = address();
+  const auto behind = frame.is_for_single_slaves() ? std::size_t{0} : frame.shape()->datagrams.size();
+  const auto datagrams = frame.datagrams();
+  for (std::size_t i = 0; i < datagrams.size(); ++i) {
+    const auto& datagram = datagrams[i];
+    const bool mine = is_for_station(datagram.command) && (datagram.adp == station || datagram.adp == alias);
+    if (mine && (i < behind || !only_reads_registers(datagram))) return false;
+  }
+  return true;
+}
+
+bool Esc::only_reads_registers(const PassingDatagram& datagram) const {
+  const auto length = datagram.data.size();
+  return datagram.command == Command::kFprd &&
+         datagram.ado + length <= std::min<std::size_t>(buffers_begin_, EscMemory::kRegisterEnd) &&
+         !overlaps(datagram.ado, length, reg::kLatch0Status, kLatchesEnd - reg::kLatch0Status);
+}
+
+[[gnu::noinline]] void Esc::answer(PassingFrame& frame, Nanoseconds begin) {
+  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  if (renewed_by_signal_ != 0) count_renewals();
+  if (frame.touches_clock()) dc_.start_of_frame(begin);
+  for (auto& datagram : frame.datagrams()) {
+    if (!is_for_station(datagram.command) || !has_address(datagram.adp)) continue;
+    if (read_memory(datagram.ado, datagram.data, false)) ++datagram.wkc;
+  }
 }
 
 inline bool Esc::holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const {

@@ -21,9 +21,6 @@ bool reaches_clock(const PassingDatagram& datagram) {
   return !is_logical(datagram.command) && overlaps(datagram.ado, datagram.data.size(), reg::kReceiveTimePort0, kSize);
 }
 
-/// Those who have a station address look themselves whether a datagram is for them.
-bool is_for_station(Command command) { return is_fixed_address(command) && command != Command::kFrmw; }
-
 std::uint64_t key_of(const DatagramHeader& header) {
   constexpr unsigned kCommandBits = 8, kLengthBits = 16;
   const auto address = is_for_station(header.command) ? std::uint64_t{0} : std::uint64_t{header.address};
@@ -70,7 +67,7 @@ void PassingFrame::find_shape() {
 }
 
 void PassingFrame::settle() {
-  if (passed_ == 0) return;
+  if (passed_ == 0 || for_single_slaves_) return;  // those count in their datagrams, and no position moves on
   for (std::size_t i = 0; i < datagrams_.size(); ++i) {
     auto& datagram = datagrams_[i];
     datagram.wkc = static_cast<std::uint16_t>(datagram.wkc + std::exchange(counters_[i], std::uint16_t{0}));
@@ -93,9 +90,8 @@ PassingFrame::Kind PassingFrame::arrive(std::span<std::uint8_t> bytes) {
   }
   if (reader.malformed()) return Kind::kMalformed;
   if (!reader.is_ethercat()) return Kind::kForeign;
-  for_single_slaves_ = std::ranges::all_of(datagrams_, [](const PassingDatagram& datagram) {
-    return is_fixed_address(datagram.command) && datagram.command != Command::kFrmw;
-  });
+  for_single_slaves_ =
+      std::ranges::all_of(datagrams_, [](const auto& datagram) { return is_for_station(datagram.command); });
   takes_port_times_ = std::ranges::any_of(datagrams_, latches_port_times);
   touches_clock_ = std::ranges::any_of(datagrams_, reaches_clock);
   bytes_ = bytes;

@@ -22,6 +22,11 @@ struct PassingDatagram {
   std::span<std::uint8_t> data;  // in the frame
 };
 
+/// For one slave by its station address, which looks itself whether it has that.
+[[nodiscard]] constexpr bool is_for_station(Command command) {
+  return is_fixed_address(command) && command != Command::kFrmw;
+}
+
 /// A frame on its way through the slaves. What they leave in it beside the data is written into its bytes at the end.
 class PassingFrame {
  public:
