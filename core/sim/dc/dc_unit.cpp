@@ -195,8 +195,7 @@ void DcUnit::write_status() {
   memory_.set<std::uint8_t>(reg::kActivationStatus, static_cast<std::uint8_t>(pending));
 }
 
-void DcUnit::compare(Nanoseconds frame_end) {
-  const auto received = memory_.u32(reg::kSystemTime);
+void DcUnit::compare(std::uint32_t received, Nanoseconds frame_end) {
   const auto local =
       static_cast<std::uint32_t>(local_at_start_of_frame_ + offset()) - memory_.u32(reg::kSystemTimeDelay);
   if (loop_.observe(static_cast<std::int32_t>(local - received))) clock_.set_correction(loop_.correction(), frame_end);
@@ -269,7 +268,7 @@ void DcUnit::follow_ownership() {
 
 void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end) {
   if (!config_.system_time) return;
-  if (overlaps(address, length, reg::kSystemTime, 4)) compare(frame_end);
+  if (overlaps(address, length, reg::kSystemTime, 4)) compare(memory_.u32(reg::kSystemTime), frame_end);
   if (address >= reg::kSystemTime && address + length <= reg::kSystemTime + 8U) {  // in every cycle
     next_signal_.reset();
     return;

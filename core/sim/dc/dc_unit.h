@@ -76,7 +76,7 @@ class DcUnit {
   std::uint64_t start_of_counted_frame(Nanoseconds time) {
     const auto clock = clock_.read(time);
     local_at_start_of_frame_ = clock.sample;
-    const auto signals = generator_.skip_to((now_ == time ? clock.exact : clock_.exact(now_)) + offset() + 1);
+    const auto signals = generator_.skip_regular_to((now_ == time ? clock.exact : clock_.exact(now_)) + offset() + 1);
     return signals + std::exchange(unasked_, 0);
   }
   /// Copies what a read of this frame shows into the register file: before anybody looks at these registers or writes a
@@ -90,7 +90,7 @@ class DcUnit {
   void system_time_received(std::uint8_t size, std::uint64_t value, Nanoseconds frame_end) {
     size == sizeof(std::uint64_t) ? memory_.set<std::uint64_t>(reg::kSystemTime, value)
                                   : memory_.set<std::uint32_t>(reg::kSystemTime, static_cast<std::uint32_t>(value));
-    compare(frame_end);
+    compare(static_cast<std::uint32_t>(value), frame_end);
     next_signal_.reset();
   }
   /// 0x092C as it is shown.
@@ -149,7 +149,8 @@ class DcUnit {
   void restore_locked_registers();
   void keep_clock();
   [[nodiscard]] std::uint64_t masked(std::uint64_t value) const { return wide_ ? value : value & 0xFFFF'FFFFU; }
-  void compare(Nanoseconds frame_end);
+  /// With the low word of the system time that has been received.
+  void compare(std::uint32_t received, Nanoseconds frame_end);
   void pulse(SyncGenerator::Signal signal, Nanoseconds time);
   void write_activation(Nanoseconds time);
   /// When the unit activated at `now` fires first, in system time that does not wrap.

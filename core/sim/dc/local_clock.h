@@ -33,21 +33,17 @@ class LocalClock {
   }
   /// What the counter shows: the value of the last tick.
   [[nodiscard]] std::uint64_t sample(Nanoseconds time) const {
-    const auto passed = static_cast<Fixed>(time - time_);
-    const auto raw = whole(raw_ + passed * raw_rate_);
-    return raw - raw % kTick - whole(correction_ + passed * correction_rate_ + kOne / 2);
+    const auto raw = whole(raw_at(time));
+    return raw - raw % kTick - whole(correction_at(time) + kOne / 2);
   }
   /// The counter without its granularity, ns.
-  [[nodiscard]] std::uint64_t exact(Nanoseconds time) const {
-    return whole(raw_ - correction_ + static_cast<Fixed>(time - time_) * (raw_rate_ - correction_rate_));
-  }
+  [[nodiscard]] std::uint64_t exact(Nanoseconds time) const { return whole(raw_at(time) - correction_at(time)); }
   /// Both, for little more than one of them.
   struct Reading {
     std::uint64_t sample = 0, exact = 0;
   };
   [[nodiscard]] Reading read(Nanoseconds time) const {
-    const auto passed = static_cast<Fixed>(time - time_);
-    const auto raw = raw_ + passed * raw_rate_, correction = correction_ + passed * correction_rate_;
+    const auto raw = raw_at(time), correction = correction_at(time);
     const auto shown = whole(raw);
     return {shown - shown % kTick - whole(correction + kOne / 2), whole(raw - correction)};
   }
@@ -73,7 +69,7 @@ class LocalClock {
   /// Relative slow-down from the time control loop, at most a tenth, effective from `time` on.
   void set_correction(double relative, Nanoseconds time) {
     advance_to(time);
-    commit(time);
+    commit_correction(time);
     loop_rate_ = rate_of(relative);
     correction_rate_ = by_quartz(loop_rate_);
   }
@@ -96,11 +92,19 @@ class LocalClock {
   [[nodiscard]] std::int64_t by_quartz(std::int64_t rate) const {
     return static_cast<std::int64_t>(static_cast<Fixed>(rate) * raw_rate_ >> kFractionBits);
   }
+  [[nodiscard]] Fixed raw_at(Nanoseconds time) const { return raw_ + static_cast<Fixed>(time - raw_time_) * raw_rate_; }
+  [[nodiscard]] Fixed correction_at(Nanoseconds time) const {
+    return correction_ + static_cast<Fixed>(time - correction_time_) * correction_rate_;
+  }
+  /// The control loop changes the rate of the correction in nearly every frame, and the quartz keeps its own.
+  void commit_correction(Nanoseconds time) {
+    correction_ = correction_at(time);
+    correction_time_ = time;
+  }
   void commit(Nanoseconds time) {
-    const auto passed = static_cast<Fixed>(time - time_);
-    raw_ += passed * raw_rate_;
-    correction_ += passed * correction_rate_;
-    time_ = time;
+    commit_correction(time);
+    raw_ = raw_at(time);
+    raw_time_ = time;
   }
   /// The rates are those of the quartz as it is now.
   void take_rates();
@@ -110,9 +114,9 @@ class LocalClock {
   /// When the next change of the rate behind `time` is due, `step` later at most; kNever: none.
   [[nodiscard]] Nanoseconds next_move(Nanoseconds time, Nanoseconds step) const;
 
-  Nanoseconds time_;                                    // committed true time; the rates have been the same since
-  Fixed raw_;                                           // uncorrected counter at time_
-  Fixed correction_ = 0;                                // subtracted so far
+  Nanoseconds raw_time_, correction_time_;              // committed true time; the rate has been the same since
+  Fixed raw_;                                           // uncorrected counter then
+  Fixed correction_ = 0;                                // subtracted until then
   std::int64_t raw_rate_ = kOne, correction_rate_ = 0;  // of both by true time
   std::int64_t loop_rate_ = 0;                          // of the correction by the quartz
   double ppm_, wander_ = 0, wander_limit_, moved_ = 0;
@@ -131,8 +135,7 @@ struct LocalClock::Moment {
 };
 
 inline LocalClock::Moment LocalClock::moment(Nanoseconds time) const {
-  const auto passed = static_cast<Fixed>(time - time_);
-  const auto raw = raw_ + passed * raw_rate_, correction = correction_ + passed * correction_rate_;
+  const auto raw = raw_at(time), correction = correction_at(time);
   const auto counted = whole(raw);
   return {time, raw - correction, raw_rate_ - correction_rate_,
           counted - counted % kTick - whole(correction + kOne / 2)};

@@ -128,11 +128,14 @@ class Esc {
   void stay_idle_until(Nanoseconds time) { idle_until_ = std::min({time, dc_.quiet_until(), quiet_until_}); }
   void wake_up() {
     idle_until_ = INT64_MIN;
+    as_usual_ = false;
     minded_ = ~0U;
     renewed_by_transfer_ = {};
     if (dc_.signals_unminded()) mind_signals();
     if (cycles_.repeating) end_cycles();
   }
+  /// When the last frame began to pass.
+  [[nodiscard]] Nanoseconds frame_time() const { return frame_time_; }
   /// Time passes, and nothing happens.
   void pass_idly(Nanoseconds time) { dc_.pass_quietly(time); }
   /// Nobody wants to know of each SYNC0 until something wakes up the ESC; Listener::signals_passed() then tells the
@@ -206,7 +209,10 @@ class Esc {
   /// The process data watchdog has expired and not been triggered since.
   [[nodiscard]] bool outputs_expired() const { return memory_.u16(reg::kWatchdogStatus) == 0; }
   [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
-  [[nodiscard]] EscPorts& ports() { return ports_; }
+  [[nodiscard]] EscPorts& ports() {
+    as_usual_ = false;
+    return ports_;
+  }
   /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
   [[nodiscard]] bool reset_requested() const { return reset_.complete(); }
   /// What the EEPROM holds, over power cycles.
@@ -248,6 +254,7 @@ class Esc {
   }
   void note_addresses();
   void settings_changed() {
+    as_usual_ = false;
     ++generation_;
     ++*changes_;
   }
@@ -296,10 +303,18 @@ class Esc {
   [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
   [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
                                   std::size_t offset) const;
-  void follow(const FramePlan& plan, std::uint8_t* frame);
-  /// `memory`: the ESC's, from the step's address on.
+  /// `first`: of the steps; those before are done.
+  void follow(const FramePlan& plan, std::uint8_t* frame, unsigned first = 0);
+  /// One that is not usual. `memory`: the ESC's, from the step's address on.
   void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
   void tell_events(std::uint8_t told);
+  /// Those of which it gives.
+  void open_buffers(const FramePlan& plan);
+  /// Nothing is under way: found out once, and again after whatever may have begun something.
+  [[nodiscard]] bool is_as_usual() {
+    as_usual_ = as_usual_ || !has_something_under_way();
+    return as_usual_;
+  }
   /// What frames do to it depends on more than its settings, or they do more than its plans say.
   [[nodiscard]] bool has_something_under_way() const {
     return maps_stale_ || any_pending_ || reset_.begun() || ports_.changed() || protection_.lifted() ||
@@ -307,7 +322,7 @@ class Esc {
   }
   [[nodiscard]] bool pass_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
                                   Nanoseconds end) {
-    if (end >= idle_until_ || has_something_under_way()) [[unlikely]]
+    if (end >= idle_until_ || !is_as_usual()) [[unlikely]]
       return false;
     if (cycles_.repeating && (asked || !plan.is_passive())) return repeat_at_once(plan, frame, asked, begin, end);
     if (asked) [[unlikely]]
@@ -327,7 +342,7 @@ class Esc {
   [[nodiscard]] bool holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const;
   [[nodiscard]] bool only_reads_registers(const PassingDatagram& datagram) const;
   /// What is done with the frame's data, and what follows from it at once.
-  void follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end);
+  void follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end, unsigned first = 0);
   /// Something else happens then, unless the cycle goes on.
   void repeat_until(Nanoseconds time) {
     const auto& clock = dc_.clock();
@@ -373,6 +388,7 @@ class Esc {
   std::uint64_t* event_changes_ = &own_changes_;                      // of the ECAT event request, likewise
   std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
   Nanoseconds idle_until_ = INT64_MIN;
+  bool as_usual_ = false;  // has_something_under_way() has said no
   bool sync_silent_ = false, prompt_ = false;
   std::uint32_t minded_ = ~0U;           // SyncManagers whose transfers the device is told of
   std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager

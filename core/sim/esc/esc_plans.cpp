@@ -39,6 +39,11 @@ std::uint8_t status_events(const PassingDatagram& datagram) {
   short_or({from, length}, {to, length});
 }
 
+void or_word(const std::uint8_t* from, std::uint8_t* to) {
+  const auto bits = load_le<std::uint16_t>({from, 2}) | load_le<std::uint16_t>({to, 2});
+  store_le<std::uint16_t>({to, 2}, static_cast<std::uint16_t>(bits));
+}
+
 /// Two words that may overlap; `from` and `to` do not.
 template <std::unsigned_integral Word>
 void copy_two(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
@@ -53,6 +58,9 @@ void copy_process_data(const std::uint8_t* from, std::uint8_t* to, std::size_t l
     copy_two<std::uint32_t>(from, to, length);
   } else if (length > 8 && length <= 16) {
     copy_two<std::uint64_t>(from, to, length);
+  } else if (length > 16 && length <= 32) {
+    copy_two<std::uint64_t>(from, to, 16);
+    copy_two<std::uint64_t>(from + length - 16, to + length - 16, 16);
   } else {
     copy_any(from, to, length);
   }
@@ -74,33 +82,32 @@ const FramePlan* Esc::plan_for(PassingFrame& frame) {
   return plan.executed ? nullptr : &plan;
 }
 
-void Esc::follow(const FramePlan& plan, std::uint8_t* frame) {
+void Esc::follow(const FramePlan& plan, std::uint8_t* frame, unsigned first) {
   auto* const memory = memory_.at(0, EscMemory::kSize).data();
-  const auto* const end = plan.steps.data() + plan.count;
-  for (const auto* step = plan.steps.data(); step != end; ++step)
-    follow(*step, memory + step->address, frame + step->offset);
-  sm_begun_ &= ~(plan.written | plan.read);
+  const auto* const steps = plan.steps.data();
+  const auto* const end = steps + plan.count;
+  const auto* step = steps + first;
+  for (const auto* const last = steps + plan.takes; step != last; ++step)
+    copy_process_data(frame + step->offset, memory + step->address, step->length);
+  for (const auto* const last = step + plan.gives; step != last; ++step)
+    copy_process_data(memory + step->address, frame + step->offset, step->length);
+  for (const auto* const last = step + plan.words; step != last; ++step) {
+    or_word(memory + step->address, frame + step->offset);
+    if (step->detail != 0) tell_events(step->detail);
+  }
+  for (; step != end; ++step) follow(*step, memory + step->address, frame + step->offset);
+  if (const auto touched = plan.written | plan.read; touched != 0) sm_begun_ &= ~touched;
   for (auto read = plan.read; read != 0; read &= read - 1) buffers_.read(static_cast<unsigned>(std::countr_zero(read)));
 }
 
 void Esc::follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data) {
   switch (step.what) {
-    case Do::kOrWord:
-      store_le<std::uint16_t>({data, 2}, static_cast<std::uint16_t>(load_le<std::uint16_t>({data, 2}) |
-                                                                    load_le<std::uint16_t>({memory, 2})));
-      return tell_events(step.detail);
     case Do::kOrRegister:
       or_any(memory, data, step.length);
       return tell_events(step.detail);
     case Do::kOrDifference:
       store_le<std::uint32_t>({data, 4}, load_le<std::uint32_t>({data, 4}) | dc_.shown_difference());
       return;
-    case Do::kTakeOutputs:
-      return copy_process_data(data, memory, step.length);
-    case Do::kGiveInputs:
-      if (any_pending_) [[unlikely]]
-        open_buffer(step.address, step.length);
-      return copy_process_data(memory, data, step.length);
     case Do::kGiveRegister:
       return copy_process_data(memory, data, step.length);
     case Do::kGiveBit: {
@@ -109,8 +116,16 @@ void Esc::follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t
       *data = static_cast<std::uint8_t>((*data & ~(1U << place)) | bit << place);
       return;
     }
+    case Do::kTakeOutputs:
+    case Do::kGiveInputs:
+    case Do::kOrWord:
+      break;
   }
   __builtin_unreachable();  // in every step of every frame
+}
+
+void Esc::open_buffers(const FramePlan& plan) {
+  for (const auto& step : std::span(plan.steps).subspan(plan.takes, plan.gives)) open_buffer(step.address, step.length);
 }
 
 void Esc::tell_events(std::uint8_t told) {
@@ -123,6 +138,7 @@ void Esc::tell_events(std::uint8_t told) {
                                           Nanoseconds end) {
   frame_time_ = begin;
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  dc_.pass_quietly(begin);
   if (plan.time_size != 0 && renewed_by_signal_ != 0) {
     renew(renewed_by_signal_, dc_.start_of_counted_frame(begin));
   } else {
@@ -145,17 +161,14 @@ void Esc::tell_events(std::uint8_t told) {
   frame_time_ = begin;
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   dc_.pass_quietly(end);
-  if (plan.count == 0) return frame.pass_uncounted();
-  auto* const memory = memory_.at(0, EscMemory::kSize).data();
-  for (const auto& step : std::span(plan.steps).first(plan.count))
-    follow(step, memory + step.address, frame.bytes().data() + step.offset);
-  frame.pass(plan.wkc);
+  follow(plan, frame.bytes().data());
+  frame.pass(plan.kind);
 }
 
-inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end) {
+inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end, unsigned first) {
   auto* const bytes = frame.bytes().data();
-  follow(plan, bytes);
-  frame.pass(plan.wkc);
+  follow(plan, bytes, first);
+  frame.pass(plan.kind);
   dc_.pass_quietly(end);
   if (plan.time_size != 0) dc_.system_time_received(plan.time_size, time_in(plan, bytes), end);
 }
@@ -185,7 +198,8 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
   frame_time_ = begin;
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   if (plan.time_size != 0) dc_.start_of_frame(moment);
-  follow_data(plan, frame, end);
+  // Outputs that are held already need not be taken.
+  follow_data(plan, frame, end, brings_outputs && plan.takes == 1 ? 1 : 0);
   if (plan.restarts_watchdog) restart_watchdog(end);
   if (brings_outputs) {
     cycles.awaits_sync0 = true;
@@ -219,6 +233,7 @@ bool Esc::only_reads_registers(const PassingDatagram& datagram) const {
 
 [[gnu::noinline]] void Esc::answer(PassingFrame& frame, Nanoseconds begin) {
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  dc_.pass_quietly(begin);
   if (renewed_by_signal_ != 0) count_renewals();
   if (frame.touches_clock()) dc_.start_of_frame(begin);
   for (auto& datagram : frame.datagrams()) {
@@ -229,7 +244,7 @@ bool Esc::only_reads_registers(const PassingDatagram& datagram) const {
 
 inline bool Esc::holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const {
   const auto* step = plan.steps.data();
-  while (step->what != Do::kTakeOutputs || step->detail != cycles_.work.outputs) ++step;  // the plan has it
+  while (step->detail != cycles_.work.outputs) ++step;  // the plan has it
   const auto held = memory_.at(step->address, step->length);
   return short_equal(held, frame.bytes().subspan(step->offset, step->length));
 }
@@ -262,6 +277,9 @@ void Esc::make_plan(FramePlan& plan, PassingFrame& frame) const {
     const auto offset = static_cast<std::size_t>(datagrams[i].data.data() - frame.bytes().data());
     if (!plan_datagram(plan, datagrams[i], i, offset)) return;
   }
+  const auto kind = frame.kind_of(plan.wkc);
+  if (!kind || plan.depends_on_order()) return;
+  plan.kind = *kind;
   plan.executed = false;
   const auto steps = std::span(plan.steps).first(plan.count);
   for (const auto& step : steps) {
