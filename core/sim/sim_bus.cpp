@@ -269,8 +269,7 @@ bool SimBus::Impl::come_to(const Stop& stop, const Flight& flight, bool called) 
 
 /// Through slaves for whom nothing in it is alone, from one place to before another one.
 bool SimBus::Impl::pass_uncalled(std::size_t from, std::size_t to, const Flight& flight) {
-  for (auto i = from; i < to; ++i) {
-    const auto& stop = stops[i];
+  for (const auto& stop : std::span(stops).subspan(from, to - from)) {
     const auto begin = flight.send_time + stop.offset;
     if (flight.at_once && stop.esc->pass_at_once(passing, false, begin, begin + flight.length)) continue;
     if (!come_to(stop, flight, false)) return false;

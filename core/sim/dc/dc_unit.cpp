@@ -198,7 +198,8 @@ void DcUnit::write_status() {
 void DcUnit::compare(std::uint32_t received, Nanoseconds frame_end) {
   const auto local =
       static_cast<std::uint32_t>(local_at_start_of_frame_ + offset()) - memory_.u32(reg::kSystemTimeDelay);
-  if (loop_.observe(static_cast<std::int32_t>(local - received))) clock_.set_correction(loop_.correction(), frame_end);
+  if (loop_.observe(static_cast<std::int32_t>(local - received)))
+    clock_.set_correction_rate(rates_.of(loop_), frame_end);
 }
 
 void DcUnit::write_activation(Nanoseconds time) {

@@ -11,6 +11,7 @@
 
 #include "config/sim_config.h"
 #include "protocol/registers.h"
+#include "sim/dc/correction_rates.h"
 #include "sim/dc/latch_unit.h"
 #include "sim/dc/local_clock.h"
 #include "sim/dc/sync_generator.h"
@@ -76,7 +77,8 @@ class DcUnit {
   std::uint64_t start_of_counted_frame(Nanoseconds time) {
     const auto clock = clock_.read(time);
     local_at_start_of_frame_ = clock.sample;
-    const auto signals = generator_.skip_regular_to((now_ == time ? clock.exact : clock_.exact(now_)) + offset() + 1);
+    const auto until = now_ <= time ? clock.exact : clock_.exact(now_);
+    const auto signals = generator_.skip_regular_to(until + offset() + 1);
     return signals + std::exchange(unasked_, 0);
   }
   /// Copies what a read of this frame shows into the register file: before anybody looks at these registers or writes a
@@ -171,6 +173,7 @@ class DcUnit {
   bool wide_;
   LocalClock clock_;
   TimeControlLoop loop_;
+  CorrectionRates rates_;
   SyncGenerator generator_;
   SyncGenerator::Settings settings_;
   LatchUnit latches_;

@@ -67,12 +67,16 @@ class LocalClock {
   }
 
   /// Relative slow-down from the time control loop, at most a tenth, effective from `time` on.
-  void set_correction(double relative, Nanoseconds time) {
+  void set_correction(double relative, Nanoseconds time) { set_correction_rate(rate_of(relative), time); }
+  /// The same with a rate_of().
+  void set_correction_rate(std::int64_t rate, Nanoseconds time) {
     advance_to(time);
     commit_correction(time);
-    loop_rate_ = rate_of(relative);
+    loop_rate_ = rate;
     correction_rate_ = by_quartz(loop_rate_);
   }
+  /// A relative deviation in the clock's arithmetic; no clock is further off than a tenth.
+  [[nodiscard]] static std::int64_t rate_of(double relative);
   /// The counter jumps by `delta` ns (a fault).
   void step(Nanoseconds delta) { raw_ += static_cast<Fixed>(delta) * kOne; }
 
@@ -86,8 +90,6 @@ class LocalClock {
 
   /// The counter's word: it wraps.
   [[nodiscard]] static std::uint64_t whole(Fixed value) { return static_cast<std::uint64_t>(value >> kFractionBits); }
-  /// A relative deviation; no clock is further off than a tenth.
-  [[nodiscard]] static std::int64_t rate_of(double relative);
   /// A rate by the quartz, by true time.
   [[nodiscard]] std::int64_t by_quartz(std::int64_t rate) const {
     return static_cast<std::int64_t>(static_cast<Fixed>(rate) * raw_rate_ >> kFractionBits);

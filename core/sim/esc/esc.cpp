@@ -80,6 +80,7 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   if (const auto* plan = plan_for(frame)) {
     if (any_pending_) open_buffers(*plan);
     follow(*plan, frame.bytes().data());
+    read_buffers(plan->read);
     take_up(*plan, frame.bytes().data());
     frame.pass(plan->kind);
   } else {

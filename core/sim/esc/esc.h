@@ -308,6 +308,8 @@ class Esc {
   /// One that is not usual. `memory`: the ESC's, from the step's address on.
   void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
   void tell_events(std::uint8_t told);
+  /// The master has read these SyncManagers (a bit each).
+  void read_buffers(std::uint32_t managers);
   /// Those of which it gives.
   void open_buffers(const FramePlan& plan);
   /// Nothing is under way: found out once, and again after whatever may have begun something.

@@ -93,18 +93,20 @@ void Esc::follow(const FramePlan& plan, std::uint8_t* frame, unsigned first) {
     copy_process_data(memory + step->address, frame + step->offset, step->length);
   for (const auto* const last = step + plan.words; step != last; ++step) {
     or_word(memory + step->address, frame + step->offset);
-    if (step->detail != 0) tell_events(step->detail);
   }
   for (; step != end; ++step) follow(*step, memory + step->address, frame + step->offset);
-  if (const auto touched = plan.written | plan.read; touched != 0) sm_begun_ &= ~touched;
-  for (auto read = plan.read; read != 0; read &= read - 1) buffers_.read(static_cast<unsigned>(std::countr_zero(read)));
+  if (plan.told != 0) tell_events(plan.told);
+  sm_begun_ &= ~(plan.written | plan.read);
+}
+
+void Esc::read_buffers(std::uint32_t managers) {
+  for (; managers != 0; managers &= managers - 1) buffers_.read(static_cast<unsigned>(std::countr_zero(managers)));
 }
 
 void Esc::follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data) {
   switch (step.what) {
     case Do::kOrRegister:
-      or_any(memory, data, step.length);
-      return tell_events(step.detail);
+      return or_any(memory, data, step.length);
     case Do::kOrDifference:
       store_le<std::uint32_t>({data, 4}, load_le<std::uint32_t>({data, 4}) | dc_.shown_difference());
       return;
@@ -129,6 +131,7 @@ void Esc::open_buffers(const FramePlan& plan) {
 }
 
 void Esc::tell_events(std::uint8_t told) {
+  if (memory_.u16(reg::kEcatEventRequest) == 0) return;
   if ((told & kTellsDlStatus) != 0) clear_event(kEventDlStatus);
   if ((told & kTellsAlStatus) != 0) clear_event(kEventAlStatus);
 }
@@ -138,13 +141,17 @@ void Esc::tell_events(std::uint8_t told) {
                                           Nanoseconds end) {
   frame_time_ = begin;
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
-  dc_.pass_quietly(begin);
+  bool read = false;
   if (plan.time_size != 0 && renewed_by_signal_ != 0) {
-    renew(renewed_by_signal_, dc_.start_of_counted_frame(begin));
+    const auto signals = dc_.start_of_counted_frame(begin);
+    read = signals == 1 && plan.read == renewed_by_signal_;
+    read ? buffers_.write_and_read(plan.read) : renew(renewed_by_signal_, signals);
   } else {
+    dc_.pass_quietly(begin);
     if (renewed_by_signal_ != 0) count_renewals();
     if (plan.time_size != 0) dc_.start_of_frame(begin);
   }
+  if (!read) read_buffers(plan.read);
   follow_data(plan, frame, end);
   if (((plan.written | plan.read) & minded_) != 0) {
     sm_written_ = plan.written;
@@ -191,7 +198,12 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
     cycles.behind_sync0 = moment;
     cycles.sync0 = dc_.pass_sync0();
     cycles.awaits_sync0 = false;
-    renew(cycles.work.renewed, 1);
+  }
+  if (sync0_came && plan.read == cycles.work.renewed) {
+    buffers_.write_and_read(plan.read);
+  } else {
+    if (sync0_came) renew(cycles.work.renewed, 1);
+    read_buffers(plan.read);
   }
   if (asked) [[unlikely]]
     answer(frame, begin);

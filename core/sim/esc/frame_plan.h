@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "protocol/registers.h"
 #include "sim/registers/esc_ranges.h"
 
 namespace syncline::sim {
@@ -47,6 +49,7 @@ struct FramePlan {
   std::uint16_t time_offset = 0;                 // where it is in the frame
   std::uint8_t count = 0;                        // of the steps
   std::uint8_t takes = 0, gives = 0, words = 0;  // the first ones, of the kinds that come first
+  std::uint8_t told = 0;                         // events that the master is told of by it
   std::uint32_t written = 0;                     // bit per SyncManager: its whole buffer
   std::uint32_t read = 0;                        // the same
   std::array<Step, kMostSteps> steps{};
@@ -55,8 +58,14 @@ struct FramePlan {
   /// No time is received, and no SyncManager has a part in it: what SYNC0 has done before does not matter.
   [[nodiscard]] bool is_passive() const { return time_size == 0 && (written | read) == 0; }
 
-  /// Steps of different kinds give the same byte of the frame: the last of the FMMUs wins.
+  /// Steps of different kinds give the same byte of the frame, of which the last of the FMMUs wins; or the master is
+  /// told of events and reads the request of events, too.
   [[nodiscard]] bool depends_on_order() const {
+    const auto reads_request = [](const Step& step) {
+      return step.what > Do::kGiveInputs && overlaps(step.address, step.length, reg::kEcatEventRequest, 2);
+    };
+    const auto* const end = steps.data() + count;
+    if (told != 0 && std::find_if(steps.data(), end, reads_request) != end) return true;
     const auto gives_byte = [](const Step& step) {
       return step.what == Do::kGiveInputs || step.what == Do::kGiveRegister || step.what == Do::kGiveBit;
     };
@@ -78,6 +87,7 @@ struct FramePlan {
     if (step.what == Do::kTakeOutputs) ++takes;
     if (step.what == Do::kGiveInputs) ++gives;
     if (step.what == Do::kOrWord) ++words;
+    if (step.what == Do::kOrWord || step.what == Do::kOrRegister) told |= step.detail;
     return true;
   }
 };
