@@ -252,7 +252,7 @@ bool SimBus::Impl::meet(const Stop& stop, Nanoseconds time) {
 
 /// The same, with all that is due at the slave before it. `called`: something in it is for this slave alone. False: it
 /// does not come, or is destroyed.
-bool SimBus::Impl::come_to(const Stop& stop, const Flight& flight, bool called) {
+[[gnu::noinline]] bool SimBus::Impl::come_to(const Stop& stop, const Flight& flight, bool called) {
   if (stop.passage >= flight.way.end) return false;
   const auto begin = flight.send_time + stop.offset;
   stop.device->advance_to(begin);
@@ -267,8 +267,9 @@ bool SimBus::Impl::come_to(const Stop& stop, const Flight& flight, bool called) 
   return false;
 }
 
-/// Through slaves for whom nothing in it is alone, from one place to before another one.
-bool SimBus::Impl::pass_uncalled(std::size_t from, std::size_t to, const Flight& flight) {
+/// Through slaves for whom nothing in it is alone, from one place to before another one. Calls inside would cost more
+/// than much of what they do.
+[[gnu::flatten]] bool SimBus::Impl::pass_uncalled(std::size_t from, std::size_t to, const Flight& flight) {
   for (const auto& stop : std::span(stops).subspan(from, to - from)) {
     const auto begin = flight.send_time + stop.offset;
     if (flight.at_once && stop.esc->pass_at_once(passing, false, begin, begin + flight.length)) continue;

@@ -18,7 +18,7 @@ std::int64_t rounded(std::int64_t value) {
 bool TimeControlLoop::observe(std::int32_t local_minus_received) {
   mean_ += (fixed(local_minus_received) - mean_) >> difference_depth_;
   // One count of the speed counter for each nanosecond of mean difference: the one free constant of the model.
-  const auto wanted = std::clamp(period_deviation_ + mean_, -limit_, limit_);
+  const auto wanted = std::max(std::min(period_deviation_ + mean_, limit_), -limit_);
   period_deviation_ += (wanted - period_deviation_) >> speed_depth_;
   const auto diff = static_cast<std::int32_t>(rounded(wanted));
   return std::exchange(diff_, diff) != diff;

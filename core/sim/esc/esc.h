@@ -308,6 +308,8 @@ class Esc {
   /// One that is not usual. `memory`: the ESC's, from the step's address on.
   void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
   void tell_events(std::uint8_t told);
+  /// Adds the bits of 0x092C.
+  void or_difference(std::uint8_t* data) const;
   /// The master has read these SyncManagers (a bit each).
   void read_buffers(std::uint32_t managers);
   /// Those of which it gives.

@@ -28,7 +28,6 @@ struct FramePlan {
     kGiveInputs,    // from one
     kOrWord,        // the bits of a register of 16 bit are added to those of the datagram
     kOrRegister,    // the same with any other
-    kOrDifference,  // those of 0x092C
     kGiveRegister,  // bytes into process data
     kGiveBit,       // one bit of them
   };
@@ -47,6 +46,7 @@ struct FramePlan {
   std::uint8_t kind = 0;                         // PassingFrame::kind_of()
   std::uint8_t time_size = 0;                    // bytes of the system time that is received; 0: none
   std::uint16_t time_offset = 0;                 // where it is in the frame
+  std::uint16_t difference_offset = 0;           // where 0x092C is added to the frame; 0: nowhere
   std::uint8_t count = 0;                        // of the steps
   std::uint8_t takes = 0, gives = 0, words = 0;  // the first ones, of the kinds that come first
   std::uint8_t told = 0;                         // events that the master is told of by it
