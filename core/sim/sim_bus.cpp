@@ -267,9 +267,8 @@ bool SimBus::Impl::meet(const Stop& stop, Nanoseconds time) {
   return false;
 }
 
-/// Through slaves for whom nothing in it is alone, from one place to before another one. Calls inside would cost more
-/// than much of what they do.
-[[gnu::flatten]] bool SimBus::Impl::pass_uncalled(std::size_t from, std::size_t to, const Flight& flight) {
+/// Through slaves for whom nothing in it is alone, from one place to before another one.
+bool SimBus::Impl::pass_uncalled(std::size_t from, std::size_t to, const Flight& flight) {
   for (const auto& stop : std::span(stops).subspan(from, to - from)) {
     const auto begin = flight.send_time + stop.offset;
     if (flight.at_once && stop.esc->pass_at_once(passing, false, begin, begin + flight.length)) continue;

@@ -28,12 +28,13 @@ constexpr unsigned kUnitOn = 0x01, kSync0On = 0x02, kSync1On = 0x04, kAutoActiva
 
 DcUnit::DcUnit(const OscillatorConfig& oscillator, const SimDcConfig& config, Nanoseconds power_on, std::uint64_t seed,
                EscMemory& memory)
-    : memory_(memory),
-      config_(config),
-      wide_(config.is_64bit),
-      clock_(oscillator, power_on, seed),
+    : config_(config),
       latches_(memory, config.is_64bit),
-      latch_noise_(seed ^ kNoise) {
+      latch_noise_(seed ^ kNoise),
+      clock_(oscillator, power_on, seed),
+      memory_(memory),
+      wide_(config.is_64bit),
+      sign_of_older_edition_(config.sign_of_older_edition) {
   implement_registers(seed);
 }
 

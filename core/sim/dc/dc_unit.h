@@ -98,7 +98,7 @@ class DcUnit {
   /// 0x092C as it is shown.
   [[nodiscard]] std::uint32_t shown_difference() const {
     const auto difference = loop_.system_time_difference();
-    return config_.sign_of_older_edition && difference != 0 ? difference ^ kSignBit : difference;
+    return sign_of_older_edition_ && difference != 0 ? difference ^ kSignBit : difference;
   }
   /// The frame wrote 0x0900: time at the processing unit.
   void latch_processing_unit();
@@ -168,26 +168,14 @@ class DcUnit {
   void signals_moved();
   void implement_registers(std::uint64_t seed);
 
-  EscMemory& memory_;
   SimDcConfig config_;
-  bool wide_;
-  LocalClock clock_;
-  TimeControlLoop loop_;
-  CorrectionRates rates_;
-  SyncGenerator generator_;
   SyncGenerator::Settings settings_;
   LatchUnit latches_;
-  bool start_missed_ = false, start_implausible_ = false;
-  std::uint64_t start_time_ = 0;  // of the activation
-  bool unminded_ = false;
-  std::uint64_t next_when_left_ = 0;  // SYNC0 that was due when they were left unminded, system time
-  std::uint64_t unasked_ = 0;         // of them, since the last count_unminded()
-  Nanoseconds now_ = 0;               // up to which SYNC signals have been delivered
-  /// True time of the next SYNC signal, if there is one; empty after what moves it.
-  std::optional<Nanoseconds> next_signal_;
-  Nanoseconds quiet_until_ = INT64_MIN;  // no SYNC signal before, whatever the time control loop does
-  std::uint64_t local_at_start_of_frame_ = 0;
   Random latch_noise_;
+  bool start_missed_ = false, start_implausible_ = false;
+  std::uint64_t start_time_ = 0;         // of the activation
+  std::uint64_t next_when_left_ = 0;     // SYNC0 that was due when they were left unminded, system time
+  Nanoseconds quiet_until_ = INT64_MIN;  // no SYNC signal before, whatever the time control loop does
 
   /// What is kept against all writing: 0x0920 and 0x0928.
   struct KeptClock {
@@ -197,6 +185,21 @@ class DcUnit {
   std::optional<KeptClock> kept_;
   std::array<bool, 4> stuck_ports_{};
   Nanoseconds start_shift_ = 0;
+
+  // Of every frame, and therefore together, in few lines of the processor's cache:
+  CorrectionRates rates_;
+  LocalClock clock_;
+  TimeControlLoop loop_;
+  SyncGenerator generator_;
+  EscMemory& memory_;
+  bool wide_;
+  bool sign_of_older_edition_;
+  bool unminded_ = false;
+  std::uint64_t unasked_ = 0;  // of those signals, since the last count_unminded()
+  Nanoseconds now_ = 0;        // up to which SYNC signals have been delivered
+  /// True time of the next SYNC signal, if there is one; empty after what moves it.
+  std::optional<Nanoseconds> next_signal_;
+  std::uint64_t local_at_start_of_frame_ = 0;
 };
 
 }  // namespace syncline::sim

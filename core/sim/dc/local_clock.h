@@ -116,15 +116,17 @@ class LocalClock {
   /// When the next change of the rate behind `time` is due, `step` later at most; kNever: none.
   [[nodiscard]] Nanoseconds next_move(Nanoseconds time, Nanoseconds step) const;
 
+  double ppm_, wander_ = 0, wander_limit_, moved_ = 0;
+  std::vector<RateChange> changes_;
+  Random random_;
+  Nanoseconds next_wander_, next_move_;
+  // Of every frame, and therefore together:
+  Nanoseconds next_change_;
   Nanoseconds raw_time_, correction_time_;              // committed true time; the rate has been the same since
   Fixed raw_;                                           // uncorrected counter then
   Fixed correction_ = 0;                                // subtracted until then
   std::int64_t raw_rate_ = kOne, correction_rate_ = 0;  // of both by true time
   std::int64_t loop_rate_ = 0;                          // of the correction by the quartz
-  double ppm_, wander_ = 0, wander_limit_, moved_ = 0;
-  std::vector<RateChange> changes_;
-  Nanoseconds next_wander_, next_move_, next_change_;
-  Random random_;
 };
 
 struct LocalClock::Moment {

@@ -360,9 +360,28 @@ class Esc {
   Options options_;
   EscMemory memory_;
   EscPorts ports_;
+
+  // Of every frame, and therefore together, in few lines of the processor's cache:
   DcUnit dc_;
-  SiiInterface sii_;
   ProcessDataWatchdog watchdog_;
+  Nanoseconds idle_until_ = INT64_MIN;
+  Nanoseconds quiet_until_ = INT64_MIN;  // nothing is due before that is not the clock's
+  Nanoseconds frame_time_ = 0;           // when the last frame began to pass
+  std::uint32_t generation_ = 1;         // of the settings that plans are made by
+  std::uint32_t minded_ = ~0U;           // SyncManagers whose transfers the device is told of
+  std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager
+  struct Renewal {
+    std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
+  };
+  Renewal renewed_by_transfer_;
+  // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
+  std::uint32_t sm_begun_ = 0;
+  bool as_usual_ = false;  // has_something_under_way() has said no
+  RepeatedCycles cycles_;
+  ThreeBuffers buffers_;
+  std::array<FramePlan, FramePlan::kPlaces> plans_{};
+
+  SiiInterface sii_;
   PdiWatchdog pdi_watchdog_;
   WriteProtection protection_;
   ResetSequence reset_;
@@ -382,42 +401,26 @@ class Esc {
   std::vector<Mapping> write_mappings_, read_mappings_;
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
-  Nanoseconds quiet_until_ = INT64_MIN;        // nothing is due before that is not the clock's
-  std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
-  std::uint32_t mailboxes_ = 0;                // bit per SyncManager, on or not
-  std::uint32_t buffers_begin_ = 0;            // where the first SyncManager's memory begins
-  std::array<FramePlan, FramePlan::kPlaces> plans_{};
-  std::uint32_t generation_ = 1;                                      // of the settings that plans are made by
-  std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;          // of the same; here or of a whole bus
+  std::vector<std::uint8_t> active_managers_;                         // those that are on and have a length
+  std::uint32_t mailboxes_ = 0;                                       // bit per SyncManager, on or not
+  std::uint32_t buffers_begin_ = 0;                                   // where the first SyncManager's memory begins
+  std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;          // of the settings; here or of a whole bus
   std::uint64_t* event_changes_ = &own_changes_;                      // of the ECAT event request, likewise
   std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
-  Nanoseconds idle_until_ = INT64_MIN;
-  bool as_usual_ = false;  // has_something_under_way() has said no
   bool sync_silent_ = false, prompt_ = false;
-  std::uint32_t minded_ = ~0U;           // SyncManagers whose transfers the device is told of
-  std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager
-  struct Renewal {
-    std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
-  };
-  Renewal renewed_by_transfer_;
-  RepeatedCycles cycles_;
 
   // Of the frame that is passing:
   bool touched_ = false;
   std::uint8_t time_size_ = 0;  // bytes of the system time that a plan has received; 0: none
   std::uint64_t time_received_ = 0;
-  Nanoseconds frame_time_ = 0;  // when it began to pass
   std::array<std::optional<Nanoseconds>, 4> port_times_{};
   bool latch_unit_ = false, latch_ports_ = false;
   std::vector<Write> writes_;
   std::array<std::uint8_t, kMaxFrameBody> shadow_{};  // bytes of writes_, in order
   std::size_t shadow_size_ = 0;
-  std::uint32_t sm_written_ = 0, sm_read_ = 0;  // bit per SyncManager
-  // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
-  std::uint32_t sm_begun_ = 0;
+  std::uint32_t sm_written_ = 0, sm_read_ = 0;      // bit per SyncManager
   std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
   bool any_pending_ = false;
-  ThreeBuffers buffers_;
 };
 
 }  // namespace syncline::sim
