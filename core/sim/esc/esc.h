@@ -315,10 +315,8 @@ class Esc {
   /// Those of which it gives.
   void open_buffers(const FramePlan& plan);
   /// Nothing is under way: found out once, and again after whatever may have begun something.
-  [[nodiscard]] bool is_as_usual() {
-    as_usual_ = as_usual_ || !has_something_under_way();
-    return as_usual_;
-  }
+  [[nodiscard]] bool is_as_usual() { return as_usual_ || becomes_usual(); }
+  [[nodiscard]] bool becomes_usual();
   /// What frames do to it depends on more than its settings, or they do more than its plans say.
   [[nodiscard]] bool has_something_under_way() const {
     return maps_stale_ || any_pending_ || reset_.begun() || ports_.changed() || protection_.lifted() ||
@@ -376,7 +374,8 @@ class Esc {
   Renewal renewed_by_transfer_;
   // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
   std::uint32_t sm_begun_ = 0;
-  bool as_usual_ = false;  // has_something_under_way() has said no
+  bool as_usual_ = false;                       // has_something_under_way() has said no
+  std::uint16_t events_ = 0, told_events_ = 0;  // ECAT event request, and what of it frames carry, since then
   RepeatedCycles cycles_;
   ThreeBuffers buffers_;
   std::array<FramePlan, FramePlan::kPlaces> plans_{};

@@ -21,6 +21,7 @@ void Esc::raise_event(std::uint16_t event) {
   const auto request = memory_.u16(reg::kEcatEventRequest);
   if ((request & event) == event) return;
   memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request | event));
+  as_usual_ = false;
   ++*event_changes_;
 }
 
@@ -44,6 +45,7 @@ void Esc::clear_event(std::uint16_t event) {
   const auto request = memory_.u16(reg::kEcatEventRequest);
   if ((request & event) == 0) return;
   memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request & ~event));
+  as_usual_ = false;
   ++*event_changes_;
 }
 

@@ -93,6 +93,14 @@ const FramePlan* Esc::plan_for(PassingFrame& frame) {
   return plan.executed ? nullptr : &plan;
 }
 
+[[gnu::noinline]] bool Esc::becomes_usual() {
+  if (has_something_under_way()) return false;
+  events_ = memory_.u16(reg::kEcatEventRequest);
+  told_events_ = static_cast<std::uint16_t>(events_ & memory_.u16(reg::kEcatEventMask));
+  as_usual_ = true;
+  return true;
+}
+
 void Esc::follow(const FramePlan& plan, std::uint8_t* frame, unsigned first) {
   auto* const memory = memory_.at(0, EscMemory::kSize).data();
   const auto* const steps = plan.steps.data();
@@ -107,7 +115,7 @@ void Esc::follow(const FramePlan& plan, std::uint8_t* frame, unsigned first) {
   }
   for (; step != end; ++step) follow(*step, memory + step->address, frame + step->offset);
   if (plan.difference_offset != 0) or_difference(frame + plan.difference_offset);
-  if (plan.told != 0) tell_events(plan.told);
+  if (plan.told != 0 && !(as_usual_ && events_ == 0)) tell_events(plan.told);
   sm_begun_ &= ~(plan.written | plan.read);
 }
 
@@ -144,7 +152,6 @@ void Esc::open_buffers(const FramePlan& plan) {
 }
 
 void Esc::tell_events(std::uint8_t told) {
-  if (memory_.u16(reg::kEcatEventRequest) == 0) return;
   if ((told & kTellsDlStatus) != 0) clear_event(kEventDlStatus);
   if ((told & kTellsAlStatus) != 0) clear_event(kEventAlStatus);
 }
@@ -153,7 +160,7 @@ void Esc::tell_events(std::uint8_t told) {
 [[gnu::flatten]] void Esc::follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
                                           Nanoseconds end) {
   frame_time_ = begin;
-  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  frame.add_event(told_events_);
   bool read = false;
   if (plan.time_size != 0 && renewed_by_signal_ != 0) {
     const auto signals = dc_.start_of_counted_frame(begin);
@@ -179,7 +186,7 @@ void Esc::tell_events(std::uint8_t told) {
 [[gnu::flatten]] void Esc::follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
                                             Nanoseconds end) {
   frame_time_ = begin;
-  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  frame.add_event(told_events_);
   dc_.pass_quietly(end);
   follow(plan, frame.bytes().data());
   frame.pass(plan.kind);
@@ -221,7 +228,7 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
   if (asked) [[unlikely]]
     answer(frame, begin);
   frame_time_ = begin;
-  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  frame.add_event(told_events_);
   if (plan.time_size != 0) dc_.start_of_frame(moment);
   // Outputs that are held already need not be taken.
   follow_data(plan, frame, end, brings_outputs && plan.takes == 1 ? 1 : 0);
