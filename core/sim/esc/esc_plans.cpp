@@ -188,7 +188,12 @@ void Esc::tell_events(std::uint8_t told) {
   frame_time_ = begin;
   frame.add_event(told_events_);
   dc_.pass_quietly(end);
-  follow(plan, frame.bytes().data());
+  auto* const bytes = frame.bytes().data();
+  if (plan.count != 0) {
+    follow(plan, bytes);
+  } else if (plan.difference_offset != 0) {  // where the process data are in another frame
+    or_difference(bytes + plan.difference_offset);
+  }
   frame.pass(plan.kind);
 }
 
