@@ -198,7 +198,7 @@ void bench_samples(RatioReport& report) {
 int main() {
   syncline::bench::RatioReport report;
   syncline::bench::bench_simulator(report);
-  syncline::bench::bench_virtual_hundred(report, false, 130);
+  syncline::bench::bench_virtual_hundred(report, false, 125);
   syncline::bench::bench_virtual_hundred(report, true, 75);
   syncline::bench::bench_memory(report);
   syncline::bench::bench_virtual_time(report);

@@ -16,7 +16,7 @@ namespace syncline::sim {
 /// leaves what executing the datagrams leaves, byte for byte; tests/core/sim/frame_plan_test.cpp holds both against
 /// each other.
 struct FramePlan {
-  static constexpr std::size_t kPlaces = 8;          // frames that are remembered
+  static constexpr std::size_t kPlaces = 32;         // frames that are remembered: a cycle of 1,000 drives has 15
   static constexpr std::size_t kMostDatagrams = 16;  // of such a frame
   static constexpr std::size_t kMostSteps = 12;      // what does more is executed
   using Counters = std::array<std::uint16_t, kMostDatagrams>;
