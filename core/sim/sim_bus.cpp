@@ -191,7 +191,15 @@ struct SimBus::Impl final : FaultTarget {
   Returned execute_foreign(bool malformed, Nanoseconds send_time);
   using Reach = LineFaults::Reach;
   void note_addresses();
+  /// A frame on its way.
+  struct Flight {
+    Reach& way;
+    Nanoseconds send_time = 0, length = 0;
+    bool at_once = false;  // slaves may pass it so
+  };
   bool meet(const Stop& stop, Nanoseconds time);
+  bool come_to(const Stop& stop, const Flight& flight, bool called);
+  bool pass_uncalled(std::size_t from, std::size_t to, const Flight& flight);
   void pass_slaves(Reach& way, Nanoseconds send_time, Nanoseconds length);
   void note_port_times(const Reach& way, Nanoseconds send_time);
   void count_errors(const Reach& way);
@@ -242,33 +250,48 @@ bool SimBus::Impl::meet(const Stop& stop, Nanoseconds time) {
   return passed;
 }
 
+/// The same, with all that is due at the slave before it. `called`: something in it is for this slave alone. False: it
+/// does not come, or is destroyed.
+[[gnu::noinline]] bool SimBus::Impl::come_to(const Stop& stop, const Flight& flight, bool called) {
+  if (stop.passage >= flight.way.end) return false;
+  const auto begin = flight.send_time + stop.offset;
+  stop.device->advance_to(begin);
+  if (flight.at_once && (!called || stop.esc->is_only_asked_by(passing))) {
+    const auto end = begin + flight.length;
+    const bool passed = passing.is_for_single_slaves() ? stop.esc->answer_at_once(passing, begin, end)
+                                                       : stop.esc->pass_at_once(passing, called, begin, end);
+    if (passed) return true;
+  }
+  if (meet(stop, begin)) return true;
+  flight.way.end = stop.passage;
+  return false;
+}
+
+/// Through slaves for whom nothing in it is alone, from one place to before another one.
+bool SimBus::Impl::pass_uncalled(std::size_t from, std::size_t to, const Flight& flight) {
+  for (const auto& stop : std::span(stops).subspan(from, to - from)) {
+    const auto begin = flight.send_time + stop.offset;
+    if (flight.at_once && stop.esc->pass_at_once(passing, false, begin, begin + flight.length)) continue;
+    if (!come_to(stop, flight, false)) return false;
+  }
+  return true;
+}
+
 /// Through the slaves up to the end of its way, which may come earlier than was thought.
 void SimBus::Impl::pass_slaves(Reach& way, Nanoseconds send_time, Nanoseconds length) {
   touched.clear();
   const auto& called = addresses.called_by(passing, event_changes);
-  if (passing.is_for_single_slaves()) {
-    for (const auto place : called) {
-      const auto& stop = stops[place];
-      if (stop.passage >= way.end) return;
-      const auto time = send_time + stop.offset;
-      stop.device->advance_to(time);
-      if (!meet(stop, time)) way.end = stop.passage;
-    }
-    return;
+  const bool single = passing.is_for_single_slaves();
+  const bool whole = std::min(way.end, way.damaged) == path.passages.size();
+  const bool planned = single ? work == Work::kAtOnce : passing.shape() != nullptr;
+  const Flight flight{way, send_time, length, whole && planned};
+  std::size_t next = 0;
+  for (const std::size_t place : called) {
+    if (!single && !pass_uncalled(next, place, flight)) return;
+    if (!come_to(stops[place], flight, true)) return;
+    next = place + 1;
   }
-  const bool at_once = passing.shape() != nullptr && std::min(way.end, way.damaged) == path.passages.size();
-  auto next = called.begin();
-  for (std::size_t i = 0; i < stops.size(); ++i) {
-    const auto& stop = stops[i];
-    if (stop.passage >= way.end) return;
-    const auto time = send_time + stop.offset;
-    stop.device->advance_to(time);
-    const bool is_called = next != called.end() && *next == i;
-    if (is_called) ++next;
-    if (at_once && !is_called && !stop.device->sees_frames() && stop.esc->pass_at_once(passing, time, time + length))
-      continue;
-    if (!meet(stop, time)) way.end = stop.passage;
-  }
+  if (!single) (void)pass_uncalled(next, stops.size(), flight);
 }
 
 /// What the ESCs at the frame's way keep of when it came to their ports.

@@ -28,12 +28,13 @@ constexpr unsigned kUnitOn = 0x01, kSync0On = 0x02, kSync1On = 0x04, kAutoActiva
 
 DcUnit::DcUnit(const OscillatorConfig& oscillator, const SimDcConfig& config, Nanoseconds power_on, std::uint64_t seed,
                EscMemory& memory)
-    : memory_(memory),
-      config_(config),
-      wide_(config.is_64bit),
-      clock_(oscillator, power_on, seed),
+    : config_(config),
       latches_(memory, config.is_64bit),
-      latch_noise_(seed ^ kNoise) {
+      latch_noise_(seed ^ kNoise),
+      clock_(oscillator, power_on, seed),
+      memory_(memory),
+      wide_(config.is_64bit),
+      sign_of_older_edition_(config.sign_of_older_edition) {
   implement_registers(seed);
 }
 
@@ -195,11 +196,11 @@ void DcUnit::write_status() {
   memory_.set<std::uint8_t>(reg::kActivationStatus, static_cast<std::uint8_t>(pending));
 }
 
-void DcUnit::compare(Nanoseconds frame_end) {
-  const auto received = memory_.u32(reg::kSystemTime);
+void DcUnit::compare(std::uint32_t received, Nanoseconds frame_end) {
   const auto local =
       static_cast<std::uint32_t>(local_at_start_of_frame_ + offset()) - memory_.u32(reg::kSystemTimeDelay);
-  if (loop_.observe(static_cast<std::int32_t>(local - received))) clock_.set_correction(loop_.correction(), frame_end);
+  if (loop_.observe(static_cast<std::int32_t>(local - received)))
+    clock_.set_correction_rate(rates_.of(loop_), frame_end);
 }
 
 void DcUnit::write_activation(Nanoseconds time) {
@@ -269,7 +270,7 @@ void DcUnit::follow_ownership() {
 
 void DcUnit::registers_written(std::uint16_t address, std::size_t length, Nanoseconds frame_end) {
   if (!config_.system_time) return;
-  if (overlaps(address, length, reg::kSystemTime, 4)) compare(frame_end);
+  if (overlaps(address, length, reg::kSystemTime, 4)) compare(memory_.u32(reg::kSystemTime), frame_end);
   if (address >= reg::kSystemTime && address + length <= reg::kSystemTime + 8U) {  // in every cycle
     next_signal_.reset();
     return;

@@ -11,6 +11,7 @@
 
 #include "config/sim_config.h"
 #include "protocol/registers.h"
+#include "sim/dc/correction_rates.h"
 #include "sim/dc/latch_unit.h"
 #include "sim/dc/local_clock.h"
 #include "sim/dc/sync_generator.h"
@@ -76,7 +77,8 @@ class DcUnit {
   std::uint64_t start_of_counted_frame(Nanoseconds time) {
     const auto clock = clock_.read(time);
     local_at_start_of_frame_ = clock.sample;
-    const auto signals = generator_.skip_to((now_ == time ? clock.exact : clock_.exact(now_)) + offset() + 1);
+    const auto until = now_ <= time ? clock.exact : clock_.exact(now_);
+    const auto signals = generator_.skip_regular_to(until + offset() + 1);
     return signals + std::exchange(unasked_, 0);
   }
   /// Copies what a read of this frame shows into the register file: before anybody looks at these registers or writes a
@@ -90,13 +92,13 @@ class DcUnit {
   void system_time_received(std::uint8_t size, std::uint64_t value, Nanoseconds frame_end) {
     size == sizeof(std::uint64_t) ? memory_.set<std::uint64_t>(reg::kSystemTime, value)
                                   : memory_.set<std::uint32_t>(reg::kSystemTime, static_cast<std::uint32_t>(value));
-    compare(frame_end);
+    compare(static_cast<std::uint32_t>(value), frame_end);
     next_signal_.reset();
   }
   /// 0x092C as it is shown.
   [[nodiscard]] std::uint32_t shown_difference() const {
     const auto difference = loop_.system_time_difference();
-    return config_.sign_of_older_edition && difference != 0 ? difference ^ kSignBit : difference;
+    return sign_of_older_edition_ && difference != 0 ? difference ^ kSignBit : difference;
   }
   /// The frame wrote 0x0900: time at the processing unit.
   void latch_processing_unit();
@@ -149,7 +151,8 @@ class DcUnit {
   void restore_locked_registers();
   void keep_clock();
   [[nodiscard]] std::uint64_t masked(std::uint64_t value) const { return wide_ ? value : value & 0xFFFF'FFFFU; }
-  void compare(Nanoseconds frame_end);
+  /// With the low word of the system time that has been received.
+  void compare(std::uint32_t received, Nanoseconds frame_end);
   void pulse(SyncGenerator::Signal signal, Nanoseconds time);
   void write_activation(Nanoseconds time);
   /// When the unit activated at `now` fires first, in system time that does not wrap.
@@ -165,25 +168,14 @@ class DcUnit {
   void signals_moved();
   void implement_registers(std::uint64_t seed);
 
-  EscMemory& memory_;
   SimDcConfig config_;
-  bool wide_;
-  LocalClock clock_;
-  TimeControlLoop loop_;
-  SyncGenerator generator_;
   SyncGenerator::Settings settings_;
   LatchUnit latches_;
-  bool start_missed_ = false, start_implausible_ = false;
-  std::uint64_t start_time_ = 0;  // of the activation
-  bool unminded_ = false;
-  std::uint64_t next_when_left_ = 0;  // SYNC0 that was due when they were left unminded, system time
-  std::uint64_t unasked_ = 0;         // of them, since the last count_unminded()
-  Nanoseconds now_ = 0;               // up to which SYNC signals have been delivered
-  /// True time of the next SYNC signal, if there is one; empty after what moves it.
-  std::optional<Nanoseconds> next_signal_;
-  Nanoseconds quiet_until_ = INT64_MIN;  // no SYNC signal before, whatever the time control loop does
-  std::uint64_t local_at_start_of_frame_ = 0;
   Random latch_noise_;
+  bool start_missed_ = false, start_implausible_ = false;
+  std::uint64_t start_time_ = 0;         // of the activation
+  std::uint64_t next_when_left_ = 0;     // SYNC0 that was due when they were left unminded, system time
+  Nanoseconds quiet_until_ = INT64_MIN;  // no SYNC signal before, whatever the time control loop does
 
   /// What is kept against all writing: 0x0920 and 0x0928.
   struct KeptClock {
@@ -193,6 +185,21 @@ class DcUnit {
   std::optional<KeptClock> kept_;
   std::array<bool, 4> stuck_ports_{};
   Nanoseconds start_shift_ = 0;
+
+  // Of every frame, and therefore together, in few lines of the processor's cache:
+  CorrectionRates rates_;
+  LocalClock clock_;
+  TimeControlLoop loop_;
+  SyncGenerator generator_;
+  EscMemory& memory_;
+  bool wide_;
+  bool sign_of_older_edition_;
+  bool unminded_ = false;
+  std::uint64_t unasked_ = 0;  // of those signals, since the last count_unminded()
+  Nanoseconds now_ = 0;        // up to which SYNC signals have been delivered
+  /// True time of the next SYNC signal, if there is one; empty after what moves it.
+  std::optional<Nanoseconds> next_signal_;
+  std::uint64_t local_at_start_of_frame_ = 0;
 };
 
 }  // namespace syncline::sim

@@ -20,15 +20,16 @@ Nanoseconds later(Nanoseconds time, Nanoseconds by) { return time > INT64_MAX - 
 }  // namespace
 
 LocalClock::LocalClock(const OscillatorConfig& config, Nanoseconds power_on, std::uint64_t seed)
-    : time_(power_on),
-      raw_(static_cast<Fixed>(static_cast<std::uint64_t>(config.start_offset)) * kOne),
-      ppm_(config.ppm),
+    : ppm_(config.ppm),
       wander_limit_(std::abs(config.wander_ppm)),
       changes_(config.changes),
+      random_(seed),
       next_wander_(wander_limit_ > 0 ? later(power_on, kStep) : kNever),
       next_move_(next_move(power_on, kStep)),
       next_change_(std::min(next_wander_, next_move_)),
-      random_(seed) {
+      raw_time_(power_on),
+      correction_time_(power_on),
+      raw_(static_cast<Fixed>(static_cast<std::uint64_t>(config.start_offset)) * kOne) {
   moved_ = moved_at(power_on);
   take_rates();
 }
@@ -108,7 +109,7 @@ LocalClock::Unsigned LocalClock::passing_time(std::uint64_t ahead, std::uint64_t
 }
 
 Nanoseconds LocalClock::time_of(std::uint64_t local, Nanoseconds from) const {
-  const auto shown = raw_ - correction_ + static_cast<Fixed>(from - time_) * (raw_rate_ - correction_rate_);
+  const auto shown = raw_at(from) - correction_at(from);
   // A counter that wraps: what is further ahead than half of its range is past.
   const auto ahead = static_cast<std::int64_t>(local - whole(shown));
   if (ahead <= 0) return from;

@@ -33,21 +33,17 @@ class LocalClock {
   }
   /// What the counter shows: the value of the last tick.
   [[nodiscard]] std::uint64_t sample(Nanoseconds time) const {
-    const auto passed = static_cast<Fixed>(time - time_);
-    const auto raw = whole(raw_ + passed * raw_rate_);
-    return raw - raw % kTick - whole(correction_ + passed * correction_rate_ + kOne / 2);
+    const auto raw = whole(raw_at(time));
+    return raw - raw % kTick - whole(correction_at(time) + kOne / 2);
   }
   /// The counter without its granularity, ns.
-  [[nodiscard]] std::uint64_t exact(Nanoseconds time) const {
-    return whole(raw_ - correction_ + static_cast<Fixed>(time - time_) * (raw_rate_ - correction_rate_));
-  }
+  [[nodiscard]] std::uint64_t exact(Nanoseconds time) const { return whole(raw_at(time) - correction_at(time)); }
   /// Both, for little more than one of them.
   struct Reading {
     std::uint64_t sample = 0, exact = 0;
   };
   [[nodiscard]] Reading read(Nanoseconds time) const {
-    const auto passed = static_cast<Fixed>(time - time_);
-    const auto raw = raw_ + passed * raw_rate_, correction = correction_ + passed * correction_rate_;
+    const auto raw = raw_at(time), correction = correction_at(time);
     const auto shown = whole(raw);
     return {shown - shown % kTick - whole(correction + kOne / 2), whole(raw - correction)};
   }
@@ -71,12 +67,16 @@ class LocalClock {
   }
 
   /// Relative slow-down from the time control loop, at most a tenth, effective from `time` on.
-  void set_correction(double relative, Nanoseconds time) {
+  void set_correction(double relative, Nanoseconds time) { set_correction_rate(rate_of(relative), time); }
+  /// The same with a rate_of().
+  void set_correction_rate(std::int64_t rate, Nanoseconds time) {
     advance_to(time);
-    commit(time);
-    loop_rate_ = rate_of(relative);
+    commit_correction(time);
+    loop_rate_ = rate;
     correction_rate_ = by_quartz(loop_rate_);
   }
+  /// A relative deviation in the clock's arithmetic; no clock is further off than a tenth.
+  [[nodiscard]] static std::int64_t rate_of(double relative);
   /// The counter jumps by `delta` ns (a fault).
   void step(Nanoseconds delta) { raw_ += static_cast<Fixed>(delta) * kOne; }
 
@@ -90,17 +90,23 @@ class LocalClock {
 
   /// The counter's word: it wraps.
   [[nodiscard]] static std::uint64_t whole(Fixed value) { return static_cast<std::uint64_t>(value >> kFractionBits); }
-  /// A relative deviation; no clock is further off than a tenth.
-  [[nodiscard]] static std::int64_t rate_of(double relative);
   /// A rate by the quartz, by true time.
   [[nodiscard]] std::int64_t by_quartz(std::int64_t rate) const {
     return static_cast<std::int64_t>(static_cast<Fixed>(rate) * raw_rate_ >> kFractionBits);
   }
+  [[nodiscard]] Fixed raw_at(Nanoseconds time) const { return raw_ + static_cast<Fixed>(time - raw_time_) * raw_rate_; }
+  [[nodiscard]] Fixed correction_at(Nanoseconds time) const {
+    return correction_ + static_cast<Fixed>(time - correction_time_) * correction_rate_;
+  }
+  /// The control loop changes the rate of the correction in nearly every frame, and the quartz keeps its own.
+  void commit_correction(Nanoseconds time) {
+    correction_ = correction_at(time);
+    correction_time_ = time;
+  }
   void commit(Nanoseconds time) {
-    const auto passed = static_cast<Fixed>(time - time_);
-    raw_ += passed * raw_rate_;
-    correction_ += passed * correction_rate_;
-    time_ = time;
+    commit_correction(time);
+    raw_ = raw_at(time);
+    raw_time_ = time;
   }
   /// The rates are those of the quartz as it is now.
   void take_rates();
@@ -110,15 +116,17 @@ class LocalClock {
   /// When the next change of the rate behind `time` is due, `step` later at most; kNever: none.
   [[nodiscard]] Nanoseconds next_move(Nanoseconds time, Nanoseconds step) const;
 
-  Nanoseconds time_;                                    // committed true time; the rates have been the same since
-  Fixed raw_;                                           // uncorrected counter at time_
-  Fixed correction_ = 0;                                // subtracted so far
-  std::int64_t raw_rate_ = kOne, correction_rate_ = 0;  // of both by true time
-  std::int64_t loop_rate_ = 0;                          // of the correction by the quartz
   double ppm_, wander_ = 0, wander_limit_, moved_ = 0;
   std::vector<RateChange> changes_;
-  Nanoseconds next_wander_, next_move_, next_change_;
   Random random_;
+  Nanoseconds next_wander_, next_move_;
+  // Of every frame, and therefore together:
+  Nanoseconds next_change_;
+  Nanoseconds raw_time_, correction_time_;              // committed true time; the rate has been the same since
+  Fixed raw_;                                           // uncorrected counter then
+  Fixed correction_ = 0;                                // subtracted until then
+  std::int64_t raw_rate_ = kOne, correction_rate_ = 0;  // of both by true time
+  std::int64_t loop_rate_ = 0;                          // of the correction by the quartz
 };
 
 struct LocalClock::Moment {
@@ -131,8 +139,7 @@ struct LocalClock::Moment {
 };
 
 inline LocalClock::Moment LocalClock::moment(Nanoseconds time) const {
-  const auto passed = static_cast<Fixed>(time - time_);
-  const auto raw = raw_ + passed * raw_rate_, correction = correction_ + passed * correction_rate_;
+  const auto raw = raw_at(time), correction = correction_at(time);
   const auto counted = whole(raw);
   return {time, raw - correction, raw_rate_ - correction_rate_,
           counted - counted % kTick - whole(correction + kOne / 2)};

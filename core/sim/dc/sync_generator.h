@@ -46,6 +46,15 @@ class SyncGenerator {
   void realign(std::uint64_t now, bool wide);
   /// Nobody has looked for long: what was due before `now` has come and gone. How many SYNC0 that were.
   std::uint64_t skip_to(std::uint64_t now);
+  /// The same of a unit without SYNC1 whose SYNC0 comes in cycles: in every frame.
+  std::uint64_t skip_regular_to(std::uint64_t now) {
+    const auto since = static_cast<std::int64_t>(now - *next0_);
+    if (since <= 0) return 0;
+    const auto passed = since < settings_.cycle0 ? 1 : static_cast<std::uint64_t>(since) / settings_.cycle0 + 1;
+    next0_ = *next0_ + passed * settings_.cycle0;
+    first0_done_ = true;
+    return passed;
+  }
 
  private:
   std::uint64_t pass_to(std::uint64_t now);

@@ -8,20 +8,17 @@
 
 namespace syncline::sim {
 namespace {
-constexpr std::int32_t kCounterMargin = 0x7F;
-constexpr unsigned kFractionBits = 30;
-constexpr std::int64_t kHalf = std::int64_t{1} << (kFractionBits - 1);
-
-std::int64_t fixed(std::int64_t value) { return value * (std::int64_t{1} << kFractionBits); }
 /// To the nearest whole number.
-std::int64_t rounded(std::int64_t value) { return (value + kHalf) >> kFractionBits; }
+std::int64_t rounded(std::int64_t value) {
+  constexpr std::int64_t kHalf = std::int64_t{1} << (TimeControlLoop::kFractionBits - 1);
+  return (value + kHalf) >> TimeControlLoop::kFractionBits;
+}
 }  // namespace
 
 bool TimeControlLoop::observe(std::int32_t local_minus_received) {
   mean_ += (fixed(local_minus_received) - mean_) >> difference_depth_;
   // One count of the speed counter for each nanosecond of mean difference: the one free constant of the model.
-  const auto limit = fixed(start_ - kCounterMargin);
-  const auto wanted = std::clamp(period_deviation_ + mean_, -limit, limit);
+  const auto wanted = std::max(std::min(period_deviation_ + mean_, limit_), -limit_);
   period_deviation_ += (wanted - period_deviation_) >> speed_depth_;
   const auto diff = static_cast<std::int32_t>(rounded(wanted));
   return std::exchange(diff_, diff) != diff;
@@ -29,6 +26,7 @@ bool TimeControlLoop::observe(std::int32_t local_minus_received) {
 
 void TimeControlLoop::set_speed_counter_start(std::uint16_t value) {
   start_ = std::clamp<std::uint16_t>(value & 0x7FFF, kMinSpeedCounterStart, kMaxSpeedCounterStart);
+  limit_ = limit_of(start_);
   mean_ = 0;
   period_deviation_ = 0;
   diff_ = 0;

@@ -14,6 +14,8 @@ class TimeControlLoop {
   static constexpr std::uint16_t kDefaultSpeedCounterStart = 0x1000;
   static constexpr std::uint16_t kMinSpeedCounterStart = 0x0080;
   static constexpr std::uint16_t kMaxSpeedCounterStart = 0x3FFF;
+  /// Of what the filters hold.
+  static constexpr unsigned kFractionBits = 30;
 
   /// One comparison; local minus received time, ns. True: correction() is another.
   bool observe(std::int32_t local_minus_received);
@@ -34,11 +36,18 @@ class TimeControlLoop {
   [[nodiscard]] double correction() const;
 
  private:
+  static constexpr std::int32_t kCounterMargin = 0x7F;
+  [[nodiscard]] static constexpr std::int64_t fixed(std::int64_t value) {
+    return value * (std::int64_t{1} << kFractionBits);
+  }
+  [[nodiscard]] static constexpr std::int64_t limit_of(std::uint16_t start) { return fixed(start - kCounterMargin); }
+
   std::uint16_t start_ = kDefaultSpeedCounterStart;
   std::uint8_t difference_depth_ = 4;
   std::uint8_t speed_depth_ = 12;
-  std::int64_t mean_ = 0;              // ns, in parts of 2^-30
-  std::int64_t period_deviation_ = 0;  // counts, in parts of 2^-30
+  std::int64_t limit_ = limit_of(kDefaultSpeedCounterStart);  // of the counts, as start_ says
+  std::int64_t mean_ = 0;                                     // ns, in parts of 2^-30
+  std::int64_t period_deviation_ = 0;                         // counts, in parts of 2^-30
   std::int32_t diff_ = 0;
 };
 

@@ -94,11 +94,11 @@ void Device::tell_error(std::uint16_t error_code, std::uint8_t error_register, s
   message.code = 0xE000U | static_cast<std::uint32_t>(error_code) << 16;  // ETG.1020: emergency code in the high word
   message.type = DiagnosisMessage::Type::kError;
   message.text_id = text_id;
-  message.time_stamp = dc().system_time(now_);
+  message.time_stamp = dc().system_time(now());
   message.parameters = {{kStatusCodeType, le_bytes(text_id)}};  // the texts of our ESI files show it
   history_.add(message);
   process_data_.forget_objects();
-  if (mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
+  if (mail_due_ == kNever) mail_due_ = now() + kMailboxReaction;
   esc_.wake_up();
 }
 
@@ -119,7 +119,8 @@ void Device::run_until(Nanoseconds time) {
 void Device::repeat(Nanoseconds calculation, Nanoseconds time) {
   const auto& outputs = process_data_.sync_managers(PdoDirection::kRx);
   const auto inputs = process_data_.input_managers(), buffered = process_data_.buffered_managers();
-  const bool busy = std::min(request_due_, mail_due_) != kNever || minds_inputs_read() || esc_.device_emulation();
+  const bool busy =
+      std::min(request_due_, mail_due_) != kNever || minds_inputs_read() || sees_frames_ || esc_.device_emulation();
   if (busy || outputs.size() != 1 || (buffered >> outputs.front() & 1U) == 0 || (inputs & ~buffered) != 0) return;
   if (!process_data_.inputs_stay() || !process_data_.outputs_stay()) return;
   esc_.repeat_cycles({.outputs = outputs.front(), .renewed = inputs, .calculation = calculation}, time);
@@ -136,6 +137,7 @@ void Device::rest() {
 }
 
 Nanoseconds Device::idle_until() {
+  if (sees_frames_) return INT64_MIN;
   if (stopped_) return kNever;
   const auto due = std::min(request_due_, mail_due_);
   return state_ == AlState::kOp ? std::min({due, sync_patience(), runs_alone_until()}) : due;
@@ -149,7 +151,7 @@ Nanoseconds Device::sync_patience() const {
 void Device::silence_mailbox(bool silent) {
   mailbox_silent_ = silent;
   // What came meanwhile lies there, and nobody can write over it: no further event tells of it.
-  if (!silent && mail_due_ == kNever) mail_due_ = now_ + kMailboxReaction;
+  if (!silent && mail_due_ == kNever) mail_due_ = now() + kMailboxReaction;
   esc_.wake_up();
 }
 
@@ -157,7 +159,7 @@ void Device::stop_application(Nanoseconds time) {
   catch_up();
   if (std::exchange(stopped_, true)) return;
   esc_.serve_promptly(false);
-  esc_.pdi_stops(std::max(now_, time));
+  esc_.pdi_stops(std::max(now(), time));
 }
 
 void Device::resume_application(Nanoseconds time) {
@@ -165,11 +167,11 @@ void Device::resume_application(Nanoseconds time) {
   esc_.serve_promptly(true);
   esc_.wake_up();
   esc_.pdi_works();
-  const auto now = std::max(now_, time);
+  const auto then = std::max(now(), time);
   for (auto* due : {&request_due_, &mail_due_}) {
-    if (*due != kNever) *due = std::max(*due, now);
+    if (*due != kNever) *due = std::max(*due, then);
   }
-  if (state_ == AlState::kOp && esc_.outputs_expired()) process_data_watchdog_expired(now);
+  if (state_ == AlState::kOp && esc_.outputs_expired()) process_data_watchdog_expired(then);
 }
 
 void Device::answer_until(Nanoseconds time) {

@@ -30,7 +30,7 @@ class Device : public Esc::Listener {
   Device& operator=(const Device&) = delete;
 
   /// Runs what is due up to `time` in order: requests in work, SYNC signals, the watchdog.
-  void advance_to(Nanoseconds time) {  // for every slave in every frame
+  void advance_to(Nanoseconds time) {
     if (time < esc_.idle_until()) {
       now_ = std::max(now_, time);
       esc_.pass_idly(time);
@@ -61,7 +61,7 @@ class Device : public Esc::Listener {
 
   /// A frame passes the slave from `begin` to `end`.
   virtual void frame_received(Nanoseconds, Nanoseconds) {}
-  /// frame_received() does something.
+  /// frame_received() does something: no frame passes the ESC at once.
   [[nodiscard]] bool sees_frames() const { return sees_frames_; }
   /// Output pin `number` (from 1), as far as the device has pins that show edges.
   [[nodiscard]] virtual const PinTrace* output_pin(unsigned) const { return nullptr; }
@@ -129,9 +129,13 @@ class Device : public Esc::Listener {
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const DcUnit& dc() const { return std::as_const(esc_).dc(); }
-  /// Up to when the device has run.
-  [[nodiscard]] Nanoseconds now() const { return now_; }
-  void see_frames(bool see) { sees_frames_ = see; }
+  /// Up to when the device has run: a frame that passes its ESC at once does not tell it.
+  [[nodiscard]] Nanoseconds now() const { return std::max(now_, esc_.frame_time()); }
+  /// frame_received() does something, or no longer.
+  void see_frames(bool see) {
+    esc_.wake_up();
+    sees_frames_ = see;
+  }
   [[nodiscard]] const SimSlaveConfig& config() const { return config_; }
 
   ObjectDictionary dictionary_;

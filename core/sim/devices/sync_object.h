@@ -86,10 +86,13 @@ class SyncObject {
  private:
   void add_entries(const char* name);
   [[nodiscard]] bool supports(std::uint16_t type) const;
+  static constexpr std::uint32_t kNoiseFactor = 1'664'525, kNoiseSum = 1'013'904'223;
   static void count(ObjectValue<std::uint16_t>& counter) { counter.set(static_cast<std::uint16_t>(counter.get() + 1)); }
   std::uint32_t start_measurement(std::span<const std::uint8_t> data);
   [[nodiscard]] Nanoseconds vary(std::uint32_t worst);
-  void next_noise() { noise_ = noise_ * 1'664'525U + 1'013'904'223U; }
+  void next_noise() { noise_ = noise_ * kNoiseFactor + kNoiseSum; }
+  /// The same so many times.
+  void skip_noise(std::uint64_t times);
 
   ObjectDictionary& dictionary_;
   std::uint16_t index_;

@@ -30,6 +30,7 @@ void Esc::frame_at_port(unsigned port, Nanoseconds time, bool first) {
 }
 
 void Esc::advance_others(Nanoseconds time) {
+  as_usual_ = false;
   if (time >= ports_.due()) settings_changed();
   ports_.advance_to(time);
   if (sii_.advance_to(time)) {
@@ -69,6 +70,7 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
 [[gnu::flatten]] bool Esc::process(PassingFrame& frame, Nanoseconds time) {
   if (ports_.port0_automatically_closed() && !mark_circulating(frame.datagrams())) return false;
   protection_.start_of_frame();
+  as_usual_ = false;
   if (renewed_by_signal_ != 0) count_renewals();
   if (cycles_.repeating) wake_up();
   frame_time_ = time;
@@ -76,9 +78,11 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
   touched_ = reset_.begun() || ports_.changed();
   if (const auto* plan = plan_for(frame)) {
+    if (any_pending_) open_buffers(*plan);
     follow(*plan, frame.bytes().data());
+    read_buffers(plan->read);
     take_up(*plan, frame.bytes().data());
-    frame.pass(plan->wkc);
+    frame.pass(plan->kind);
   } else {
     execute_all(frame);
   }
@@ -338,7 +342,8 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
 
 void Esc::restart_watchdog(Nanoseconds time) {
   watchdog_.trigger(time);
-  quiet_until_ = std::min(quiet_until_, watchdog_.deadline());
+  if (watchdog_.deadline() >= quiet_until_) return;  // later than before, mostly
+  quiet_until_ = watchdog_.deadline();
   idle_until_ = std::min(idle_until_, quiet_until_);
 }
 

@@ -94,24 +94,22 @@ class Esc {
   /// The frame passes the processing unit: executes every datagram in place. False: it is destroyed there.
   [[nodiscard]] bool process(PassingFrame& frame, Nanoseconds time);
   /// Both of process() and frame_end(), for a frame with a shape that no slave sees damaged: possible where nothing is
-  /// due before `end` and nothing unusual is under way. None of its datagrams for single slaves is for this one. False:
-  /// it has done nothing.
-  [[nodiscard]] bool pass_at_once(PassingFrame& frame, Nanoseconds begin, Nanoseconds end) {
+  /// due before `end` and nothing unusual is under way. `asked`: datagrams for single slaves are for this one, too, all
+  /// of them as is_only_asked_by() says; otherwise none is. False: it has done nothing.
+  [[nodiscard]] bool pass_at_once(PassingFrame& frame, bool asked, Nanoseconds begin, Nanoseconds end) {
     const auto& shape = *frame.shape();
     const auto& plan = plans_[shape.place];
     const bool known = plan.shape == shape.id && plan.generation == generation_ && !plan.executed;
-    if (!known || end >= idle_until_ || has_something_under_way()) [[unlikely]]
-      return false;
-    if (plan.is_passive()) {
-      follow_passively(plan, frame, begin, end);
-      return true;
-    }
-    if (!cycles_.repeating) {
-      follow_at_once(plan, frame, begin, end);
-      return true;
-    }
-    return repeat_at_once(plan, frame, begin, end);
+    return known && pass_at_once(plan, frame, asked, begin, end);
   }
+  /// The same for a frame in which everything is for single slaves, as is_only_asked_by() says where it is for this
+  /// one.
+  [[nodiscard]] bool answer_at_once(PassingFrame& frame, Nanoseconds begin, Nanoseconds end) {
+    static constexpr FramePlan kNothing{.executed = false};
+    return pass_at_once(kNothing, frame, true, begin, end);
+  }
+  /// What is for this one alone is behind all else in the frame, and only reads registers.
+  [[nodiscard]] bool is_only_asked_by(const PassingFrame& frame);
   /// The last byte has passed with a good FCS.
   void frame_end(Nanoseconds time);
   /// The FCS was bad: nothing of what the frame wrote becomes effective, except in RAM.
@@ -130,11 +128,14 @@ class Esc {
   void stay_idle_until(Nanoseconds time) { idle_until_ = std::min({time, dc_.quiet_until(), quiet_until_}); }
   void wake_up() {
     idle_until_ = INT64_MIN;
+    as_usual_ = false;
     minded_ = ~0U;
     renewed_by_transfer_ = {};
     if (dc_.signals_unminded()) mind_signals();
     if (cycles_.repeating) end_cycles();
   }
+  /// When the last frame began to pass.
+  [[nodiscard]] Nanoseconds frame_time() const { return frame_time_; }
   /// Time passes, and nothing happens.
   void pass_idly(Nanoseconds time) { dc_.pass_quietly(time); }
   /// Nobody wants to know of each SYNC0 until something wakes up the ESC; Listener::signals_passed() then tells the
@@ -208,7 +209,10 @@ class Esc {
   /// The process data watchdog has expired and not been triggered since.
   [[nodiscard]] bool outputs_expired() const { return memory_.u16(reg::kWatchdogStatus) == 0; }
   [[nodiscard]] bool device_emulation() const { return options_.device_emulation; }
-  [[nodiscard]] EscPorts& ports() { return ports_; }
+  [[nodiscard]] EscPorts& ports() {
+    as_usual_ = false;
+    return ports_;
+  }
   /// R, E and S were written to 0x0040 by three consecutive frames: the slave starts anew.
   [[nodiscard]] bool reset_requested() const { return reset_.complete(); }
   /// What the EEPROM holds, over power cycles.
@@ -250,6 +254,7 @@ class Esc {
   }
   void note_addresses();
   void settings_changed() {
+    as_usual_ = false;
     ++generation_;
     ++*changes_;
   }
@@ -298,24 +303,48 @@ class Esc {
   [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
   [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
                                   std::size_t offset) const;
-  void follow(const FramePlan& plan, std::uint8_t* frame);
-  /// `memory`: the ESC's, from the step's address on.
+  /// `first`: of the steps; those before are done.
+  void follow(const FramePlan& plan, std::uint8_t* frame, unsigned first = 0);
+  /// One that is not usual. `memory`: the ESC's, from the step's address on.
   void follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data);
   void tell_events(std::uint8_t told);
+  /// Adds the bits of 0x092C.
+  void or_difference(std::uint8_t* data) const;
+  /// The master has read these SyncManagers (a bit each).
+  void read_buffers(std::uint32_t managers);
+  /// Those of which it gives.
+  void open_buffers(const FramePlan& plan);
+  /// Nothing is under way: found out once, and again after whatever may have begun something.
+  [[nodiscard]] bool is_as_usual() { return as_usual_ || becomes_usual(); }
+  [[nodiscard]] bool becomes_usual();
   /// What frames do to it depends on more than its settings, or they do more than its plans say.
   [[nodiscard]] bool has_something_under_way() const {
     return maps_stale_ || any_pending_ || reset_.begun() || ports_.changed() || protection_.lifted() ||
            ports_.port0_automatically_closed();
   }
+  [[nodiscard]] bool pass_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
+                                  Nanoseconds end) {
+    if (end >= idle_until_ || !is_as_usual()) [[unlikely]]
+      return false;
+    if (cycles_.repeating && (asked || !plan.is_passive())) return repeat_at_once(plan, frame, asked, begin, end);
+    if (asked) [[unlikely]]
+      answer(frame, begin);
+    plan.is_passive() ? follow_passively(plan, frame, begin, end) : follow_at_once(plan, frame, begin, end);
+    return true;
+  }
   void follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
   /// The same by a plan that is_passive().
   void follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
   /// The same while cycles are counted; false: this one is another, and nothing has been done.
-  [[nodiscard]] bool repeat_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin, Nanoseconds end);
+  [[nodiscard]] bool repeat_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
+                                    Nanoseconds end);
+  /// Gives what it is asked for, before anything else that the frame does: the registers show the time before its end.
+  void answer(PassingFrame& frame, Nanoseconds begin);
   /// The outputs that it brings are those that are there.
   [[nodiscard]] bool holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const;
+  [[nodiscard]] bool only_reads_registers(const PassingDatagram& datagram) const;
   /// What is done with the frame's data, and what follows from it at once.
-  void follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end);
+  void follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end, unsigned first = 0);
   /// Something else happens then, unless the cycle goes on.
   void repeat_until(Nanoseconds time) {
     const auto& clock = dc_.clock();
@@ -329,9 +358,29 @@ class Esc {
   Options options_;
   EscMemory memory_;
   EscPorts ports_;
+
+  // Of every frame, and therefore together, in few lines of the processor's cache:
   DcUnit dc_;
-  SiiInterface sii_;
   ProcessDataWatchdog watchdog_;
+  Nanoseconds idle_until_ = INT64_MIN;
+  Nanoseconds quiet_until_ = INT64_MIN;  // nothing is due before that is not the clock's
+  Nanoseconds frame_time_ = 0;           // when the last frame began to pass
+  std::uint32_t generation_ = 1;         // of the settings that plans are made by
+  std::uint32_t minded_ = ~0U;           // SyncManagers whose transfers the device is told of
+  std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager
+  struct Renewal {
+    std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
+  };
+  Renewal renewed_by_transfer_;
+  // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
+  std::uint32_t sm_begun_ = 0;
+  bool as_usual_ = false;                       // has_something_under_way() has said no
+  std::uint16_t events_ = 0, told_events_ = 0;  // ECAT event request, and what of it frames carry, since then
+  RepeatedCycles cycles_;
+  ThreeBuffers buffers_;
+  std::array<FramePlan, FramePlan::kPlaces> plans_{};
+
+  SiiInterface sii_;
   PdiWatchdog pdi_watchdog_;
   WriteProtection protection_;
   ResetSequence reset_;
@@ -351,41 +400,26 @@ class Esc {
   std::vector<Mapping> write_mappings_, read_mappings_;
   std::vector<SyncManager> sync_managers_;  // decoded
   bool maps_stale_ = true;
-  Nanoseconds quiet_until_ = INT64_MIN;        // nothing is due before that is not the clock's
-  std::vector<std::uint8_t> active_managers_;  // those that are on and have a length
-  std::uint32_t mailboxes_ = 0;                // bit per SyncManager, on or not
-  std::uint32_t buffers_begin_ = 0;            // where the first SyncManager's memory begins
-  std::array<FramePlan, FramePlan::kPlaces> plans_{};
-  std::uint32_t generation_ = 1;                                      // of the settings that plans are made by
-  std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;          // of the same; here or of a whole bus
+  std::vector<std::uint8_t> active_managers_;                         // those that are on and have a length
+  std::uint32_t mailboxes_ = 0;                                       // bit per SyncManager, on or not
+  std::uint32_t buffers_begin_ = 0;                                   // where the first SyncManager's memory begins
+  std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;          // of the settings; here or of a whole bus
   std::uint64_t* event_changes_ = &own_changes_;                      // of the ECAT event request, likewise
   std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
-  Nanoseconds idle_until_ = INT64_MIN;
   bool sync_silent_ = false, prompt_ = false;
-  std::uint32_t minded_ = ~0U;           // SyncManagers whose transfers the device is told of
-  std::uint32_t renewed_by_signal_ = 0;  // bit per SyncManager
-  struct Renewal {
-    std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
-  };
-  Renewal renewed_by_transfer_;
-  RepeatedCycles cycles_;
 
   // Of the frame that is passing:
   bool touched_ = false;
   std::uint8_t time_size_ = 0;  // bytes of the system time that a plan has received; 0: none
   std::uint64_t time_received_ = 0;
-  Nanoseconds frame_time_ = 0;  // when it began to pass
   std::array<std::optional<Nanoseconds>, 4> port_times_{};
   bool latch_unit_ = false, latch_ports_ = false;
   std::vector<Write> writes_;
   std::array<std::uint8_t, kMaxFrameBody> shadow_{};  // bytes of writes_, in order
   std::size_t shadow_size_ = 0;
-  std::uint32_t sm_written_ = 0, sm_read_ = 0;  // bit per SyncManager
-  // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
-  std::uint32_t sm_begun_ = 0;
+  std::uint32_t sm_written_ = 0, sm_read_ = 0;      // bit per SyncManager
   std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
   bool any_pending_ = false;
-  ThreeBuffers buffers_;
 };
 
 }  // namespace syncline::sim

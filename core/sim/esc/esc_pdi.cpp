@@ -21,6 +21,7 @@ void Esc::raise_event(std::uint16_t event) {
   const auto request = memory_.u16(reg::kEcatEventRequest);
   if ((request & event) == event) return;
   memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request | event));
+  as_usual_ = false;
   ++*event_changes_;
 }
 
@@ -44,6 +45,7 @@ void Esc::clear_event(std::uint16_t event) {
   const auto request = memory_.u16(reg::kEcatEventRequest);
   if ((request & event) == 0) return;
   memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request & ~event));
+  as_usual_ = false;
   ++*event_changes_;
 }
 
@@ -71,7 +73,8 @@ void Esc::set_mailbox_full(unsigned number, bool full) {
   const auto status = memory_.u8(address);
   memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(full ? status | SyncManager::kStatusMailboxFull
                                                                     : status & ~SyncManager::kStatusMailboxFull));
-  maps_stale_ = true;
+  if (!maps_stale_ && number < sync_managers_.size())
+    sync_managers_[number].status = memory_.u8(address);  // which no plan depends on
   // The ECAT event request mirrors the state of the first eight SyncManagers (0x0210, bits 11..4).
   if (number < 8) {
     const auto event = static_cast<std::uint16_t>(kEventSyncManager0 << number);
@@ -89,6 +92,7 @@ void Esc::acknowledge_repeat(unsigned number) {
   const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 7);
   memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(memory_.u8(address) ^ kRepeatBit));
   maps_stale_ = true;
+  as_usual_ = false;
 }
 
 void Esc::deactivate_sync_manager(unsigned number, bool deactivated) {
@@ -97,6 +101,7 @@ void Esc::deactivate_sync_manager(unsigned number, bool deactivated) {
   memory_.set<std::uint8_t>(
       address, static_cast<std::uint8_t>(deactivated ? control | kPdiDeactivated : control & ~kPdiDeactivated));
   maps_stale_ = true;
+  as_usual_ = false;
 }
 
 void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
@@ -107,6 +112,7 @@ void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
   if ((sm_begun_ & (1U << number)) != 0) {
     pending_[number].assign(bytes.begin(), bytes.end());
     any_pending_ = true;
+    as_usual_ = false;
   } else {
     if (any_pending_) pending_[number].clear();
     short_copy(bytes, area);

@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::uint16_t kClockBegin = reg::kReceiveTimePort0, kClockSize = 0x100;
 constexpr std::uint8_t kTellsDlStatus = 0x01, kTellsAlStatus = 0x02;  // detail of kOrRegister
+constexpr std::uint16_t kLatchesEnd = 0x0A00;                         // of the DC unit, too
 constexpr unsigned kMemoryBit = 4;                                    // detail of kGiveBit
 constexpr std::uint8_t kNarrowTime = 4, kWideTime = 8;                // bytes
 
@@ -38,6 +39,11 @@ std::uint8_t status_events(const PassingDatagram& datagram) {
   short_or({from, length}, {to, length});
 }
 
+void or_word(const std::uint8_t* from, std::uint8_t* to) {
+  const auto bits = load_le<std::uint16_t>({from, 2}) | load_le<std::uint16_t>({to, 2});
+  store_le<std::uint16_t>({to, 2}, static_cast<std::uint16_t>(bits));
+}
+
 /// Two words that may overlap; `from` and `to` do not.
 template <std::unsigned_integral Word>
 void copy_two(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
@@ -47,11 +53,25 @@ void copy_two(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
   store_le<Word>({to + last, sizeof(Word)}, b);
 }
 
+bool process_data_equal(const std::uint8_t* a, const std::uint8_t* b, std::size_t length) {
+  constexpr std::size_t kWord = 8;
+  if (length <= kWord || length > 4 * kWord) return short_equal({a, length}, {b, length});
+  const auto same = [&](std::size_t at) {
+    return load_le<std::uint64_t>({a + at, kWord}) == load_le<std::uint64_t>({b + at, kWord});
+  };
+  // Words that may overlap.
+  if (length > 2 * kWord && !(same(kWord) && same(length - 2 * kWord))) return false;
+  return same(0) && same(length - kWord);
+}
+
 void copy_process_data(const std::uint8_t* from, std::uint8_t* to, std::size_t length) {
   if (length >= 4 && length <= 8) {
     copy_two<std::uint32_t>(from, to, length);
   } else if (length > 8 && length <= 16) {
     copy_two<std::uint64_t>(from, to, length);
+  } else if (length > 16 && length <= 32) {
+    copy_two<std::uint64_t>(from, to, 16);
+    copy_two<std::uint64_t>(from + length - 16, to + length - 16, 16);
   } else {
     copy_any(from, to, length);
   }
@@ -73,33 +93,44 @@ const FramePlan* Esc::plan_for(PassingFrame& frame) {
   return plan.executed ? nullptr : &plan;
 }
 
-void Esc::follow(const FramePlan& plan, std::uint8_t* frame) {
+[[gnu::noinline]] bool Esc::becomes_usual() {
+  if (has_something_under_way()) return false;
+  events_ = memory_.u16(reg::kEcatEventRequest);
+  told_events_ = static_cast<std::uint16_t>(events_ & memory_.u16(reg::kEcatEventMask));
+  as_usual_ = true;
+  return true;
+}
+
+void Esc::follow(const FramePlan& plan, std::uint8_t* frame, unsigned first) {
   auto* const memory = memory_.at(0, EscMemory::kSize).data();
-  const auto* const end = plan.steps.data() + plan.count;
-  for (const auto* step = plan.steps.data(); step != end; ++step)
-    follow(*step, memory + step->address, frame + step->offset);
+  const auto* const steps = plan.steps.data();
+  const auto* const end = steps + plan.count;
+  const auto* step = steps + first;
+  for (const auto* const last = steps + plan.takes; step != last; ++step)
+    copy_process_data(frame + step->offset, memory + step->address, step->length);
+  for (const auto* const last = step + plan.gives; step != last; ++step)
+    copy_process_data(memory + step->address, frame + step->offset, step->length);
+  for (const auto* const last = step + plan.words; step != last; ++step) {
+    or_word(memory + step->address, frame + step->offset);
+  }
+  for (; step != end; ++step) follow(*step, memory + step->address, frame + step->offset);
+  if (plan.difference_offset != 0) or_difference(frame + plan.difference_offset);
+  if (plan.told != 0 && !(as_usual_ && events_ == 0)) tell_events(plan.told);
   sm_begun_ &= ~(plan.written | plan.read);
-  for (auto read = plan.read; read != 0; read &= read - 1) buffers_.read(static_cast<unsigned>(std::countr_zero(read)));
+}
+
+void Esc::or_difference(std::uint8_t* data) const {
+  store_le<std::uint32_t>({data, 4}, load_le<std::uint32_t>({data, 4}) | dc_.shown_difference());
+}
+
+void Esc::read_buffers(std::uint32_t managers) {
+  for (; managers != 0; managers &= managers - 1) buffers_.read(static_cast<unsigned>(std::countr_zero(managers)));
 }
 
 void Esc::follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t* data) {
   switch (step.what) {
-    case Do::kOrWord:
-      store_le<std::uint16_t>({data, 2}, static_cast<std::uint16_t>(load_le<std::uint16_t>({data, 2}) |
-                                                                    load_le<std::uint16_t>({memory, 2})));
-      return tell_events(step.detail);
     case Do::kOrRegister:
-      or_any(memory, data, step.length);
-      return tell_events(step.detail);
-    case Do::kOrDifference:
-      store_le<std::uint32_t>({data, 4}, load_le<std::uint32_t>({data, 4}) | dc_.shown_difference());
-      return;
-    case Do::kTakeOutputs:
-      return copy_process_data(data, memory, step.length);
-    case Do::kGiveInputs:
-      if (any_pending_) [[unlikely]]
-        open_buffer(step.address, step.length);
-      return copy_process_data(memory, data, step.length);
+      return or_any(memory, data, step.length);
     case Do::kGiveRegister:
       return copy_process_data(memory, data, step.length);
     case Do::kGiveBit: {
@@ -108,8 +139,16 @@ void Esc::follow(const FramePlan::Step& step, std::uint8_t* memory, std::uint8_t
       *data = static_cast<std::uint8_t>((*data & ~(1U << place)) | bit << place);
       return;
     }
+    case Do::kTakeOutputs:
+    case Do::kGiveInputs:
+    case Do::kOrWord:
+      break;
   }
   __builtin_unreachable();  // in every step of every frame
+}
+
+void Esc::open_buffers(const FramePlan& plan) {
+  for (const auto& step : std::span(plan.steps).subspan(plan.takes, plan.gives)) open_buffer(step.address, step.length);
 }
 
 void Esc::tell_events(std::uint8_t told) {
@@ -121,13 +160,18 @@ void Esc::tell_events(std::uint8_t told) {
 [[gnu::flatten]] void Esc::follow_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
                                           Nanoseconds end) {
   frame_time_ = begin;
-  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  frame.add_event(told_events_);
+  bool read = false;
   if (plan.time_size != 0 && renewed_by_signal_ != 0) {
-    renew(renewed_by_signal_, dc_.start_of_counted_frame(begin));
+    const auto signals = dc_.start_of_counted_frame(begin);
+    read = signals == 1 && plan.read == renewed_by_signal_;
+    read ? buffers_.write_and_read(plan.read) : renew(renewed_by_signal_, signals);
   } else {
+    dc_.pass_quietly(begin);
     if (renewed_by_signal_ != 0) count_renewals();
     if (plan.time_size != 0) dc_.start_of_frame(begin);
   }
+  if (!read) read_buffers(plan.read);
   follow_data(plan, frame, end);
   if (((plan.written | plan.read) & minded_) != 0) {
     sm_written_ = plan.written;
@@ -142,24 +186,26 @@ void Esc::tell_events(std::uint8_t told) {
 [[gnu::flatten]] void Esc::follow_passively(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
                                             Nanoseconds end) {
   frame_time_ = begin;
-  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  frame.add_event(told_events_);
   dc_.pass_quietly(end);
-  if (plan.count == 0) return frame.pass_uncounted();
-  auto* const memory = memory_.at(0, EscMemory::kSize).data();
-  for (const auto& step : std::span(plan.steps).first(plan.count))
-    follow(step, memory + step.address, frame.bytes().data() + step.offset);
-  frame.pass(plan.wkc);
+  auto* const bytes = frame.bytes().data();
+  if (plan.count != 0) {
+    follow(plan, bytes);
+  } else if (plan.difference_offset != 0) {  // where the process data are in another frame
+    or_difference(bytes + plan.difference_offset);
+  }
+  frame.pass(plan.kind);
 }
 
-inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end) {
+inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanoseconds end, unsigned first) {
   auto* const bytes = frame.bytes().data();
-  follow(plan, bytes);
-  frame.pass(plan.wkc);
+  follow(plan, bytes, first);
+  frame.pass(plan.kind);
   dc_.pass_quietly(end);
   if (plan.time_size != 0) dc_.system_time_received(plan.time_size, time_in(plan, bytes), end);
 }
 
-[[gnu::flatten]] bool Esc::repeat_at_once(const FramePlan& plan, PassingFrame& frame, Nanoseconds begin,
+[[gnu::flatten]] bool Esc::repeat_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
                                           Nanoseconds end) {
   auto& cycles = cycles_;
   const auto moment = dc_.moment(begin);
@@ -177,12 +223,20 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
     cycles.behind_sync0 = moment;
     cycles.sync0 = dc_.pass_sync0();
     cycles.awaits_sync0 = false;
-    renew(cycles.work.renewed, 1);
   }
+  if (sync0_came && plan.read == cycles.work.renewed) {
+    buffers_.write_and_read(plan.read);
+  } else {
+    if (sync0_came) renew(cycles.work.renewed, 1);
+    read_buffers(plan.read);
+  }
+  if (asked) [[unlikely]]
+    answer(frame, begin);
   frame_time_ = begin;
-  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  frame.add_event(told_events_);
   if (plan.time_size != 0) dc_.start_of_frame(moment);
-  follow_data(plan, frame, end);
+  // Outputs that are held already need not be taken.
+  follow_data(plan, frame, end, brings_outputs && plan.takes == 1 ? 1 : 0);
   if (plan.restarts_watchdog) restart_watchdog(end);
   if (brings_outputs) {
     cycles.awaits_sync0 = true;
@@ -195,11 +249,41 @@ inline void Esc::follow_data(const FramePlan& plan, PassingFrame& frame, Nanosec
   return true;
 }
 
+bool Esc::is_only_asked_by(const PassingFrame& frame) {
+  const auto [station, alias] = address();
+  const auto behind = frame.is_for_single_slaves() ? std::size_t{0} : frame.shape()->datagrams.size();
+  const auto datagrams = frame.datagrams();
+  for (std::size_t i = 0; i < datagrams.size(); ++i) {
+    const auto& datagram = datagrams[i];
+    const bool mine = is_for_station(datagram.command) && (datagram.adp == station || datagram.adp == alias);
+    if (mine && (i < behind || !only_reads_registers(datagram))) return false;
+  }
+  return true;
+}
+
+bool Esc::only_reads_registers(const PassingDatagram& datagram) const {
+  const auto length = datagram.data.size();
+  return datagram.command == Command::kFprd &&
+         datagram.ado + length <= std::min<std::size_t>(buffers_begin_, EscMemory::kRegisterEnd) &&
+         !overlaps(datagram.ado, length, reg::kLatch0Status, kLatchesEnd - reg::kLatch0Status);
+}
+
+[[gnu::noinline]] void Esc::answer(PassingFrame& frame, Nanoseconds begin) {
+  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  dc_.pass_quietly(begin);
+  if (renewed_by_signal_ != 0) count_renewals();
+  if (frame.touches_clock()) dc_.start_of_frame(begin);
+  for (auto& datagram : frame.datagrams()) {
+    if (!is_for_station(datagram.command) || !has_address(datagram.adp)) continue;
+    if (read_memory(datagram.ado, datagram.data, false)) ++datagram.wkc;
+  }
+}
+
 inline bool Esc::holds_outputs_of(const FramePlan& plan, PassingFrame& frame) const {
   const auto* step = plan.steps.data();
-  while (step->what != Do::kTakeOutputs || step->detail != cycles_.work.outputs) ++step;  // the plan has it
-  const auto held = memory_.at(step->address, step->length);
-  return short_equal(held, frame.bytes().subspan(step->offset, step->length));
+  while (step->detail != cycles_.work.outputs) ++step;  // the plan has it
+  const auto* const held = memory_.at(step->address, 0).data();
+  return process_data_equal(frame.bytes().data() + step->offset, held, step->length);
 }
 
 std::uint64_t Esc::time_in(const FramePlan& plan, const std::uint8_t* frame) {
@@ -230,6 +314,9 @@ void Esc::make_plan(FramePlan& plan, PassingFrame& frame) const {
     const auto offset = static_cast<std::size_t>(datagrams[i].data.data() - frame.bytes().data());
     if (!plan_datagram(plan, datagrams[i], i, offset)) return;
   }
+  const auto kind = frame.kind_of(plan.wkc);
+  if (!kind || plan.depends_on_order()) return;
+  plan.kind = *kind;
   plan.executed = false;
   const auto steps = std::span(plan.steps).first(plan.count);
   for (const auto& step : steps) {
@@ -284,9 +371,10 @@ bool Esc::plan_reading(FramePlan& plan, const PassingDatagram& datagram, std::si
   if (!any_have(EscMemory::kRead, datagram.ado, length)) return true;  // not in this ESC
   if (!is_readable(datagram.ado, length)) return false;
   plan.wkc[number] = 1;
+  if (difference) return std::exchange(plan.difference_offset, static_cast<std::uint16_t>(offset)) == 0;
   const auto what = length == sizeof(std::uint16_t) ? Do::kOrWord : Do::kOrRegister;
-  return plan.add({difference ? Do::kOrDifference : what, status_events(datagram), static_cast<std::uint16_t>(offset),
-                   datagram.ado, static_cast<std::uint16_t>(length)});
+  return plan.add({what, status_events(datagram), static_cast<std::uint16_t>(offset), datagram.ado,
+                   static_cast<std::uint16_t>(length)});
 }
 
 bool Esc::any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const {

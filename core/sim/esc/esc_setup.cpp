@@ -17,14 +17,14 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
       memory_(0x400U * options.ram_kbytes),
       ports_(memory_),
       dc_(config.oscillator, config.dc, power_on, seed, memory_),
-      sii_(std::move(sii), config.sii, memory_),
       watchdog_(memory_),
+      buffers_(memory_, options.sync_manager_count),
+      sii_(std::move(sii), config.sii, memory_),
       pdi_watchdog_(memory_),
       protection_(memory_),
       reset_(memory_),
       sync_managers_(options.sync_manager_count),
-      pending_(options.sync_manager_count),
-      buffers_(memory_, options.sync_manager_count) {
+      pending_(options.sync_manager_count) {
   implement_registers();
   load_configuration();
   std::uint16_t features = 0;  // FMMUs map bits

@@ -21,9 +21,6 @@ bool reaches_clock(const PassingDatagram& datagram) {
   return !is_logical(datagram.command) && overlaps(datagram.ado, datagram.data.size(), reg::kReceiveTimePort0, kSize);
 }
 
-/// Those who have a station address look themselves whether a datagram is for them.
-bool is_for_station(Command command) { return is_fixed_address(command) && command != Command::kFrmw; }
-
 std::uint64_t key_of(const DatagramHeader& header) {
   constexpr unsigned kCommandBits = 8, kLengthBits = 16;
   const auto address = is_for_station(header.command) ? std::uint64_t{0} : std::uint64_t{header.address};
@@ -52,8 +49,7 @@ void PassingFrame::find_stations() {
 /// A frame that comes for the first time may be the only one of its kind.
 void PassingFrame::find_shape() {
   shape_ = nullptr;
-  counters_ = {};
-  passed_ = 0;
+  passed_ = {};
   keys_.clear();
   if (execution_ == Execution::kEach || for_single_slaves_ || views_.size() > FramePlan::kMostDatagrams) return;
   for (const auto& view : views_) keys_.push_back(key_of(view.header));
@@ -66,17 +62,32 @@ void PassingFrame::find_shape() {
   }
   auto& shape = shapes_[next_shape_];
   shape = {new_id(), next_shape_, keys_};
+  kinds_[next_shape_].assign(1, {});
   next_shape_ = static_cast<std::uint8_t>((next_shape_ + 1) % shapes_.size());
 }
 
 void PassingFrame::settle() {
-  if (passed_ == 0) return;
-  for (std::size_t i = 0; i < datagrams_.size(); ++i) {
-    auto& datagram = datagrams_[i];
-    datagram.wkc = static_cast<std::uint16_t>(datagram.wkc + std::exchange(counters_[i], std::uint16_t{0}));
-    datagram.adp = static_cast<std::uint16_t>(datagram.adp + passed_ * datagram.step);
+  if (shape_ == nullptr) return;
+  const auto& kinds = kinds_[shape_->place];
+  unsigned slaves = 0;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    const unsigned passed = std::exchange(passed_[kind], std::uint16_t{0});
+    if (passed == 0) continue;
+    slaves += passed;
+    for (std::size_t i = 0; i < datagrams_.size(); ++i)
+      datagrams_[i].wkc = static_cast<std::uint16_t>(datagrams_[i].wkc + passed * kinds[kind][i]);
   }
-  passed_ = 0;
+  if (slaves == 0) return;
+  for (auto& datagram : datagrams_) datagram.adp = static_cast<std::uint16_t>(datagram.adp + slaves * datagram.step);
+}
+
+std::optional<std::uint8_t> PassingFrame::kind_of(const FramePlan::Counters& wkc) {
+  auto& kinds = kinds_[shape_->place];
+  const auto known = std::ranges::find(kinds, wkc);
+  if (known == kinds.end() && kinds.size() == kMostKinds) return std::nullopt;
+  const auto kind = static_cast<std::uint8_t>(known - kinds.begin());
+  if (known == kinds.end()) kinds.push_back(wkc);
+  return kind;
 }
 
 PassingFrame::Kind PassingFrame::arrive(std::span<std::uint8_t> bytes) {
@@ -93,9 +104,8 @@ PassingFrame::Kind PassingFrame::arrive(std::span<std::uint8_t> bytes) {
   }
   if (reader.malformed()) return Kind::kMalformed;
   if (!reader.is_ethercat()) return Kind::kForeign;
-  for_single_slaves_ = std::ranges::all_of(datagrams_, [](const PassingDatagram& datagram) {
-    return is_fixed_address(datagram.command) && datagram.command != Command::kFrmw;
-  });
+  for_single_slaves_ =
+      std::ranges::all_of(datagrams_, [](const auto& datagram) { return is_for_station(datagram.command); });
   takes_port_times_ = std::ranges::any_of(datagrams_, latches_port_times);
   touches_clock_ = std::ranges::any_of(datagrams_, reaches_clock);
   bytes_ = bytes;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,11 @@ struct PassingDatagram {
   std::uint16_t wkc = 0;
   std::span<std::uint8_t> data;  // in the frame
 };
+
+/// For one slave by its station address, which looks itself whether it has that.
+[[nodiscard]] constexpr bool is_for_station(Command command) {
+  return is_fixed_address(command) && command != Command::kFrmw;
+}
 
 /// A frame on its way through the slaves. What they leave in it beside the data is written into its bytes at the end.
 class PassingFrame {
@@ -51,13 +57,10 @@ class PassingFrame {
   }
   /// The station addresses that datagrams for single slaves are for.
   [[nodiscard]] const std::vector<std::uint16_t>& stations() const { return stations_; }
-  /// An ESC has followed its plan: it counts with `wkc`, and positions move on.
-  void pass(const FramePlan::Counters& wkc) {
-    for (std::size_t i = 0; i < wkc.size(); ++i) counters_[i] = static_cast<std::uint16_t>(counters_[i] + wkc[i]);
-    ++passed_;
-  }
-  /// One has done nothing with it.
-  void pass_uncounted() { ++passed_; }
+  /// A kind of ESCs in frames of this shape: those whose plans count alike. Nothing: there are too many.
+  [[nodiscard]] std::optional<std::uint8_t> kind_of(const FramePlan::Counters& wkc);
+  /// An ESC has followed its plan: it counts as others of its kind do, and positions move on.
+  void pass(std::uint8_t kind) { ++passed_[kind]; }
   /// Takes what the plans counted into the datagrams: before somebody looks at those.
   void settle();
   [[nodiscard]] std::span<std::uint8_t> bytes() { return bytes_; }
@@ -87,8 +90,9 @@ class PassingFrame {
   std::vector<std::uint64_t> keys_;                          // of the datagrams, for their shape
   std::vector<std::uint16_t> stations_;                      // that datagrams for single slaves are for
   std::array<std::uint64_t, kNoStation / 64 + 1> wanted_{};  // the same: a bit for each address
-  FramePlan::Counters counters_{};                           // of the plans, not yet in the datagrams
-  std::uint16_t passed_ = 0;                                 // ESCs that have followed theirs
+  static constexpr std::size_t kMostKinds = 32;
+  std::array<std::vector<FramePlan::Counters>, FramePlan::kPlaces> kinds_;  // of each shape; the first counts nothing
+  std::array<std::uint16_t, kMostKinds> passed_{};  // ESCs of each kind that have followed their plans
   std::span<std::uint8_t> bytes_;
   std::vector<DatagramView> views_;
   std::vector<PassingDatagram> datagrams_;

@@ -21,6 +21,7 @@ class ThreeBuffers {
   /// The PDI writes so many times, and the master does not read meanwhile.
   void write(unsigned number, std::uint64_t times = 1) {
     if (times == 0) return;
+    take_turns();
     auto& buffers = buffers_[number];
     // The one that is read stays, so that behind the first time two of them take turns.
     buffers.written = next(buffers);
@@ -34,6 +35,7 @@ class ThreeBuffers {
   }
   /// Brings the status registers up to date: before somebody looks at them or writes them.
   void show() {
+    take_turns();
     for (; unshown_ != 0; unshown_ &= unshown_ - 1) {
       const auto number = static_cast<unsigned>(std::countr_zero(unshown_));
       const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + kStatus);
@@ -42,7 +44,18 @@ class ThreeBuffers {
     }
   }
   /// The master reads the one that was written last.
-  void read(unsigned number) { buffers_[number].read = buffers_[number].written; }
+  void read(unsigned number) {
+    take_turns();
+    buffers_[number].read = buffers_[number].written;
+  }
+  /// What a cycle does to those of inputs (a bit each): the PDI writes once, then the master reads. That is counted.
+  void write_and_read(std::uint32_t numbers) {
+    if (numbers != turning_) {
+      take_turns();
+      turning_ = numbers;
+    }
+    ++turns_;
+  }
 
  private:
   static constexpr std::uint16_t kStatus = 5;
@@ -56,9 +69,29 @@ class ThreeBuffers {
     return static_cast<std::uint8_t>(std::countr_one(taken));  // the first that is free
   }
 
+  /// Those that have been counted.
+  void take_turns() {
+    if (turns_ != 0) [[unlikely]]
+      take_each_turn();
+  }
+  [[gnu::noinline]] void take_each_turn() {
+    // From the third turn on two buffers change places.
+    constexpr std::uint64_t kFirst = 4;
+    for (auto left = turns_ > kFirst ? kFirst + turns_ % 2 : turns_; left > 0; --left) {
+      for (auto numbers = turning_; numbers != 0; numbers &= numbers - 1) {
+        auto& buffers = buffers_[static_cast<unsigned>(std::countr_zero(numbers))];
+        buffers.read = buffers.written = next(buffers);
+      }
+    }
+    unshown_ |= turning_;
+    turns_ = 0;
+  }
+
   EscMemory& memory_;
   std::vector<Buffers> buffers_;
   std::uint32_t unshown_ = 0;  // bit per SyncManager: its status is not up to date
+  std::uint32_t turning_ = 0;  // bit per SyncManager, of the turns that are counted
+  std::uint64_t turns_ = 0;
 };
 
 }  // namespace syncline::sim

@@ -6,7 +6,7 @@
 namespace syncline::sim {
 
 EscMemory::EscMemory(std::uint32_t ram_bytes)
-    : bytes_(std::make_unique<std::uint8_t[]>(kSize)), ram_end_(std::min(kRegisterEnd + ram_bytes, kSize)) {}
+    : memory_(std::make_unique<Bytes>()), bytes_(memory_->bytes), ram_end_(std::min(kRegisterEnd + ram_bytes, kSize)) {}
 
 void EscMemory::implement(std::uint16_t address, std::uint16_t length, std::uint8_t rights) {
   std::fill_n(rights_.begin() + address, length, rights);

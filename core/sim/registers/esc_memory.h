@@ -37,10 +37,10 @@ class EscMemory {
   [[nodiscard]] std::uint32_t ram_end() const { return ram_end_; }
 
   [[nodiscard]] std::span<std::uint8_t> at(std::uint32_t address, std::size_t length) {
-    return {bytes_.get() + address, length};
+    return {bytes_ + address, length};
   }
   [[nodiscard]] std::span<const std::uint8_t> at(std::uint32_t address, std::size_t length) const {
-    return {bytes_.get() + address, length};
+    return {bytes_ + address, length};
   }
   template <std::unsigned_integral T>
   [[nodiscard]] T get(std::uint16_t address) const {
@@ -62,7 +62,11 @@ class EscMemory {
   }
 
  private:
-  std::unique_ptr<std::uint8_t[]> bytes_;  // kSize; a vector's size would be asked for in every access
+  struct alignas(64) Bytes {  // registers that belong together share a line of the processor's cache
+    std::uint8_t bytes[kSize];
+  };
+  std::unique_ptr<Bytes> memory_;  // a vector's size would be asked for in every access
+  std::uint8_t* bytes_;
   std::array<std::uint8_t, kRegisterEnd + kWord> rights_{};
   std::uint32_t ram_end_;
 };

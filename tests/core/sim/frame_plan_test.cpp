@@ -133,6 +133,17 @@ std::vector<std::uint8_t> any_frame() {
   return {frame.begin(), frame.end()};
 }
 
+/// Datagrams for single slaves behind all others.
+void ask(FrameBuilder& builder) {
+  const auto count = *rc::gen::inRange(1, 4);
+  for (int i = 0; i < count; ++i) {
+    const auto& asked = kAskedRegisters[*rc::gen::inRange<std::size_t>(0, std::size(kAskedRegisters))];
+    const auto station = one_of<std::uint16_t>({1001, 1001, 1002, 1002, 1003, 1004, 1009});
+    const auto command = one_in(12) ? one_of({Command::kFpwr, Command::kFprw}) : Command::kFprd;
+    builder.add_zeros(command, 1, device_address(station, asked.address), asked.length);
+  }
+}
+
 std::vector<Move> random_moves(const SimConfig& config) {
   std::vector<Move> moves;
   std::uint32_t end = kPlanImage;
@@ -146,9 +157,8 @@ std::vector<Move> random_moves(const SimConfig& config) {
       continue;
     }
     auto builder = frames[*rc::gen::inRange<std::size_t>(0, frames.size())];
-    if (one_in(4))
-      builder.add_zeros(Command::kFprd, 1, device_address(one_of<std::uint16_t>({1001, 1002, 1003}), reg::kAlStatus),
-                        2);
+    if (one_in(8)) builder = {};
+    if (builder.empty() || one_in(3)) ask(builder);
     const auto sent = builder.finish();
     std::vector<std::uint8_t> frame(sent.begin(), sent.end());
     FrameReader reader(frame);

@@ -15,6 +15,7 @@ namespace {
 using sim::SimBus;
 
 constexpr std::uint32_t kImage = 0x0100'0000;
+constexpr std::uint16_t kStation = 1001;
 
 bool one_in(int count) { return *rc::gen::inRange(0, count) == 0; }
 
@@ -33,6 +34,7 @@ class Mapped : public DriveBed {
  public:
   Mapped(const Setting& setting, SimBus::Work work) : DriveBed("SL-SV7", setting.faults, setting.ppm, work) {
     start_sync0(setting.cycle);
+    probe.write(0, reg::kStationAddress, {kStation & 0xFF, kStation >> 8});
     map(0, 2, 2);
     map(1, 3, 1);
     if (!setting.alarms) no_limit_ = write(0x10F1, 2, {0, 0}) == 0;
@@ -53,11 +55,20 @@ class Mapped : public DriveBed {
     store_le(std::span(image).subspan(2, 4), static_cast<std::uint32_t>(target));
     image[12] = mode;
     if (process_data) builder.add(Command::kLrw, 3, kImage, image);
+    if (asked) builder.add_zeros(Command::kFprd, 4, device_address(kStation, asked->address), asked->length);
     const auto sent = builder.finish();
     std::vector<std::uint8_t> frame(sent.begin(), sent.end());
     (void)probe.bus->execute(frame, probe.now);
     return frame;
   }
+  /// It is asked for this in a frame of its own.
+  std::vector<std::uint8_t> ask(const AskedRegisters& registers) {
+    return probe
+        .send(Command::kFprd, device_address(kStation, registers.address), std::vector<std::uint8_t>(registers.length))
+        .data;
+  }
+  /// Every frame with process data or time asks it for these, too.
+  std::optional<AskedRegisters> asked;
   /// What only the drive knows.
   std::vector<std::uint32_t> objects() {
     std::vector<std::uint32_t> found;
@@ -145,8 +156,12 @@ Setting random_setting() {
   return setting;
 }
 
+AskedRegisters any_registers() {
+  return kAskedRegisters[*rc::gen::inRange<std::size_t>(0, std::size(kAskedRegisters))];
+}
+
 void any_move(Drives& drives, Nanoseconds& phase, bool time, bool two_frames) {
-  switch (*rc::gen::inRange(0, 10)) {
+  switch (*rc::gen::inRange(0, 13)) {
     case 0:  // now and then too late for the next SYNC0
       phase = *rc::gen::inRange<Nanoseconds>(0, drives.setting().cycle);
       return;
@@ -179,6 +194,19 @@ void any_move(Drives& drives, Nanoseconds& phase, bool time, bool two_frames) {
       if (!drives.setting().answers()) return;
       const auto command = static_cast<std::uint8_t>(*rc::gen::inRange(0, 2));
       drives.both([command](Mapped& drive) { return drive.write(0x1C32, 8, {command, 0}); });
+      return;
+    }
+    case 7: {
+      const auto registers = any_registers();
+      drives.both([&registers](Mapped& drive) { return drive.ask(registers); });
+      return;
+    }
+    case 8: {
+      const auto asked = one_in(3) ? std::nullopt : std::optional(any_registers());
+      drives.both([&asked](Mapped& drive) {
+        drive.asked = asked;
+        return 0;
+      });
       return;
     }
     default:

@@ -51,6 +51,34 @@ inline SimConfig line(std::vector<SimSlaveConfig> slaves) {
   return config;
 }
 
+/// Registers that masters ask single slaves for while process data go on, and some that they do not.
+struct AskedRegisters {
+  std::uint16_t address;
+  std::uint16_t length;
+};
+inline constexpr AskedRegisters kAskedRegisters[] = {{reg::kAlStatus, 6},
+                                                     {reg::kRxErrorCounter, 20},
+                                                     {reg::kEcatEventRequest, 2},
+                                                     {reg::kAlEventRequest, 4},
+                                                     {0x0440, 4},
+                                                     {reg::kSyncManager, 32},
+                                                     {0x0805, 1},
+                                                     {0x080D, 1},
+                                                     {0x081D, 1},
+                                                     {reg::kSystemTime, 8},
+                                                     {reg::kSystemTimeOffset, 8},
+                                                     {reg::kSystemTimeDifference, 4},
+                                                     {0x0932, 2},
+                                                     {reg::kActivation, 16},
+                                                     {0x098E, 2},
+                                                     {reg::kStartTimeCyclicOperation, 8},
+                                                     {reg::kLatch0Status, 2},
+                                                     {reg::kLatch0PositiveEdge, 8},
+                                                     {0x0FF0, 0x20},
+                                                     {0x1000, 4},
+                                                     {0x1100, 4},
+                                                     {0x1C00, 2}};
+
 /// Sends single datagrams into a bus, as a master would, and lets time pass.
 class SimProbe {
  public:
