@@ -170,7 +170,8 @@ Status OutputFile::finish() {
 
 Status OutputFile::failed(int number) {
   if (number == EINTR) {
-    status_ = fail(Error{.code = ErrorCode::kCancelled, .file = path_});
+    status_ = fail(Error{
+        .code = ErrorCode::kCancelled, .detail = because("a signal ended the waiting for its reader"), .file = path_});
   } else {
     status_ = fail(not_writable(path_, Reason::of_system(number)));
   }

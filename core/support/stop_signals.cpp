@@ -139,6 +139,7 @@ StopSignals::~StopSignals() {
 const std::atomic<bool>& StopSignals::interrupted() const { return flag; }
 int StopSignals::number() const { return first; }
 int StopSignals::descriptor() const { return wake_up; }
+int StopSignals::current() { return wake_up; }
 
 StopSignalsBlocked::StopSignalsBlocked() {
   sigset_t set;

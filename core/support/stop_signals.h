@@ -32,6 +32,8 @@ class StopSignals {
   [[nodiscard]] int number() const;
   /// Readable from the first signal on, for loops that wait for descriptors.
   [[nodiscard]] int descriptor() const;
+  /// That of the one that lives, -1 when there is none. Any thread.
+  [[nodiscard]] static int current();
 };
 
 /// Threads that are started while it lives never run the handlers: their waiting stays as exact as it is.
