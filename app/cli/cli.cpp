@@ -110,17 +110,24 @@ std::string mac_text(const std::array<std::uint8_t, 6>& mac) {
 
 int run(const std::vector<std::string>& arguments, Console console) {
   Context context{console};
-  context.json = std::ranges::find(arguments, "--json") != arguments.end();
+  const bool json_with_value =
+      std::ranges::any_of(arguments, [](const std::string& argument) { return argument.starts_with("--json="); });
+  context.json = json_with_value || std::ranges::find(arguments, "--json") != arguments.end();
   CLI::App app{
       "synclinectl: EtherCAT configurator and synchronisation monitor without a window.\n"
       "LINK is sim:FILE[?virtual][&seed=N], nic:NAME or replay:FILE (a capture).\n"
       "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 bus or file error.",
       "synclinectl"};
   app.require_subcommand(1);
+  app.option_defaults()->disable_flag_override();  // "--strict=no" is no way to leave it out
   app.set_version_flag("--version", std::string("synclinectl ") + SYNCLINE_VERSION);
   add_commands(app, context);
   offer_to_finish(context, arguments);
-  execute(app, context, arguments);
+  if (json_with_value) {
+    context.fail_with_words("--json takes no value, it prints to the standard output: use --json > FILE", kUsage);
+  } else {
+    execute(app, context, arguments);
+  }
   context.finish();
   return context.exit_code;
 }
