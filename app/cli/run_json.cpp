@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/cli/counted.h"
 #include "app/cli/evidence_json.h"
 #include "channels/sync_standing.h"
 #include "channels/values/sync_obstacle_text.h"
@@ -136,8 +137,8 @@ Json to_json(const RunReport& report) {
 std::string to_text(const RunReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "state {}   {} cycles of {} us   WKC errors {}   frames lost {}   late {}   cycles left out {}\n",
-                 state_text(static_cast<std::uint16_t>(report.state)), report.cycles,
+  fmt::format_to(out, "state {}   {} of {} us   WKC errors {}   frames lost {}   late {}   cycles left out {}\n",
+                 state_text(static_cast<std::uint16_t>(report.state)), counted(report.cycles, "cycle"),
                  static_cast<double>(report.cycle_time) / 1000.0, report.wkc_errors, report.lost_frames,
                  report.late_frames, report.skipped_cycles);
   fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", "POS", "NAME", "STATE", "DEVIATION ns",
