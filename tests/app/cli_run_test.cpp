@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -216,6 +217,22 @@ TEST(CliRun, ParametersThatCannotWorkAreRefusedByName) {
   EXPECT_NE(cli_run({"project", "create", project, "--scan", demo(), "--shift", "sideways"}).code, cli::kDone);
 }
 
+TEST(CliRun, TellsItsEventsByTheirTimes) {
+  const TemporaryFolder folder;
+  const auto eni = export_demo(folder, "master");
+  // Lost frames are told together, some of them after damaged ones that came later were read.
+  const auto link = "sim:" + source_dir() + "/resources/scenarios/faults/bit-errors.toml?virtual&seed=1";
+  const auto run = cli_run({"run", eni, "--link", link, "--for", "14s", "--json"});
+  double last = 0;
+  int lost = 0;
+  for (const auto& event : run.json()["events"]) {
+    EXPECT_GE(event["time_ms"].get<double>(), last) << event;
+    last = event["time_ms"].get<double>();
+    lost += event["kind"] == "frames_lost" ? 1 : 0;
+  }
+  EXPECT_GT(lost, 1);
+}
+
 TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
   const TemporaryFolder folder;
   const auto eni = export_demo(folder, "master");
@@ -229,6 +246,11 @@ TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
   const auto nothing = cli_run({"run", eni, "--link", demo(), "--for", "6s", "--state", "PREOP", "--save-host", host});
   EXPECT_NE(nothing.code, cli::kDone);
   EXPECT_THAT(nothing.err, HasSubstr("not in OP"));
+  const auto little = folder.file("little.toml");
+  const auto few = cli_run({"run", eni, "--link", demo(), "--for", "2500ms", "--save-host", little});
+  EXPECT_EQ(few.code, cli::kFailed);
+  EXPECT_THAT(few.err, HasSubstr("a profile needs 1000 cycles in OP, the run had "));
+  EXPECT_FALSE(std::filesystem::exists(little));
 }
 
 /// The frames of a thousand terminals of 4 bytes need 333 us on the wire and 570 us to pass them all.
