@@ -45,6 +45,16 @@ void offer_to_finish(Context& context, const std::vector<std::string>& arguments
   }
 }
 
+/// CLI11's words for "--strict=no" say what it does with it.
+void refuse(CLI::App& app, Context& context, const CLI::Error& error) {
+  const std::string words = error.what();
+  if (const auto end = words.find(" was given a disallowed flag override"); end != std::string::npos)
+    return context.fail_with_words(fmt::format("--{} takes no value", words.substr(0, end)), kUsage);
+  (void)app.exit(error, context.console.out, context.console.err);
+  context.note_error(words);
+  context.exit_code = kUsage;
+}
+
 /// Runs the command and whatever it throws to its end.
 void execute(CLI::App& app, Context& context, std::vector<std::string> arguments) {
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them last first
@@ -54,9 +64,7 @@ void execute(CLI::App& app, Context& context, std::vector<std::string> arguments
     (void)app.exit(asked, context.console.out, context.console.err);
     context.json = false;
   } catch (const CLI::Error& error) {
-    (void)app.exit(error, context.console.out, context.console.err);
-    context.note_error(error.what());
-    context.exit_code = kUsage;
+    refuse(app, context, error);
   } catch (const std::bad_alloc&) {
     context.fail_with_words("there is not enough memory for this", kFailed);
   } catch (const std::exception& error) {

@@ -175,23 +175,18 @@ Json in_order(std::vector<std::pair<Nanoseconds, Json>> events) {
 }
 
 /// What the run has shown of its host, for a scenario's `[host] profile`.
-Status save_host(const RunOptions& options, const HostRecorder& host, const NetworkConfig& config) {
-  if (host.cycles() == 0) {
-    return fail(Error{ErrorCode::kFileNotWritable,
-                      {},
-                      in_terminal("the bus was not in OP, so there is nothing to save"),
-                      options.save_host});
-  }
+void save_host(Context& context, const RunOptions& options, const HostRecorder& host, const NetworkConfig& config) {
   if (host.cycles() < HostRecorder::kLeastCycles) {
-    return fail(Error{ErrorCode::kFileNotWritable,
-                      {},
-                      in_terminal(fmt::format("a profile needs {} cycles in OP, the run had {}: run longer (--for)",
-                                              HostRecorder::kLeastCycles, host.cycles())),
-                      options.save_host});
+    return context.fail_with_words(
+        fmt::format("{} was not written: a host profile needs {} cycles in OP, the run had {}{}", options.save_host,
+                    HostRecorder::kLeastCycles, host.cycles() == 0 ? "none" : fmt::format("{}", host.cycles()),
+                    host.cycles() == 0 ? "" : "; run longer (--for)"),
+        kFailed);
   }
   const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link,
                                  host.cycles(), config.cycle_time() / kMicrosecond);
-  return write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
+  const auto status = write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
+  if (!status) context.fail_with(status.error());
 }
 
 /// The manual's name for a log that is on without another name.
@@ -303,9 +298,7 @@ void execute(Context& context, const RunOptions& options) {
   files.finish();
   recording.finish(outcome->report);
   black_box.finish();
-  if (!options.save_host.empty()) {
-    if (auto status = save_host(options, host, compiled->config); !status) context.fail_with(status.error());
-  }
+  if (!options.save_host.empty()) save_host(context, options, host, compiled->config);
   if (options.json) {
     auto json = to_json(outcome->report);
     json["events"] = in_order(std::move(events));
