@@ -32,6 +32,13 @@ class CliWaiting : public testing::Test {
     std::ofstream(file) << text;
     return file;
   }
+  static void wait_until_it_hears(const CliProcess& program) {
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!program.catches(SIGINT) && std::chrono::steady_clock::now() < patience)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(program.catches(SIGINT));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));  // and waits
+  }
 
   TemporaryFolder folder;
 };
@@ -49,6 +56,8 @@ TEST_F(CliWaiting, CtrlCEndsItForEveryKindOfFile) {
       {"project", "set", pipe(), "master.cycle_time_us=1000"},
       {"project", "create", folder.file("x"), "--eni", pipe()},
       {"project", "create", folder.file("x"), "--scan", "replay:" + pipe()},
+      {"project", "create", project(), "--scan", "sim:" + pipe()},
+      {"project", "create", project(), "--scan", "sim:" + esi},
       {"export", pipe(), "-o", folder.file("x")},
       {"run", pipe(), "--link", demo()},
       {"run", project(), "--link", "sim:" + pipe()},
@@ -65,22 +74,28 @@ TEST_F(CliWaiting, CtrlCEndsItForEveryKindOfFile) {
   for (const auto& arguments : waiting) all.push_back(std::make_unique<CliProcess>(arguments));
   for (std::size_t i = 0; i < all.size(); ++i) {
     SCOPED_TRACE(waiting[i][0] + " " + waiting[i][1]);
-    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (!all[i]->catches(SIGINT) && std::chrono::steady_clock::now() < patience)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    EXPECT_TRUE(all[i]->catches(SIGINT)) << "and says what it is about";
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    wait_until_it_hears(*all[i]);
     all[i]->signal(SIGINT);
     EXPECT_EQ(all[i]->wait(), cli::kFailed) << all[i]->err();
     EXPECT_THAT(all[i]->err(), HasSubstr("pipe: Cancelled: a signal ended the waiting for its content."));
   }
 }
 
+TEST_F(CliWaiting, CtrlCEndsItForAReaderToo) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"export", project(), "-o", pipe()},
+                                                    {"run", project(), "--link", demo(), "--csv", pipe()},
+                                                    {"scan", demo(), "--capture", pipe()}}) {
+    CliProcess program(arguments);
+    wait_until_it_hears(program);
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait(), cli::kFailed) << program.err();
+    EXPECT_THAT(program.err(), HasSubstr("pipe: Cancelled: a signal ended the waiting for its reader."));
+  }
+}
+
 TEST_F(CliWaiting, CtrlZStopsItAsUsual) {
   CliProcess check({"check", pipe()});
-  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!check.catches(SIGINT) && std::chrono::steady_clock::now() < patience)
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  wait_until_it_hears(check);
   EXPECT_FALSE(check.catches(SIGTSTP));
   EXPECT_FALSE(check.ignores(SIGTSTP));
 }
