@@ -45,6 +45,16 @@ void offer_to_finish(Context& context, const std::vector<std::string>& arguments
   }
 }
 
+/// CLI11's words for "--strict=no" say what it does with it.
+void refuse(CLI::App& app, Context& context, const CLI::Error& error) {
+  const std::string words = error.what();
+  if (const auto end = words.find(" was given a disallowed flag override"); end != std::string::npos)
+    return context.fail_with_words(fmt::format("--{} takes no value", words.substr(0, end)), kUsage);
+  (void)app.exit(error, context.console.out, context.console.err);
+  context.note_error(words);
+  context.exit_code = kUsage;
+}
+
 /// Runs the command and whatever it throws to its end.
 void execute(CLI::App& app, Context& context, std::vector<std::string> arguments) {
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them last first
@@ -54,9 +64,7 @@ void execute(CLI::App& app, Context& context, std::vector<std::string> arguments
     (void)app.exit(asked, context.console.out, context.console.err);
     context.json = false;
   } catch (const CLI::Error& error) {
-    (void)app.exit(error, context.console.out, context.console.err);
-    context.note_error(error.what());
-    context.exit_code = kUsage;
+    refuse(app, context, error);
   } catch (const std::bad_alloc&) {
     context.fail_with_words("there is not enough memory for this", kFailed);
   } catch (const std::exception& error) {
@@ -110,17 +118,24 @@ std::string mac_text(const std::array<std::uint8_t, 6>& mac) {
 
 int run(const std::vector<std::string>& arguments, Console console) {
   Context context{console};
-  context.json = std::ranges::find(arguments, "--json") != arguments.end();
+  const bool json_with_value =
+      std::ranges::any_of(arguments, [](const std::string& argument) { return argument.starts_with("--json="); });
+  context.json = json_with_value || std::ranges::find(arguments, "--json") != arguments.end();
   CLI::App app{
       "synclinectl: EtherCAT configurator and synchronisation monitor without a window.\n"
       "LINK is sim:FILE[?virtual][&seed=N], nic:NAME or replay:FILE (a capture).\n"
       "Exit codes: 0 done, 1 the answer is no, 2 usage, 3 bus or file error.",
       "synclinectl"};
   app.require_subcommand(1);
+  app.option_defaults()->disable_flag_override();  // "--strict=no" is no way to leave it out
   app.set_version_flag("--version", std::string("synclinectl ") + SYNCLINE_VERSION);
   add_commands(app, context);
   offer_to_finish(context, arguments);
-  execute(app, context, arguments);
+  if (json_with_value) {
+    context.fail_with_words("--json takes no value, it prints to the standard output: use --json > FILE", kUsage);
+  } else {
+    execute(app, context, arguments);
+  }
   context.finish();
   return context.exit_code;
 }

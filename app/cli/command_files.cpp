@@ -75,7 +75,9 @@ Status CommandFiles::check() const {
   });
   if (may_lose) {
     for (const auto& link : links_) {
-      for (auto& file : link_files(link.path)) read.push_back({link.what, std::move(file)});
+      auto files = link_files(link.path);
+      if (!files) return tl::unexpected(files.error());
+      for (auto& file : *files) read.push_back({link.what, std::move(file)});
     }
     for (const auto& folder : folders_) add_esi_files(read, folder);
   }

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/interrupt.h"
@@ -29,8 +30,8 @@ Json report_json(const std::string& folder, const eni::IndexReport& report) {
 }
 
 std::string report_line(const std::string& folder, const eni::IndexReport& report) {
-  return fmt::format("{}: {} files, {} read, {} unchanged, {} removed{}\n", folder, report.files, report.read,
-                     report.files - report.read, report.removed, report.cancelled ? ", cancelled" : "");
+  return fmt::format("{}: {}, {} read, {} unchanged, {} removed{}\n", folder, counted(report.files, "file"),
+                     report.read, report.files - report.read, report.removed, report.cancelled ? ", cancelled" : "");
 }
 
 Json duplicate_json(const eni::DuplicateDevice& duplicate) {
@@ -52,8 +53,8 @@ void print_index(Context& context, const eni::EsiCatalogue& catalogue,
     for (const auto& entry : duplicate.entries) out << "  " << entry.file << ':' << entry.line << '\n';
   }
   for (const auto& warning : catalogue.warnings()) out << "warning: " << warning.text << '\n';
-  out << fmt::format("{} devices, {} of them in several files with the same content\n", catalogue.device_count(),
-                     harmless);
+  out << fmt::format("{}, {} of them in several files with the same content\n",
+                     counted(catalogue.device_count(), "device"), harmless);
 }
 
 Json index_json(const eni::EsiCatalogue& catalogue, const std::vector<eni::DuplicateDevice>& duplicates, Json folders) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/options.h"
@@ -28,7 +29,7 @@ void search(Context& context, SearchOptions& options) {
     return context.print({{"words", options.search.words}, {"devices", devices}});
   }
   for (const auto& entry : *found) context.console.out << entry_line(entry) << '\n';
-  if (found->empty()) context.console.out << "none of " << catalogue->device_count() << " devices\n";
+  if (found->empty()) context.console.out << "none of " << counted(catalogue->device_count(), "device") << '\n';
 }
 
 }  // namespace

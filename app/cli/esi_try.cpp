@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
@@ -69,8 +70,8 @@ void try_devices(Context& context, const TryOptions& options) {
   if (report->count(TryOutcome::kFailed) > 0 || !report->unreadable.empty()) context.exit_code = kAnswerIsNo;
   if (options.json) return context.print(report_json(*report));
   for (const Error& error : report->unreadable) context.warn(error);
-  context.console.out << report->files << " files, " << report->devices.size()
-                      << " devices tried: " << report->count(TryOutcome::kPassed) << " passed, "
+  context.console.out << counted(report->files, "file") << ", " << counted(report->devices.size(), "device")
+                      << " tried: " << report->count(TryOutcome::kPassed) << " passed, "
                       << report->count(TryOutcome::kExcepted) << " excepted, " << report->count(TryOutcome::kFailed)
                       << " failed\n";
 }

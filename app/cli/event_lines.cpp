@@ -76,13 +76,19 @@ void EventLines::add(const Event& event) {
 }
 
 void EventLines::tell_until(Nanoseconds now) {
+  sort();
   // In order: a line that still waits keeps those behind it.
   const auto waits = std::ranges::find_if(lines_, [&](const Line& l) { return now - l.last <= kSameTime; });
   std::for_each(lines_.begin(), waits, [this](const Line& line) { tell(line); });
   lines_.erase(lines_.begin(), waits);
 }
 
+void EventLines::sort() {
+  std::ranges::stable_sort(lines_, {}, [](const Line& line) { return line.first.time; });
+}
+
 void EventLines::tell_all() {
+  sort();
   for (const auto& line : lines_) tell(line);
   lines_.clear();
 }
@@ -91,7 +97,10 @@ void EventLines::tell(const Line& line) {
   auto text = line.rest;
   if (line.slaves.size() > 1) text = behind_several(text);
   if (!line.slaves.empty()) text = slaves_text(line.slaves) + text;
-  out_(fmt::format("{:>10.3f} s  {}", static_cast<double>(line.first.time - start_) / 1e9, text));
+  const bool afterwards = line.first.time < told_until_;
+  told_until_ = std::max(told_until_, line.first.time);
+  out_(fmt::format("{:>10.3f} s  {}{}", static_cast<double>(line.first.time - start_) / 1e9, text,
+                   afterwards ? " (told afterwards)" : ""));
 }
 
 }  // namespace syncline::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ class EventLines {
   EventLines(Out out, bool folded) : out_(std::move(out)), folded_(folded) {}
 
   void add(const Event& event);
-  /// What nothing can be added to at `now`, in the order of the first event of each.
+  /// What nothing can be added to at `now`, by the time of the first event of each. What comes by the thousand is told
+  /// together and has the time of its first one (Tally): where a later line is out already, it says "told afterwards".
   void tell_until(Nanoseconds now);
   /// All that is left.
   void tell_all();
@@ -31,12 +33,14 @@ class EventLines {
     Nanoseconds last = 0;
   };
   void tell(const Line& line);
+  void sort();
 
   Out out_;
   bool folded_;
   std::vector<Line> lines_;
   Nanoseconds start_ = 0;
   bool started_ = false;
+  Nanoseconds told_until_ = INT64_MIN;
 };
 
 /// "slave 3", "slaves 1 to 99", "slaves 1, 4 and 7 to 9"; `slaves` in any order.

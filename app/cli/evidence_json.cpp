@@ -18,8 +18,6 @@ Json moment_json(const RunReport& report, Nanoseconds time) {
   return milliseconds(time - report.history.begin);
 }
 
-Json age_json(Nanoseconds time, Nanoseconds now) { return time == 0 ? Json(nullptr) : Json(milliseconds(now - time)); }
-
 Json count_json(const EvidenceCount& count, Nanoseconds now) {
   if (!count.valid()) return nullptr;
   return {{"count", count.total}, {"at_least", count.at_least}, {"age_ms", age_json(count.time, now)}};
@@ -63,6 +61,8 @@ Json misses_json(const RunReport::Slave& slave, Nanoseconds now) {
 
 }  // namespace
 
+Json age_json(Nanoseconds time, Nanoseconds now) { return time == 0 ? Json(nullptr) : Json(milliseconds(now - time)); }
+
 Json findings_json(const RunReport& report) {
   Json rows = Json::array();
   for (const auto& finding : diagnose(report)) {
@@ -92,6 +92,7 @@ Json evidence_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"outputs_cycle_exceeded", count_json(e.outputs.exceeded, now)},
           {"outputs_shift_too_short", count_json(e.outputs.shift_too_short, now)},
           {"sync_error", e.outputs.sync_error},
+          {"sync_error_age_ms", age_json(e.outputs.sync_error_time, now)},
           {"inputs_cycle_exceeded", count_json(e.inputs.exceeded, now)},
           {"inputs_shift_too_short", count_json(e.inputs.shift_too_short, now)},
           {"sync0_start", sync0_json(e.sync0, now)},

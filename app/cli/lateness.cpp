@@ -9,6 +9,8 @@
 #include <iterator>
 #include <map>
 
+#include "app/cli/counted.h"
+
 namespace syncline::cli {
 namespace {
 
@@ -72,9 +74,9 @@ std::string LatenessReport::text() const {
   const auto out = std::back_inserter(text);
   const auto us = [this](double fraction) { return static_cast<double>(histogram_.percentile(fraction)) / 1000; };
   fmt::format_to(out,
-                 "lateness of {} cycles in OP: p50 {:.3f}  p90 {:.3f}  p99 {:.3f}  p99.9 {:.3f} us   overruns {}   "
+                 "lateness of {} in OP: p50 {:.3f}  p90 {:.3f}  p99 {:.3f}  p99.9 {:.3f} us   overruns {}   "
                  "processor {:.1f} us a cycle (whole process)\n",
-                 in_op_, us(0.5), us(0.9), us(0.99), us(0.999), overruns_, cpu_us_per_cycle());
+                 counted(in_op_, "cycle"), us(0.5), us(0.9), us(0.99), us(0.999), overruns_, cpu_us_per_cycle());
   if (host_.wake_p50 > 0) {
     const auto in_us = [](Nanoseconds value) { return static_cast<double>(value) / 1000; };
     fmt::format_to(

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/cli/counted.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/interrupt.h"
@@ -50,9 +51,9 @@ void report(Context& context, const CreateOptions& options, std::size_t slaves, 
     }
     return context.print(json);
   }
-  context.console.out << options.file << ": " << slaves << " slaves";
+  context.console.out << options.file << ": " << counted(slaves, "slave");
   if (!options.eni.empty()) {
-    context.console.out << ", " << recovered.differences.size() << " differences to the commands of the ENI";
+    context.console.out << ", " << counted(recovered.differences.size(), "difference") << " to the commands of the ENI";
   }
   context.console.out << '\n';
 }

@@ -91,10 +91,10 @@ std::string end_text(const RecordingInfo& info) {
 
 std::string recording_text(const RecordingInfo& info) {
   const auto& about = info.about;
-  auto text =
-      fmt::format("{} on {}\n{} cycles of {:g} us in {:.3f} s, {} missing\n{}\nend: {}\n", about.program, about.link,
-                  info.cycles, static_cast<double>(about.limits.cycle_time) / 1000, seconds(info.end - info.begin),
-                  info.missing_cycles, counted(about.slaves.size(), "slave"), end_text(info));
+  auto text = fmt::format("{} on {}\n{} of {:g} us in {:.3f} s, {} missing\n{}\nend: {}\n", about.program, about.link,
+                          counted(info.cycles, "cycle"), static_cast<double>(about.limits.cycle_time) / 1000,
+                          seconds(info.end - info.begin), info.missing_cycles, counted(about.slaves.size(), "slave"),
+                          end_text(info));
   for (const auto& document : about.documents)
     text += fmt::format("{}: {}, {} bytes\n", document.kind, document.name, document.body.size());
   for (const auto& variable : about.watched.variables()) text += fmt::format("variable: {}\n", variable.name);
@@ -109,8 +109,10 @@ std::string recording_text(const RecordingInfo& info) {
 void show_info(Context& context, const RecordingOptions& options) {
   auto reader = RecordingReader::open(options.file);
   if (!reader) return context.fail_with(reader.error());
-  const auto info = reader->info();
+  auto info = reader->info();
   if (!info) return context.fail_with(info.error());
+  // What was told together has the time of its first one, and was written when later ones had been.
+  std::ranges::stable_sort(info->events, {}, &RecordedEvent::time);
   if (options.json) return context.print(recording_json(*info));
   context.console.out << recording_text(*info);
 }
@@ -188,7 +190,7 @@ void import_from(Context& context, const RecordingOptions& options) {
     context.warn(finding);
     if (finding.severity != Severity::kNote) context.exit_code = kAnswerIsNo;
   }
-  context.console.out << fmt::format("{} cycles of {:g} us, {:.3f} s\n", run->samples.size(),
+  context.console.out << fmt::format("{} of {:g} us, {:.3f} s\n", counted(run->samples.size(), "cycle"),
                                      static_cast<double>(run->about.limits.cycle_time) / 1000,
                                      seconds(run->samples.back().send_time - run->samples.front().send_time));
 }
@@ -212,8 +214,8 @@ void verify(Context& context, const RecordingOptions& options) {
                           {"cycles", info->cycles}});
   }
   for (const auto& finding : reader->found()) context.warn(finding);
-  context.console.out << fmt::format("whole: {}, {} cycles; end: {}\n", counted(*blocks, "block"), info->cycles,
-                                     end_text(*info));
+  context.console.out << fmt::format("whole: {}, {}; end: {}\n", counted(*blocks, "block"),
+                                     counted(info->cycles, "cycle"), end_text(*info));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "app/cli/counted.h"
 #include "app/cli/event_text.h"
 #include "app/cli/milliseconds.h"
 #include "app/cli/terminal_reason.h"
@@ -206,10 +207,16 @@ void append_figure(std::string& text, std::string_view name, std::string_view un
 std::string lamp_words(std::string_view who, const SyncLamp& lamp, const SyncOverview& overview) {
   auto text = fmt::format("{}: {} for {:.3f} s", who, sync_state_text(lamp.state), seconds(overview.end - lamp.since));
   if (lamp.last_lost) {
-    text += fmt::format(", lost {} times since armed, last at {:.3f} s", lamp.times_lost,
+    text += fmt::format(", lost {} since armed, last at {:.3f} s", counted(lamp.times_lost, "time"),
                         seconds(*lamp.last_lost - overview.begin));
   }
   return text + '\n';
+}
+
+template <class Count>
+std::string of_count(const Count& count, std::string_view noun) {
+  const auto text = count_text(count);
+  return fmt::format("{} {}{}", text, noun, text == "1" ? "" : "s");
 }
 
 std::string figures_text(const Told& told, const FiguresOptions& options) {
@@ -217,14 +224,14 @@ std::string figures_text(const Told& told, const FiguresOptions& options) {
   const auto& overview = record.overview();
   const auto out = [](std::string& text) { return std::back_inserter(text); };
   std::string text;
-  fmt::format_to(out(text), "{:.3f} s to {:.3f} s{}: {} cycles, {} frames lost, {} WKC errors, {} cycles left out\n",
+  fmt::format_to(out(text), "{:.3f} s to {:.3f} s{}: {}, {} lost, {}, {} left out\n",
                  seconds(told.stretch.begin - overview.begin),
                  seconds(std::min(told.stretch.end, overview.end) - overview.begin),
                  options.range.any() ? ""
                  : overview.armed    ? ", since it was armed"
                                      : ", never armed",
-                 told.figures.cycles(), count_text(told.figures.lost_frames()), count_text(told.figures.wkc_errors()),
-                 count_text(told.figures.skipped_cycles()));
+                 counted(told.figures.cycles(), "cycle"), of_count(told.figures.lost_frames(), "frame"),
+                 of_count(told.figures.wkc_errors(), "WKC error"), of_count(told.figures.skipped_cycles(), "cycle"));
   text += lamp_words("slaves", overview.slaves, overview) + lamp_words("master", overview.master, overview);
   fmt::format_to(out(text), "{:<40} {:>5} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "SIGNAL", "UNIT", "COUNT", "MEAN",
                  "RMS", "P99.99", "LARGEST");

@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
+#include "app/cli/counted.h"
 #include "app/cli/duration.h"
 #include "app/cli/event_lines.h"
 #include "app/cli/event_text.h"
@@ -149,7 +151,7 @@ Result<std::vector<SlaveRequest>> requests_of(const RunOptions& options, std::si
     if (colon == std::string::npos || failed != std::errc() || rest != end)
       return bad(in_terminal("use SLAVE:INDEX:SUB, e.g. 1:0x1018:01"));
     if (slave >= slaves)
-      return bad(in_terminal(fmt::format("the configuration has only {} slaves, counted from 0", slaves)));
+      return bad(in_terminal(fmt::format("the configuration has only {}, counted from 0", counted(slaves, "slave"))));
     const auto object = object_name(text.substr(colon + 1));
     if (!object) return bad(object.error().detail);
     requests.emplace_back(requests::SdoRead{slave, {object->index, object->sub_index}});
@@ -164,17 +166,27 @@ Json answer_json(const SlaveRequest& request, const SlaveAnswer& answer) {
   return json;
 }
 
+/// By their times. What is told together has the time of its first one, and comes when later ones have been told.
+Json in_order(std::vector<std::pair<Nanoseconds, Json>> events) {
+  std::ranges::stable_sort(events, {}, &std::pair<Nanoseconds, Json>::first);
+  Json rows = Json::array();
+  for (auto& event : events) rows.push_back(std::move(event.second));
+  return rows;
+}
+
 /// What the run has shown of its host, for a scenario's `[host] profile`.
-Status save_host(const RunOptions& options, const HostRecorder& host, const NetworkConfig& config) {
-  if (host.cycles() == 0) {
-    return fail(Error{ErrorCode::kFileNotWritable,
-                      {},
-                      in_terminal("the bus was not in OP, so there is nothing to save"),
-                      options.save_host});
+void save_host(Context& context, const RunOptions& options, const HostRecorder& host, const NetworkConfig& config) {
+  if (host.cycles() < HostRecorder::kLeastCycles) {
+    return context.fail_with_words(
+        fmt::format("{} was not written: a host profile needs {} cycles in OP, the run had {}{}", options.save_host,
+                    HostRecorder::kLeastCycles, host.cycles() == 0 ? "none" : fmt::format("{}", host.cycles()),
+                    host.cycles() == 0 ? "" : "; run longer (--for)"),
+        kFailed);
   }
   const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link,
                                  host.cycles(), config.cycle_time() / kMicrosecond);
-  return write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
+  const auto status = write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
+  if (!status) context.fail_with(status.error());
 }
 
 /// The manual's name for a log that is on without another name.
@@ -235,14 +247,14 @@ void execute(Context& context, const RunOptions& options) {
     return black_box.start(channels, options.file, options.link, virtual_time);
   };
   std::optional<Nanoseconds> first;
-  Json events = Json::array();
+  std::vector<std::pair<Nanoseconds, Json>> events;
   EventLines lines([&context](const std::string& line) { context.console.err << line << '\n'; }, !options.every_event);
   if (options.json) {
     request.on_event = [&events, &first, &recording, &black_box](const Event& event) {
       recording.add(event);
       black_box.add(event);
       if (!first) first = event.time;
-      if (auto json = event_json(event, *first); !json.is_null()) events.push_back(std::move(json));
+      if (auto json = event_json(event, *first); !json.is_null()) events.emplace_back(event.time, std::move(json));
     };
   } else {
     request.on_event = [&lines, &recording, &black_box](const Event& event) {
@@ -286,12 +298,10 @@ void execute(Context& context, const RunOptions& options) {
   files.finish();
   recording.finish(outcome->report);
   black_box.finish();
-  if (!options.save_host.empty()) {
-    if (auto status = save_host(options, host, compiled->config); !status) context.fail_with(status.error());
-  }
+  if (!options.save_host.empty()) save_host(context, options, host, compiled->config);
   if (options.json) {
     auto json = to_json(outcome->report);
-    json["events"] = std::move(events);
+    json["events"] = in_order(std::move(events));
     if (!answers.empty()) json["answers"] = std::move(answers);
     if (options.lateness) json["lateness"] = lateness.json();
     if (black_box.is_on()) json["black_box"] = black_box.json();

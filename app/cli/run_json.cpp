@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/cli/counted.h"
 #include "app/cli/evidence_json.h"
 #include "channels/sync_standing.h"
 #include "channels/values/sync_obstacle_text.h"
@@ -52,7 +53,9 @@ Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"name", slave.name},
           {"state", state_text(slave.al_status)},
           {"al_status_code", hex(slave.al_status_code, 4)},
+          {"al_status_age_ms", age_json(slave.al_status_time, now)},
           {"deviation_ns", or_null(slave.deviation_ns)},
+          {"deviation_age_ms", age_json(slave.deviation_time, now)},
           {"deviation_max_ns", or_null(slave.deviation_max_ns)},
           {"sm2_missed", sm2_missed(slave)},
           {"sm2_object", slave.sm2_missed ? Json(sm2_object(*slave.sm2_missed)) : Json(nullptr)},
@@ -136,8 +139,8 @@ Json to_json(const RunReport& report) {
 std::string to_text(const RunReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "state {}   {} cycles of {} us   WKC errors {}   frames lost {}   late {}   cycles left out {}\n",
-                 state_text(static_cast<std::uint16_t>(report.state)), report.cycles,
+  fmt::format_to(out, "state {}   {} of {} us   WKC errors {}   frames lost {}   late {}   cycles left out {}\n",
+                 state_text(static_cast<std::uint16_t>(report.state)), counted(report.cycles, "cycle"),
                  static_cast<double>(report.cycle_time) / 1000.0, report.wkc_errors, report.lost_frames,
                  report.late_frames, report.skipped_cycles);
   fmt::format_to(out, "{:>3} {:<28} {:<10} {:>12} {:>14} {:>8} {:>12}\n", "POS", "NAME", "STATE", "DEVIATION ns",

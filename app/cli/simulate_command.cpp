@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/context.h"
+#include "app/cli/counted.h"
 #include "app/cli/duration.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
@@ -26,8 +27,8 @@ struct SimulateOptions {
 std::string name_of(const SimSlaveConfig& slave) { return slave.name.empty() ? slave.device.type : slave.name; }
 
 void print_served(std::ostream& out, const SimConfig& segment, const AdapterInfo& adapter) {
-  out << fmt::format("serving {} on {} ({}), {} slaves\n", segment.name, adapter.name, mac_text(adapter.mac),
-                     segment.slaves.size());
+  out << fmt::format("serving {} on {} ({}), {}\n", segment.name, adapter.name, mac_text(adapter.mac),
+                     counted(segment.slaves.size(), "slave"));
   out << fmt::format("{:>3} {:<20} {:<32} {:>6} {}\n", "POS", "NAME", "VENDOR:PRODUCT:REVISION", "ALIAS", "BEHIND");
   for (std::size_t i = 0; i < segment.slaves.size(); ++i) {
     const auto& slave = segment.slaves[i];
@@ -59,9 +60,9 @@ double microseconds(Nanoseconds time) { return static_cast<double>(time) / 1'000
 
 void print_summary(std::ostream& out, const SimulateReport& report) {
   const auto& counters = report.counters;
-  out << fmt::format("served {} frames ({} bytes) in {:.1f} s; {} did not come back, {} dropped by the kernel\n",
-                     counters.frames, counters.bytes, static_cast<double>(report.duration) / 1e9, counters.lost,
-                     counters.dropped);
+  out << fmt::format("served {} ({}) in {:.1f} s; {} did not come back, {} dropped by the kernel\n",
+                     counted(counters.frames, "frame"), counted(counters.bytes, "byte"),
+                     static_cast<double>(report.duration) / 1e9, counters.lost, counters.dropped);
   out << fmt::format("service time per frame: p50 {:.1f} us, p99 {:.1f} us, largest {:.1f} us\n",
                      microseconds(counters.service_quantile(0.5)), microseconds(counters.service_quantile(0.99)),
                      microseconds(counters.longest_service));

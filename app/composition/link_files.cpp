@@ -3,17 +3,19 @@
 
 #include "app/composition/link_text.h"
 #include "app/composition/load_scenario.h"
+#include "support/input_file.h"
 
 namespace syncline {
 
-std::vector<std::string> link_files(std::string_view text) {
+Result<std::vector<std::string>> link_files(std::string_view text) {
   const auto link = parse_link_text(text);
-  if (!link || link->kind == LinkKind::kAdapter) return {};
+  if (!link || link->kind == LinkKind::kAdapter) return std::vector<std::string>{};
   std::vector<std::string> files{link->target};
-  if (link->kind == LinkKind::kReplay) return files;
-  if (auto config = load_network(link->target, link->network, link->seed)) {
-    files.insert(files.end(), config->files.begin(), config->files.end());
-  }
+  // What comes over a pipe comes once, for whoever opens the link.
+  if (link->kind == LinkKind::kReplay || is_stream(link->target)) return files;
+  const auto config = load_network(link->target, link->network, link->seed);
+  if (config) files.insert(files.end(), config->files.begin(), config->files.end());
+  if (!config && config.error().code == ErrorCode::kCancelled) return tl::unexpected(config.error());
   return files;
 }
 

@@ -11,6 +11,7 @@
 #include "eni/esi/esi_reader.h"
 #include "findings/error_text.h"
 #include "support/distinct_files.h"
+#include "support/input_file.h"
 
 namespace syncline {
 namespace {
@@ -28,7 +29,8 @@ Result<std::vector<std::string>> files_of(const std::string& path) {
   if (std::filesystem::is_regular_file(path, error)) return std::vector<std::string>{path};
   std::vector<std::string> files;
   for (std::filesystem::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
-    if (is_xml(it->path()) && !it->is_directory()) files.push_back(it->path().string());
+    if (is_xml(it->path()) && !it->is_directory() && !is_stream(it->path().string()))
+      files.push_back(it->path().string());
   }
   if (error) {
     const bool missing = error == std::errc::no_such_file_or_directory;

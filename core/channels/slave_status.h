@@ -13,10 +13,11 @@ namespace syncline {
 struct SlaveStatus {
   std::uint16_t al_status = 0;  // register 0x0130; 0 = unknown, it does not answer
   std::uint16_t al_status_code = 0;
-  bool present = false;          // answers
-  bool cable_broken = false;     // nothing comes back over the cable from the one that it hangs at
-  Nanoseconds absent_since = 0;  // host clock; while it does not answer
-  Nanoseconds moved = 0;         // host clock: when it went or came, or its cable broke or healed, last; 0: never
+  Nanoseconds al_status_time = 0;  // host clock of the newest reading of both; 0: never, or it does not answer
+  bool present = false;            // answers
+  bool cable_broken = false;       // nothing comes back over the cable from the one that it hangs at
+  Nanoseconds absent_since = 0;    // host clock; while it does not answer
+  Nanoseconds moved = 0;           // host clock: when it went or came, or its cable broke or healed, last; 0: never
   bool dc_enabled = false;
   bool is_reference_clock = false;
   bool follows = false;  // the reference clock: there, with a clock, behind it in frame order

@@ -54,6 +54,11 @@ void check_device_id(FindingList& findings, const SlavePlan& slave) {
   }
 }
 
+/// 0 stands for any number (Identity), so that there would be nothing to compare.
+void check_serial(FindingList& findings, const SlavePlan& slave) {
+  if (slave.settings->check.serial && slave.device().identity.serial_no == 0) findings.add("serial-unknown");
+}
+
 void check_eoe(FindingList& findings, const SlavePlan& slave) {
   const auto& eoe = slave.settings->eoe;
   const bool wanted = eoe.mac || !eoe.ip.empty() || !eoe.subnet.empty() || !eoe.gateway.empty() || !eoe.dns.empty() ||
@@ -197,6 +202,7 @@ void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave, cons
   find_module_problems(findings, slave);
   check_hot_connect(findings, slave);
   check_device_id(findings, slave);
+  check_serial(findings, slave);
   check_watchdog(findings, slave);
   check_outputs_guarded(findings, slave);
   check_eoe(findings, slave);

@@ -14,6 +14,7 @@ OpenBus::OpenBus(OpenedLink opened, std::shared_ptr<const CaptureState> capture,
       opened_(std::move(opened)),
       exchange_(*opened_.link, *opened_.clock),
       bus_(exchange_, *opened_.clock, cancel) {
+  if (!opened_.clock->is_virtual()) driven_.emplace();
   exchange_.set_addresses({0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, opened_.link->describe().mac);
 }
 

@@ -3,11 +3,13 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/capture_file.h"
 #include "engine/opened_link.h"
 #include "master/exchange/bus.h"
+#include "support/stop_signals.h"
 
 namespace syncline {
 
@@ -35,6 +37,7 @@ class OpenBus {
   OpenBus(OpenedLink opened, std::shared_ptr<const CaptureState> capture, const std::atomic<bool>* cancel);
 
   std::shared_ptr<const CaptureState> capture_;
+  std::optional<PauseRefused> driven_;  // on a real clock
   OpenedLink opened_;
   FrameExchange exchange_;
   Bus bus_;

@@ -128,7 +128,7 @@ inline constexpr FindingWords kFileErrors[] = {
      "Delete it or choose another one.",
      "",
      {{"", "The device catalogue {file} cannot be used{because}."}}},
-    {"cancelled", Severity::kError, "Cancelled", "", "", "", {{"", "Cancelled."}}},
+    {"cancelled", Severity::kError, "Cancelled", "", "", "", {{"", "Cancelled{because}."}}},
 };
 
 inline constexpr FindingWords kBusErrors[] = {

@@ -68,8 +68,8 @@ std::string figure_text(const Figure& figure) {
     case Unit::kCount:
       return fmt::format("{}{}", figure.text.empty() ? "" : "at least ", figure.value);
     case Unit::kTimes:
-      if (figure.value == 1 && figure.text.empty()) return "once";
-      return fmt::format("{}{} times", figure.text.empty() ? "" : "at least ", figure.value);
+      return (figure.text.empty() ? "" : "at least ") +
+             (figure.value == 1 ? std::string("once") : fmt::format("{} times", figure.value));
     case Unit::kNanoseconds:
       return duration(figure.value);
     case Unit::kTime:

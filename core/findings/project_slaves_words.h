@@ -58,6 +58,15 @@ inline constexpr FindingWords kProjectSlaves[] = {
      {{"",
        "The ESI does not say that the device has an explicit device ID; it is asked by the request bit of AL control "
        "all the same."}}},
+    {"serial-unknown",
+     Severity::kWarning,
+     "A serial number is to be compared, and none is known",
+     "",
+     "Write it as SerialNo of the device's Type into the project file, or switch check.serial off.",
+     "slave.N.check.serial",
+     {{"",
+       "Its serial number is to be compared at start-up, but the project has none (0 stands for any): nothing is "
+       "compared."}}},
     {"eoe-missing",
      Severity::kWarning,
      "Addresses for a device without EoE",

@@ -10,6 +10,7 @@
 namespace syncline {
 struct MasterThread::Impl {
   explicit Impl(MasterService& own_service) : service(own_service) {
+    if (!service.clock().is_virtual()) driven.emplace();
     const StopSignalsBlocked deaf;  // whoever started the thread hears them
     thread = std::thread([this] { run(); });
   }
@@ -29,6 +30,7 @@ struct MasterThread::Impl {
   }
 
   MasterService& service;
+  std::optional<PauseRefused> driven;
   std::atomic<bool> stop{false};
   std::thread thread;
 };
@@ -41,6 +43,7 @@ void MasterThread::stop() {
   impl_->stop = true;
   impl_->service.channels().cancel = true;  // a bring-up or a scan under way ends
   impl_->thread.join();
+  impl_->driven.reset();
 }
 
 }  // namespace syncline

@@ -95,6 +95,8 @@ inline constexpr std::string_view kFileReasons[] = {
     "the text ends too early or is no XML",
     "another window has it open ({who}): save under another name",
     "something else",
+    "a signal ended the waiting for its content",
+    "a signal ended the waiting for its reader",
 };
 
 }  // namespace syncline::words

@@ -57,10 +57,12 @@ Status look_at(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return fail(Error{.code = ErrorCode::kFileNotFound, .file = path});
   std::array<char, 16> header{};
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file;
+  // A pipe is no recording, and would be waited for.
+  const bool ordinary = std::filesystem::is_regular_file(path, error);
+  if (ordinary) file.open(path, std::ios::binary);
   file.read(header.data(), header.size());
-  if (std::filesystem::is_directory(path, error) || !file.good() ||
-      std::string_view(header.data(), 15) != "SQLite format 3") {
+  if (!ordinary || !file.good() || std::string_view(header.data(), 15) != "SQLite format 3") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .detail = because("a recording that \"synclinectl run --record\" has written"),
                       .file = path});
@@ -79,10 +81,11 @@ Result<bool> has_checks(SqlDatabase& database) {
 
 bool lacks_log(const std::string& path) {
   constexpr std::streamoff kReadVersion = 19;  // of SQLite's header; 2: with a log
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream file(path, std::ios::binary);
   file.seekg(kReadVersion);
   if (file.get() != 2) return false;
-  std::error_code error;
   const auto size = std::filesystem::file_size(path + "-wal", error);
   return error || size == 0;
 }

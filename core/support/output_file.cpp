@@ -11,11 +11,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "reasons/because.h"
 #include "support/followed_path.h"
+#include "support/stop_signals.h"
 
 namespace syncline {
 namespace {
@@ -124,6 +126,9 @@ OutputFile::~OutputFile() {
 }
 
 Status OutputFile::open_in_place() {
+  // A pipe without a reader is waited for.
+  std::optional<StopSignals> own;
+  if (StopSignals::current() < 0) own.emplace();
   descriptor_ = ::open(target_.c_str(), O_WRONLY | O_APPEND | O_NOCTTY | O_CLOEXEC);
   return descriptor_ < 0 ? failed(errno) : Status{};
 }
@@ -170,7 +175,8 @@ Status OutputFile::finish() {
 
 Status OutputFile::failed(int number) {
   if (number == EINTR) {
-    status_ = fail(Error{.code = ErrorCode::kCancelled, .file = path_});
+    status_ = fail(Error{
+        .code = ErrorCode::kCancelled, .detail = because("a signal ended the waiting for its reader"), .file = path_});
   } else {
     status_ = fail(not_writable(path_, Reason::of_system(number)));
   }

@@ -18,6 +18,9 @@ class HostRecorder {
   explicit HostRecorder(Nanoseconds cycle_time) : cycle_time_(cycle_time) {}
   void add(std::span<const CycleSample> samples);
 
+  /// From so many on a profile says something: the latest of a thousand is in it.
+  static constexpr std::uint64_t kLeastCycles = 1'000;
+  /// Those in OP.
   [[nodiscard]] std::uint64_t cycles() const { return wake_up_.count(); }
   /// Where the reference clock's time came with the frames, the stamp error is how much later than its neighbours a
   /// frame passed that clock; without, how much longer than the shortest its way out and back took, which takes the

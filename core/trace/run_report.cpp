@@ -50,6 +50,7 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
     // What the reference clock shows, or a slave in front of it, is no deviation from the reference clock.
     if ((sample.flags & CycleSample::kSlaveFollows) == 0) continue;
     readings.latest = sample.slave_deviation_ns;
+    readings.latest_time = sample.send_time;
     if (settled_) readings.max = std::max(readings.max.value_or(0), std::abs(sample.slave_deviation_ns));
   }
 }
@@ -112,11 +113,13 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
       if (!status.present) slave.deviation_ns.reset();
       slave.al_status = status.al_status;
       slave.al_status_code = status.al_status_code;
+      slave.al_status_time = status.al_status_time;
       slave.evidence = status.evidence;
       if (status.sm2_missed.valid || status.sm2_missed.known) slave.sm2_missed = status.sm2_missed;
       if (status.dc_enabled) slave.propagation_delay_ns = status.propagation_delay_ns;
       if (slave.sync0_cycle > 0) slave.sync0_margin = sync0_margin(slave, snapshot.dcm.set_value_ns);
     }
+    if (slave.deviation_ns) slave.deviation_time = readings_[i].latest_time;
     report.slaves.push_back(std::move(slave));
   }
   return report;

@@ -28,8 +28,10 @@ struct RunReport {
     Nanoseconds absent_since = 0;  // host clock; while it does not answer
     std::uint16_t al_status = 0;   // 0 = unknown
     std::uint16_t al_status_code = 0;
+    Nanoseconds al_status_time = 0;  // host clock of the newest reading of both; 0: unknown
     /// From the reference clock; nothing for itself, and for slaves that do not follow it.
     std::optional<std::int32_t> deviation_ns;      // latest reading
+    Nanoseconds deviation_time = 0;                // host clock of that; 0: none
     std::optional<std::int32_t> deviation_max_ns;  // largest magnitude after settling, in sync or not
     std::optional<Sm2MissedStatus> sm2_missed;
     std::optional<std::uint32_t> propagation_delay_ns;
@@ -73,6 +75,7 @@ class RunRecorder {
  private:
   struct SlaveReadings {
     std::optional<std::int32_t> latest;
+    Nanoseconds latest_time = 0;
     std::optional<std::int32_t> max;
   };
   void note_settled(const CycleSample& sample);

@@ -13,6 +13,7 @@
 #include "eni/catalogue/esi_cards.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "support/input_file.h"
 
 namespace syncline::eni {
 namespace {
@@ -64,7 +65,7 @@ std::error_code list_below(const fs::path& folder, FoundFiles& found) {
     std::error_code none;
     if (it->is_directory(none)) {
       if (!it->is_symlink(none) && list_below(it->path(), found)) found.unreadable.push_back(it->path().string());
-    } else if (has_xml_name(it->path())) {
+    } else if (has_xml_name(it->path()) && !is_stream(it->path().string())) {
       found.files.push_back(look_at(it->path().string()));
     }
   }

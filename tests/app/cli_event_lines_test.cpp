@@ -51,6 +51,18 @@ TEST_F(EventLinesTest, TheSameSlaveTwiceIsTwoLines) {
   EXPECT_EQ(told.size(), 2U);
 }
 
+TEST_F(EventLinesTest, NoTimeRunsBackwardsUnsaid) {
+  state(0, 0);
+  state(1, kSecond + 50 * kMillisecond);
+  lines.add({kSecond, -1, events::FramesLost{3}});  // counted from then on, told now
+  lines.tell_until(2 * kSecond);
+  lines.add({kSecond + 10 * kMillisecond, -1, events::FramesLost{2}});
+  lines.tell_all();
+  EXPECT_EQ(told, (std::vector<std::string>{"     0.000 s  slave 0: INIT -> PREOP", "     1.000 s  3 frames lost",
+                                            "     1.050 s  slave 1: INIT -> PREOP",
+                                            "     1.010 s  2 frames lost (told afterwards)"}));
+}
+
 TEST_F(EventLinesTest, VerbsFollowTheirNumber) {
   for (int slave = 3; slave < 6; ++slave) lines.add({0, slave, events::SlaveLost{}});
   lines.tell_all();

@@ -41,6 +41,25 @@ TEST(CliOutput, AnErrorIsOneValidJsonObjectToo) {
   }
 }
 
+TEST(CliOutput, AFlagWithAValueIsRefusedAndNeverIgnored) {
+  const TemporaryFolder folder;
+  const auto project = folder.file("m.syncline");
+  ASSERT_EQ(cli_run({"project", "create", project, "--scan", demo()}).code, cli::kDone);
+  for (const char* flag : {"--json=out.json", "--json=true", "--json=false", "--json=1", "--json="}) {
+    const auto shown = cli_run({"project", "show", project, flag});
+    EXPECT_EQ(shown.code, cli::kUsage) << flag;
+    EXPECT_THAT(shown.err, HasSubstr("--json takes no value")) << flag;
+    EXPECT_TRUE(shown.json().contains("error")) << flag;
+  }
+  for (const char* flag : {"--strict=no", "--strict=2", "--strict=file"}) {
+    const auto checked = cli_run({"check", project, flag});
+    EXPECT_EQ(checked.code, cli::kUsage) << flag;
+    EXPECT_THAT(checked.err, HasSubstr("--strict takes no value")) << flag;
+  }
+  EXPECT_EQ(cli_run({"check", project, "--severity=error"}).code,
+            cli_run({"check", project, "--severity", "error"}).code);
+}
+
 TEST(CliOutput, TheErrorOfAFileNamesItAndTheLine) {
   const TemporaryFolder folder;
   const auto file = folder.file("broken.toml");
@@ -77,7 +96,7 @@ class CliSideFiles : public testing::Test {
   void SetUp() override { ASSERT_EQ(cli_run({"project", "create", project(), "--scan", demo()}).code, cli::kDone); }
   [[nodiscard]] std::string project() const { return folder.file("m.syncline"); }
   CliRun run(const std::vector<std::string>& more) {
-    std::vector<std::string> arguments{"run", project(), "--link", demo(), "--for", "3s"};
+    std::vector<std::string> arguments{"run", project(), "--link", demo(), "--for", "8s"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return cli_run(arguments);
   }

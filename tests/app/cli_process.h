@@ -10,6 +10,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -61,6 +63,15 @@ class CliProcess {
   CliProcess& operator=(const CliProcess&) = delete;
 
   void signal(int number) const { ::kill(child_, number); }
+  /// 'T' while it is stopped, see proc(5).
+  [[nodiscard]] char state() const {
+    const auto text = proc_file("stat");
+    const auto end = text.rfind(") ");  // of the program's name
+    return end == std::string::npos ? '?' : text[end + 2];
+  }
+  /// Whether it has a handler of its own for the signal, or ignores it.
+  [[nodiscard]] bool catches(int number) const { return in_mask("SigCgt:", number); }
+  [[nodiscard]] bool ignores(int number) const { return in_mask("SigIgn:", number); }
   /// Exit code, or 128 and the signal's number. Reads what the program writes until then.
   int wait() {
     err_text_ += read_all(err_);
@@ -89,6 +100,16 @@ class CliProcess {
   [[nodiscard]] const std::string& err() const { return err_text_; }
 
  private:
+  [[nodiscard]] std::string proc_file(const std::string& name) const {
+    std::ifstream in("/proc/" + std::to_string(child_) + "/" + name);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  [[nodiscard]] bool in_mask(const std::string& field, int number) const {
+    const auto text = proc_file("status");
+    const auto at = text.find(field);
+    if (at == std::string::npos) return false;
+    return (std::stoull(text.substr(at + field.size()), nullptr, 16) >> (number - 1) & 1U) != 0;
+  }
   static bool read_some(int descriptor, std::string& text) {
     std::array<char, 4096> buffer{};
     const auto count = descriptor < 0 ? 0 : ::read(descriptor, buffer.data(), buffer.size());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -216,6 +217,59 @@ TEST(CliRun, ParametersThatCannotWorkAreRefusedByName) {
   EXPECT_NE(cli_run({"project", "create", project, "--scan", demo(), "--shift", "sideways"}).code, cli::kDone);
 }
 
+TEST(CliRun, EveryReadingOfASlaveHasItsAge) {
+  const TemporaryFolder folder;
+  const auto eni = export_demo(folder, "master");
+  const auto run = cli_run({"run", eni, "--link", demo(), "--for", "20s", "--json"});
+  int deviations = 0, sync_errors = 0;
+  const auto told = run.json();
+  for (const auto& slave : told["slaves"]) {
+    SCOPED_TRACE(slave["name"]);
+    EXPECT_GE(slave["al_status_age_ms"].get<double>(), 0);
+    EXPECT_LT(slave["al_status_age_ms"].get<double>(), 500) << "each has its turn within 400 ms";
+    EXPECT_EQ(slave["deviation_age_ms"].is_null(), slave["deviation_ns"].is_null());
+    if (!slave["deviation_age_ms"].is_null()) {
+      ++deviations;
+      EXPECT_GE(slave["deviation_age_ms"].get<double>(), 0);
+      EXPECT_LT(slave["deviation_age_ms"].get<double>(), 100);
+    }
+    const auto& age = slave["evidence"]["sync_error_age_ms"];
+    if (age.is_null()) continue;
+    ++sync_errors;
+    EXPECT_GE(age.get<double>(), 0);
+    EXPECT_LT(age.get<double>(), 10'000);
+  }
+  EXPECT_GT(deviations, 2);
+  EXPECT_GT(sync_errors, 1);
+
+  const auto off = "sim:" + source_dir() + "/resources/scenarios/faults/slave-off.toml?virtual";
+  const auto gone = cli_run({"run", eni, "--link", off, "--for", "12s", "--json"});
+  int away = 0;
+  const auto left = gone.json();
+  for (const auto& slave : left["slaves"]) {
+    EXPECT_EQ(slave["al_status_age_ms"].is_null(), !slave["present"].get<bool>()) << slave["name"];
+    away += slave["present"].get<bool>() ? 0 : 1;
+  }
+  EXPECT_GT(away, 0);
+}
+
+TEST(CliRun, TellsItsEventsByTheirTimes) {
+  const TemporaryFolder folder;
+  const auto eni = export_demo(folder, "master");
+  // Lost frames are told together, some of them after damaged ones that came later were read.
+  const auto link = "sim:" + source_dir() + "/resources/scenarios/faults/bit-errors.toml?virtual&seed=1";
+  const auto run = cli_run({"run", eni, "--link", link, "--for", "14s", "--json"});
+  double last = 0;
+  int lost = 0;
+  const auto told = run.json();
+  for (const auto& event : told["events"]) {
+    EXPECT_GE(event["time_ms"].get<double>(), last) << event;
+    last = event["time_ms"].get<double>();
+    lost += event["kind"] == "frames_lost" ? 1 : 0;
+  }
+  EXPECT_GT(lost, 1);
+}
+
 TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
   const TemporaryFolder folder;
   const auto eni = export_demo(folder, "master");
@@ -228,7 +282,12 @@ TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
               testing::AllOf(HasSubstr("cycles of 1000 us in OP"), HasSubstr("[wake_up]"), HasSubstr("[stamp_error]")));
   const auto nothing = cli_run({"run", eni, "--link", demo(), "--for", "6s", "--state", "PREOP", "--save-host", host});
   EXPECT_NE(nothing.code, cli::kDone);
-  EXPECT_THAT(nothing.err, HasSubstr("not in OP"));
+  EXPECT_THAT(nothing.err, HasSubstr("needs 1000 cycles in OP, the run had none"));
+  const auto little = folder.file("little.toml");
+  const auto few = cli_run({"run", eni, "--link", demo(), "--for", "2500ms", "--save-host", little});
+  EXPECT_EQ(few.code, cli::kFailed);
+  EXPECT_THAT(few.err, HasSubstr("a host profile needs 1000 cycles in OP, the run had "));
+  EXPECT_FALSE(std::filesystem::exists(little));
 }
 
 /// The frames of a thousand terminals of 4 bytes need 333 us on the wire and 570 us to pass them all.

@@ -3,14 +3,16 @@
 // left in order, and an EEPROM holds the old content or the new one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 
+#include <array>
 #include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "app/composition/eeprom_journal.h"
 #include "protocol/al_state.h"
 #include "support/random.h"
-#include "support/stop_signals.h"
 #include "support/whole_file.h"
 #include "tests/app/cli_process.h"
 #include "tests/app/cli_runner.h"
@@ -20,6 +22,9 @@ namespace syncline::test {
 namespace {
 
 using testing::HasSubstr;
+
+/// One of each kind: that all of them are heard alike is a test of core/support.
+const std::array kKinds{SIGINT, SIGQUIT, SIGTERM, SIGHUP, SIGPIPE, SIGUSR1, SIGABRT, SIGSEGV, SIGRTMAX};
 
 const std::string kMachine = source_dir() + "/resources/demo/machine.toml";
 const std::string kMasterLink = std::string("nic:") + NetNamespace::kMasterEnd;
@@ -52,7 +57,7 @@ class KilledMaster : public testing::Test {
 
 TEST_F(KilledMaster, EverySignalTakesTheSlavesToInitAndPrintsTheReport) {
   const auto file = project();
-  for (const int number : kStopSignals) {
+  for (const int number : kKinds) {
     ServedBus bus(kMachine);
     CliProcess run({"run", file, "--link", kMasterLink, "--for", "60s"});
     ASSERT_TRUE(run.wait_for_err("online")) << run.err();
@@ -62,6 +67,23 @@ TEST_F(KilledMaster, EverySignalTakesTheSlavesToInitAndPrintsTheReport) {
     EXPECT_THAT(run.out(), HasSubstr("cycles")) << "signal " << number;
     expect_all_in_init(bus.finish());
   }
+}
+
+TEST_F(KilledMaster, CtrlZIsRefusedAndTheCycleGoesOn) {
+  const auto file = project();
+  ServedBus bus(kMachine);
+  CliProcess run({"run", file, "--link", kMasterLink, "--for", "60s"});
+  ASSERT_TRUE(run.wait_for_err("online")) << run.err();
+  run.signal(SIGTSTP);
+  ASSERT_TRUE(run.wait_for_err("not stopped"));
+  for (const int number : {SIGTTIN, SIGTTOU, SIGCONT, SIGWINCH, SIGURG, SIGCHLD}) run.signal(number);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_NE(run.state(), 'T');
+  run.signal(SIGINT);
+  EXPECT_LE(run.wait(), 1) << run.err();
+  EXPECT_THAT(run.out(), HasSubstr("cycles"));
+  EXPECT_THAT(run.out(), testing::Not(HasSubstr("left OP")));
+  expect_all_in_init(bus.finish());
 }
 
 TEST_F(KilledMaster, AReaderThatIsGoneEndsTheRunInOrder) {
@@ -127,8 +149,7 @@ TEST_F(KilledEepromWrite, ASignalLeavesTheOldContentOrTheNewOne) {
   Random random(5);
   int taken_back = 0;
   for (int i = 0; i < 10; ++i) {
-    kill_after(std::chrono::microseconds(random.next() % 300'000),
-               kStopSignals[static_cast<std::size_t>(i) % kStopSignals.size()]);
+    kill_after(std::chrono::microseconds(random.next() % 300'000), kKinds[static_cast<std::size_t>(i) % kKinds.size()]);
     const auto now = read();
     ASSERT_TRUE(now == old_ || now == new_) << "kill " << i;
     EXPECT_THAT(cli_run({"adapters"}).err, testing::Not(HasSubstr("cut short"))) << "no journal is left";

@@ -9,6 +9,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QFile>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QUndoStack>
 #include <cstdlib>
@@ -209,6 +211,34 @@ TEST_F(RecordingEnd, WithoutACycleItOpens) {
   window_.liveStrip().refresh();
   QApplication::processEvents();
   workspace_.recording().close();
+}
+
+/// As /proc/PID/status has it.
+bool catches(qint64 pid, int number) {
+  QFile file(QStringLiteral("/proc/%1/status").arg(pid));
+  if (!file.open(QIODevice::ReadOnly)) return false;
+  const auto text = file.readAll();
+  const auto at = text.indexOf("SigCgt:");
+  return at >= 0 && (text.mid(at + 7, 17).trimmed().toULongLong(nullptr, 16) >> (number - 1) & 1U) != 0;
+}
+
+TEST(WindowProgram, EndsInOrderOnAnySignalThatCanBeCaught) {
+  QTemporaryDir home;
+  auto environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("HOME"), home.path());
+  environment.insert(QStringLiteral("XDG_STATE_HOME"), home.path());
+  environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+  for (const int number : {SIGUSR1, SIGXCPU, SIGRTMAX}) {
+    QProcess program;
+    program.setProcessEnvironment(environment);
+    program.start(QCoreApplication::applicationDirPath() + QStringLiteral("/syncline"), {});
+    ASSERT_TRUE(program.waitForStarted());
+    ASSERT_TRUE(waitFor([&] { return catches(program.processId(), number); })) << number;
+    ::kill(static_cast<pid_t>(program.processId()), number);
+    ASSERT_TRUE(program.waitForFinished()) << number;
+    EXPECT_EQ(program.exitStatus(), QProcess::NormalExit) << number;
+    EXPECT_EQ(program.exitCode(), 0) << number;
+  }
 }
 
 }  // namespace

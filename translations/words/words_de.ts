@@ -485,6 +485,10 @@
         <translation>Eine Suche berührt eine Maschine, die läuft</translation>
     </message>
     <message>
+        <source>A serial number is to be compared, and none is known</source>
+        <translation>Eine Seriennummer soll verglichen werden, und es ist keine bekannt</translation>
+    </message>
+    <message>
         <source>A setting of the master synchronisation is out of range</source>
         <translation>Eine Einstellung der Master-Synchronisation liegt außerhalb ihres Bereichs</translation>
     </message>
@@ -1053,8 +1057,8 @@
         <translation>Abgebrochen</translation>
     </message>
     <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
+        <source>Cancelled{because}.</source>
+        <translation>Abgebrochen{because}.</translation>
     </message>
     <message>
         <source>Capture whole frames (a snap length of 0).</source>
@@ -1969,6 +1973,10 @@
         <translation>Viele Master messen seine Laufzeit falsch.</translation>
     </message>
     <message>
+        <source>Its serial number is to be compared at start-up, but the project has none (0 stands for any): nothing is compared.</source>
+        <translation>Seine Seriennummer soll beim Hochlauf verglichen werden, das Projekt hat aber keine (0 steht für jede): Es wird nichts verglichen.</translation>
+    </message>
+    <message>
         <source>Its start time (0x0990) had passed when it was taken, or its SYNC unit was not switched on (0x0981). Let the start times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.</source>
         <translation>Seine Startzeit (0x0990) war vorbei, als sie übernommen wurde, oder seine SYNC-Einheit wurde nicht eingeschaltet (0x0981). Lassen Sie die Startzeiten später beginnen (master.dc.start_time_safety_us), oder sehen Sie nach, wer sonst seine Register schreibt.</translation>
     </message>
@@ -2167,6 +2175,34 @@
     <message>
         <source>Their own readings (0x092C) do not show it for long. Where delays were not measured anew, a device that nobody knows stands on the bus: set it up or take it away, before positions are compared across it.</source>
         <translation>Ihre eigenen Ablesungen (0x092C) zeigen es nicht lange. Wo die Verzögerungen nicht neu gemessen wurden, steht ein Gerät am Bus, das niemand kennt: Richten Sie es ein oder entfernen Sie es, ehe Positionen über es hinweg verglichen werden.</translation>
+    </message>
+    <message>
+        <source>Write it as SerialNo of the device's Type into the project file, or switch check.serial off.</source>
+        <translation>Tragen Sie sie als SerialNo im Type des Geräts in die Projektdatei ein oder schalten Sie check.serial aus.</translation>
+    </message>
+    <message>
+        <source>a signal ended the waiting for its content</source>
+        <translation>ein Signal beendete das Warten auf ihren Inhalt</translation>
+    </message>
+    <message>
+        <source>a signal ended the waiting for its reader</source>
+        <translation>ein Signal beendete das Warten auf ihren Leser</translation>
+    </message>
+    <message>
+        <source>is missing, as stamp_error and stalls are: a host profile has times for one of them</source>
+        <translation>fehlt, ebenso stamp_error und stalls: ein Host-Profil hat Zeiten für eines davon</translation>
+    </message>
+    <message>
+        <source>overlaps the {fault} from {time} ms to {other} ms</source>
+        <translation>überschneidet sich mit {fault} von {time} ms bis {other} ms</translation>
+    </message>
+    <message>
+        <source>the file {file} cannot be read: {reason}</source>
+        <translation>die Datei {file} kann nicht gelesen werden: {reason}</translation>
+    </message>
+    <message>
+        <source>there is no file {file}</source>
+        <translation>es gibt keine Datei {file}</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

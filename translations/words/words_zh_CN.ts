@@ -485,6 +485,10 @@
         <translation>扫描会影响正在运行的机器</translation>
     </message>
     <message>
+        <source>A serial number is to be compared, and none is known</source>
+        <translation>要比较序列号，但没有已知的序列号</translation>
+    </message>
+    <message>
         <source>A setting of the master synchronisation is out of range</source>
         <translation>主站同步的某项设置超出范围</translation>
     </message>
@@ -1053,8 +1057,8 @@
         <translation>已取消</translation>
     </message>
     <message>
-        <source>Cancelled.</source>
-        <translation>已取消。</translation>
+        <source>Cancelled{because}.</source>
+        <translation>已取消{because}。</translation>
     </message>
     <message>
         <source>Capture whole frames (a snap length of 0).</source>
@@ -1969,6 +1973,10 @@
         <translation>许多主站会错误地测量其传输延迟。</translation>
     </message>
     <message>
+        <source>Its serial number is to be compared at start-up, but the project has none (0 stands for any): nothing is compared.</source>
+        <translation>启动时要比较其序列号，但项目中没有（0 表示任意）：不进行任何比较。</translation>
+    </message>
+    <message>
         <source>Its start time (0x0990) had passed when it was taken, or its SYNC unit was not switched on (0x0981). Let the start times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.</source>
         <translation>其启动时间（0x0990）在生效时已经过去，或其 SYNC 单元未启用（0x0981）。请让启动时间更晚开始（master.dc.start_time_safety_us），或检查是否还有其他程序写其寄存器。</translation>
     </message>
@@ -2167,6 +2175,34 @@
     <message>
         <source>Their own readings (0x092C) do not show it for long. Where delays were not measured anew, a device that nobody knows stands on the bus: set it up or take it away, before positions are compared across it.</source>
         <translation>它们自己的读数（0x092C）很快就不再显示这一点。如果延迟没有重新测量，说明总线上有未知设备：在跨该设备比较位置之前，请对其进行设置或将其移除。</translation>
+    </message>
+    <message>
+        <source>Write it as SerialNo of the device's Type into the project file, or switch check.serial off.</source>
+        <translation>请在项目文件中该设备的 Type 里写入 SerialNo，或关闭 check.serial。</translation>
+    </message>
+    <message>
+        <source>a signal ended the waiting for its content</source>
+        <translation>等待其内容时被信号终止</translation>
+    </message>
+    <message>
+        <source>a signal ended the waiting for its reader</source>
+        <translation>等待其读取方时被信号终止</translation>
+    </message>
+    <message>
+        <source>is missing, as stamp_error and stalls are: a host profile has times for one of them</source>
+        <translation>缺失，stamp_error 和 stalls 也缺失：主机配置至少要有其中一项的时间</translation>
+    </message>
+    <message>
+        <source>overlaps the {fault} from {time} ms to {other} ms</source>
+        <translation>与 {time} ms 至 {other} ms 的 {fault} 重叠</translation>
+    </message>
+    <message>
+        <source>the file {file} cannot be read: {reason}</source>
+        <translation>无法读取文件 {file}：{reason}</translation>
+    </message>
+    <message>
+        <source>there is no file {file}</source>
+        <translation>没有文件 {file}</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

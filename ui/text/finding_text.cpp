@@ -71,8 +71,8 @@ QString FindingSentences::of(const Figure& figure) {
       return figure.text.empty() ? count : tr("at least %1").arg(count);
     }
     case In::kTimes: {
-      if (figure.value == 1 && figure.text.empty()) return tr("once");
-      const auto times = tr("%1 times").arg(countText(static_cast<std::uint64_t>(figure.value)));
+      const auto times =
+          figure.value == 1 ? tr("once") : tr("%1 times").arg(countText(static_cast<std::uint64_t>(figure.value)));
       return figure.text.empty() ? times : tr("at least %1").arg(times);
     }
     case In::kNanoseconds:

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <pcap/pcap.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -10,6 +11,7 @@
 
 #include "reasons/because.h"
 #include "support/byte_order.h"
+#include "support/input_file.h"
 
 namespace syncline {
 namespace {
@@ -53,10 +55,15 @@ Result<PcapReader> PcapReader::from_stream(void* stream, const std::string& name
 }
 
 Result<PcapReader> PcapReader::open(const std::string& path) {
-  auto* file = std::fopen(path.c_str(), "rb");
+  auto input = InputFile::open(path);
+  if (!input) return tl::unexpected(input.error());
+  if (auto status = input->wait(); !status) return tl::unexpected(status.error());
+  const int descriptor = input->release();
+  auto* file = ::fdopen(descriptor, "rb");
   if (file == nullptr) {
-    if (errno == ENOENT) return fail(Error{ErrorCode::kFileNotFound, {}, {}, path});
-    return fail(Error{ErrorCode::kFileNotReadable, {}, Reason::of_system(errno), path});
+    const auto why = Reason::of_system(errno);
+    ::close(descriptor);
+    return fail(Error{ErrorCode::kFileNotReadable, {}, why, path});
   }
   return from_stream(file, path);
 }

@@ -123,7 +123,7 @@ void SlaveWatch::add_turns(PendingFrame& frame) {
   turn_credit_ = std::min(turn_credit_, cycles_per_round_ * turns_.size());
 }
 
-void SlaveWatch::take_turns() {
+void SlaveWatch::take_turns(Nanoseconds time) {
   for (std::size_t i = 0; i < turns_asked_; ++i) {
     const auto& turn = turns_[i];
     if (!turn.datagram.answered) {  // the frame was lost: once more
@@ -131,7 +131,11 @@ void SlaveWatch::take_turns() {
       turn_credit_ += cycles_per_round_ * (turns_asked_ - i);
       break;
     }
-    if (is_news(turn)) refresh_al_status();
+    if (is_news(turn)) {
+      refresh_al_status();
+    } else if (turn.datagram.wkc > 0) {
+      run_.snapshot.slaves[turn.slave].al_status_time = time;
+    }
   }
   turns_asked_ = 0;
 }
@@ -146,7 +150,7 @@ bool SlaveWatch::is_news(const Turn& turn) const {
 
 std::optional<OredDeviation> SlaveWatch::take(Nanoseconds time, CycleSample& sample) {
   take_deviations(time, sample);
-  take_turns();
+  take_turns(time);
   take_al_status(time);
   if (!std::exchange(asked_all_, false) || !all_.done()) return std::nullopt;
   return OredDeviation{SystemTimeDifference{load_le<std::uint32_t>(all_bytes_)}.magnitude(), all_.wkc};

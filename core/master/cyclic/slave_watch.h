@@ -64,7 +64,7 @@ class SlaveWatch {
     Datagram datagram;
   };
   void add_turns(PendingFrame& frame);
-  void take_turns();
+  void take_turns(Nanoseconds time);
   [[nodiscard]] bool is_news(const Turn& turn) const;
   void add_al_status(PendingFrame& frame);
   void take_al_status(Nanoseconds time);

@@ -162,6 +162,7 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
       return count(evidence.outputs.shift_too_short, 1);
     case Item::kSyncError:
       evidence.outputs.sync_error = value != 0;
+      evidence.outputs.sync_error_time = now;
       return;
     case Item::kInputsExceeded:
       return count(evidence.inputs.exceeded, 2);

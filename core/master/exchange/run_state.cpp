@@ -96,6 +96,7 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
   auto& known = snapshot.slaves[slave];
   const auto old = std::exchange(known.al_status, status);
   const auto old_code = std::exchange(known.al_status_code, code);
+  known.al_status_time = time;
   const auto position = static_cast<int>(slave);
   const auto state = al_state_of(status);
   if (status != old) note_slave_change();
@@ -121,6 +122,7 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   if (!present) {
     // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
     known.al_status = known.al_status_code = 0;
+    known.al_status_time = 0;
     known.deviation_valid = false;
     mailboxes[slave].restart();
   }

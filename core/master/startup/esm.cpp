@@ -64,6 +64,7 @@ Status Esm::reset() {
     slave.present = !attendance_.missing(i);
     slave.al_status = slave.present ? init : 0;
     slave.al_status_code = 0;
+    slave.al_status_time = slave.present ? bus_.clock().now() : 0;
   }
   run_.note_slave_change();
   run_.update_master_state(bus_.clock().now());

@@ -35,6 +35,9 @@ class Reader {
     profile.stamp_error = section(table, "stamp_error");
     if (const auto* stalls = table.table("stalls")) read_stalls(*stalls, profile);
     table.reject_unknown_keys("a host profile");
+    // A host that is always there at once is none that anybody measured.
+    if (profile.wake_up.empty() && profile.stamp_error.empty() && profile.stalls_per_second <= 0)
+      table.fail_at("wake_up", "is missing, as stamp_error and stalls are: a host profile has times for one of them");
     if (error_) return tl::unexpected(*error_);
     return profile;
   }

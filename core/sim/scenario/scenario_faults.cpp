@@ -176,6 +176,7 @@ void ScenarioFaults::check_time(Table& table, const FaultConfig& fault) {
     return table.fail_at("until_ms", "without a slave, lose-frames has a count or a probability");
   }
   const auto& rule = *std::ranges::find(fault_rules(), fault.kind, &FaultRule::kind);
+  if (fault.kind == FaultKind::kHostStall) return check_stalls(table, fault, rule.name);
   if (!lasts(fault, rule)) return;
   const auto same = std::ranges::find_if(faults_, [&](const FaultConfig& other) {
     const bool same_place =
@@ -185,6 +186,18 @@ void ScenarioFaults::check_time(Table& table, const FaultConfig& fault) {
   if (same == faults_.end()) return;
   table.fail_at("at_ms", "the {fault} of the same slave that begins at {time} ms is not over then", rule.name,
                 static_cast<double>(same->at) / 1e6);
+}
+
+/// One host stands still once at a time: two stalls that overlap would be one of a length that nobody wrote.
+void ScenarioFaults::check_stalls(Table& table, const FaultConfig& fault, std::string_view name) {
+  const auto milliseconds = [](Nanoseconds time) { return static_cast<double>(time) / 1e6; };
+  for (const auto& other : faults_) {
+    if (other.kind != fault.kind) continue;
+    const auto end = other.at + other.value_ns;
+    if (fault.at >= end || other.at >= fault.at + fault.value_ns) continue;
+    return table.fail_at("at_ms", "overlaps the {fault} from {time} ms to {other} ms", name, milliseconds(other.at),
+                         milliseconds(end));
+  }
 }
 
 }  // namespace syncline::sim

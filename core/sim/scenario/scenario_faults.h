@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,7 @@ class ScenarioFaults {
   void check_slave(Table& table, const FaultConfig& fault);
   void check_port(Table& table, const FaultConfig& fault);
   void check_time(Table& table, const FaultConfig& fault);
+  void check_stalls(Table& table, const FaultConfig& fault, std::string_view name);
   [[nodiscard]] bool has_cable(int slave, std::uint8_t port) const;
 
   std::span<const SimSlaveConfig> slaves_;

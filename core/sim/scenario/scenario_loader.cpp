@@ -64,7 +64,7 @@ class Loader {
       config_ = std::move(*machine);
       config_.files.insert(config_.files.end(), own.begin(), own.end());
     } else {
-      error_ = machine.error();
+      table.fail_with_file("machine", machine.error());
     }
   }
 
@@ -89,7 +89,7 @@ class Loader {
     if (profile) {
       config_.host_jitter = std::move(*profile);
     } else {
-      error_ = profile.error();
+      table.fail_with_file("profile", profile.error());
     }
   }
 

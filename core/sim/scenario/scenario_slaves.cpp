@@ -224,7 +224,7 @@ void ScenarioSlaves::read_device(Table& table, SimSlaveConfig& slave) {
   if (error_) return;
   auto found = devices_(query);
   if (!found) {
-    error_ = found.error();
+    table.fail_with_file(sii.empty() ? "esi" : "sii", found.error());
     return;
   }
   slave.device = std::move(found->device);

@@ -101,10 +101,29 @@ const toml::array* Table::array(std::string_view key) {
   return node == nullptr ? nullptr : node->as_array();
 }
 
-void Table::set_error(std::string_view key, Reason detail) {
+int Table::line_of(std::string_view key) const {
   const auto* node = table_.get(key);
-  const auto line = node != nullptr ? node->source().begin.line : table_.source().begin.line;
-  error_ = Error{ErrorCode::kScenarioKey, std::string(key), std::move(detail), file_, static_cast<int>(line)};
+  return node != nullptr ? static_cast<int>(node->source().begin.line) : line();
+}
+
+void Table::set_error(std::string_view key, Reason detail) {
+  error_ = Error{ErrorCode::kScenarioKey, std::string(key), std::move(detail), file_, line_of(key)};
+}
+
+void Table::fail_with_file(std::string_view key, Error error) {
+  if (error_) return;
+  const bool unread = error.code == ErrorCode::kFileNotReadable || error.code == ErrorCode::kFileLimit;
+  if (error.code == ErrorCode::kFileNotFound) {
+    set_error(key, because("there is no file {file}", error.file));
+  } else if (unread && error.line == 0) {
+    set_error(key, because("the file {file} cannot be read: {reason}", error.file, std::move(error.detail)));
+  } else if (error.file.empty()) {
+    error.file = file_;
+    error.line = line_of(key);
+    error_ = std::move(error);
+  } else {
+    error_ = std::move(error);
+  }
 }
 
 void Table::reject_unknown_keys(ReasonRow<0> where) {

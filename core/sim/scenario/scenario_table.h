@@ -54,11 +54,15 @@ class Table {
   void fail_at(std::string_view key, std::type_identity_t<ReasonRow<sizeof...(Given)>> row, const Given&... given) {
     if (!error_) set_error(key, because(row, given...));
   }
+  /// What reading a file that the key names ended with: at the key where the file is not there or cannot be read, or
+  /// where the error has no place of its own; what is wrong in the file stays where it stands.
+  void fail_with_file(std::string_view key, Error error);
   void reject_unknown_keys(ReasonRow<0> where = "a scenario");
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   [[nodiscard]] int line() const { return static_cast<int>(table_.source().begin.line); }
 
  private:
+  [[nodiscard]] int line_of(std::string_view key) const;
   void set_error(std::string_view key, Reason detail);
   [[nodiscard]] const toml::node* ask(std::string_view key);
 

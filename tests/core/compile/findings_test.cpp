@@ -159,6 +159,14 @@ TEST(Findings, ADriveThatIsToldNothing) {
   EXPECT_THAT(found(project), ElementsAre("info slave.3.pdo.rx"));
 }
 
+TEST(Findings, ASerialNumberThatNobodyKnowsIsNotComparedSilently) {
+  Project project = sample::small_machine();
+  project.slaves[3].check.serial = true;
+  EXPECT_THAT(found(project), ElementsAre("warning slave.3.check.serial"));
+  project.slaves[3].device.identity.serial_no = 4711;
+  EXPECT_THAT(found(project), IsEmpty());
+}
+
 TEST(Findings, AliasesThatTwoSlavesAreKnownBy) {
   Project project = sample::small_machine();
   project.slaves[2].alias = project.slaves[3].alias = 7;

@@ -182,6 +182,16 @@ TEST(FigureText, NamesASlaveWhereItsNameIsKnown) {
   EXPECT_EQ(figure_text(fig::slave<"slave">(3).figure), "slave 3");
 }
 
+TEST(FindingWords, TimesAreSaidInWordsThatFitTheNumber) {
+  const auto said = [](std::int64_t times, const char* at_least) {
+    return figure_text({"times", Figure::Unit::kTimes, times, 0, at_least});
+  };
+  EXPECT_EQ(said(1, ""), "once");
+  EXPECT_EQ(said(1, "at least"), "at least once");
+  EXPECT_EQ(said(2, ""), "2 times");
+  EXPECT_EQ(said(2, "at least"), "at least 2 times");
+}
+
 Finding behind(int slave, std::uint16_t state) {
   Finding finding{code::kSlaveBehind, Severity::kWarning, slave};
   finding.figures = {{"slave", Figure::Unit::kSlave, slave, slave}, {"state", Figure::Unit::kAlStatus, state}};

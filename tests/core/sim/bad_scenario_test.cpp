@@ -153,8 +153,7 @@ TEST(BadScenario, TimesThatContradictEachOther) {
 }
 
 TEST(HostProfileFile, SaysWhatItWasMadeFromAndIsReadBack) {
-  for (const auto& profile :
-       {JitterProfile::none(), JitterProfile::quiet(), JitterProfile::desktop(), JitterProfile::bad()}) {
+  for (const auto& profile : {JitterProfile::quiet(), JitterProfile::desktop(), JitterProfile::bad()}) {
     const auto text = sim::host_profile_text(profile, "Measured somewhere.\nTwice.");
     EXPECT_THAT(text, testing::StartsWith("# Measured somewhere.\n# Twice.\n"));
     const auto back = sim::read_host_profile(write_file(text));
@@ -173,9 +172,39 @@ TEST(HostProfileFile, IsTakenByAScenarioBesideIt) {
   EXPECT_EQ(config->host_jitter.stalls_per_second, 0.5);
   EXPECT_EQ(config->host_jitter.stall.at(1), 3e6);
   expect_wrong({"[host]\njitter = \"quiet\"\nprofile = \"x.toml\"\n" + servo(), "profile", 3, "without jitter"});
-  const auto missing = load("[host]\nprofile = \"nowhere.toml\"\n" + servo());
-  ASSERT_FALSE(missing);
-  EXPECT_EQ(missing.error().code, ErrorCode::kFileNotFound);
+}
+
+TEST(BadScenario, AFileThatIsNotThereIsToldWhereItIsNamed) {
+  expect_wrong({"[host]\nprofile = \"nowhere.toml\"\n" + servo(), "profile", 2, "there is no file"});
+  expect_wrong({"[host]\nprofile = \".\"\n" + servo(), "profile", 2, "cannot be read: Is a directory"});
+  expect_wrong({"name = \"x\"\nmachine = \"nowhere.toml\"\n", "machine", 2, "nowhere.toml"});
+  expect_wrong({servo() + "[[slave]]\nesi = \"nowhere.xml\"\n", "esi", 4, "nowhere.xml"});
+  // What is wrong in it stands there.
+  const auto profile = write_file("[wake_up]\nquantiles = []\n", ".host.toml");
+  const auto config = load("[host]\nprofile = \"" + fs::path(profile).filename().string() + "\"\n" + servo());
+  ASSERT_FALSE(config);
+  EXPECT_EQ(config.error().file, profile);
+  EXPECT_EQ(config.error().line, 2);
+}
+
+TEST(BadScenario, ADeviceThatItsFileDoesNotHaveIsToldWhereItIsNamed) {
+  const auto config = load("name = \"x\"\n" + servo() + "type = \"SL-9999\"\n");
+  ASSERT_FALSE(config);
+  EXPECT_EQ(config.error().line, 3) << describe(config.error());
+}
+
+TEST(BadScenario, StallsOfTheHostThatOverlap) {
+  const std::string first = "kind = \"host-stall\"\nat_ms = 8000\nvalue_ns = 40_000_000\n[[fault]]\n";
+  const auto second = [&](const char* at, const char* length) {
+    return first + "kind = \"host-stall\"\nat_ms = " + at + "\nvalue_ns = " + length + "\n";
+  };
+  for (const auto& [at, length] : {std::pair{"8039.9", "1"}, {"7000", "2_000_000_000"}, {"8000", "40_000_000"}}) {
+    expect_wrong(fault(second(at, length), "at_ms", 11, "overlaps the host-stall from 8000 ms to 8040 ms"));
+  }
+  for (const auto& [at, length] : {std::pair{"8040", "1_000_000"}, {"7000", "1_000_000_000"}}) {
+    const auto config = load(servo() + terminal() + "[[fault]]\n" + second(at, length));
+    EXPECT_TRUE(config) << at << describe(config.error());
+  }
 }
 
 TEST(HostProfileFile, ContradictionsAreNamedWithLineAndKey) {
@@ -198,6 +227,8 @@ TEST(HostProfileFile, ContradictionsAreNamedWithLineAndKey) {
   expect("[stamps]\nquantiles = [[0, 1]]\n", "stamps", 1, "is not a key");
   expect("[stalls]\nper_second = 3\n", "quantiles", 1, "list of");
   expect("[stalls]\nper_second = 300\nquantiles = [[0, 5e6]]\n", "per_second", 2, "no time at all");
+  expect("", "wake_up", 1, "a host profile has times for one of them");
+  expect("# nothing\n[stalls]\nper_second = 0\n", "wake_up", 1, "a host profile has times for one of them");
   EXPECT_EQ(sim::read_host_profile(write_file("[wake_up\n")).error().code, ErrorCode::kTomlMalformed);
 }
 

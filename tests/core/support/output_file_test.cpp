@@ -186,31 +186,5 @@ TEST_F(OutputFileTest, ASignalEndsTheWaitingForAPipe) {
   EXPECT_EQ(stop.number(), SIGINT);
 }
 
-TEST(StopSignals, EveryOneOfThemSetsTheFlagAndNothingIsBegunAgain) {
-  for (const int number : kStopSignals) {
-    const StopSignals stop;
-    EXPECT_FALSE(stop.interrupted());
-    struct sigaction set {};
-    ::sigaction(number, nullptr, &set);
-    EXPECT_EQ(set.sa_flags & SA_RESTART, 0) << number;
-    ::raise(number);
-    EXPECT_TRUE(stop.interrupted()) << number;
-    EXPECT_EQ(stop.number(), number);
-  }
-  struct sigaction left {};
-  ::sigaction(SIGINT, nullptr, &left);
-  EXPECT_EQ(left.sa_handler, SIG_DFL);
-}
-
-TEST(StopSignals, NohupStays) {
-  ::signal(SIGHUP, SIG_IGN);
-  {
-    const StopSignals stop;
-    ::raise(SIGHUP);
-    EXPECT_FALSE(stop.interrupted());
-  }
-  ::signal(SIGHUP, SIG_DFL);
-}
-
 }  // namespace
 }  // namespace syncline
