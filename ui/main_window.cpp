@@ -14,6 +14,7 @@
 
 #include "ui/action_states.h"
 #include "ui/actions.h"
+#include "ui/column_memory.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/compare_dialog.h"
@@ -247,7 +248,10 @@ void MainWindow::connectActions() {
   connect(&workspace_, &Workspace::expertChanged, actions_->expert,
           [this] { actions_->expert->setChecked(workspace_.expert()); });
   actions_->expert->setChecked(workspace_.expert());
-  connect(actions_->reset_layout, &QAction::triggered, this, [this] { layout_->reset(); });
+  connect(actions_->reset_layout, &QAction::triggered, this, [this] {
+    layout_->reset();
+    columns_->reset();
+  });
   connect(actions_->about, &QAction::triggered, this, [this] {
     auto* dialog = new AboutDialog(workspace_.environment().version, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -440,6 +444,7 @@ void MainWindow::showEvent(QShowEvent* event) {
   if (std::exchange(laid_out_, true)) return;
   layout_->reset();
   layout_->recall();
+  columns_ = new ColumnMemory(*this, workspace_.memory());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

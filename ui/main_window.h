@@ -26,6 +26,7 @@ class TemplateCommands;
 class WindowCentre;
 class WindowDocks;
 class WindowOverlay;
+class ColumnMemory;
 class WindowLayout;
 class Workspace;
 
@@ -97,6 +98,7 @@ class MainWindow final : public QMainWindow {
   WindowOverlay* overlay_ = nullptr;
   QToolButton* state_button_ = nullptr;
   std::unique_ptr<WindowLayout> layout_;
+  ColumnMemory* columns_ = nullptr;  // from the first show on
   bool laid_out_ = false;
 };
 

@@ -4,10 +4,13 @@
 
 #include <QAction>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QToolButton>
@@ -112,6 +115,44 @@ TEST(WindowMemory, KeepsTheLayoutOfItsVersion) {
   MainWindow window(workspace);
   window.show();
   EXPECT_FALSE(window.findChild<QWidget*>(QStringLiteral("messagesDock"))->isHidden()) << "another version's is left";
+}
+
+/// A width that was dragged is there again; those that nobody dragged, and those that take the room that is left, are
+/// not.
+TEST(RememberedWindow, GivesColumnsTheWidthsThatTheUserGaveThem) {
+  const QTemporaryDir folder;
+  auto environment = test::virtualEnvironment();
+  environment.settings_file = folder.filePath(QStringLiteral("columns.ini"));
+  const auto headerOf = [](MainWindow& window) {
+    return test::find<QTableView>(window, "messageTable")->horizontalHeader();
+  };
+  int usual = 0;
+  {
+    Workspace workspace(environment);
+    MainWindow window(workspace);
+    window.show();
+    auto* header = headerOf(window);
+    usual = header->sectionSize(MessageModel::kTime);
+    auto* area = header->viewport();
+    const QPoint edge(header->sectionViewportPosition(MessageModel::kTime) + usual - 1, area->height() / 2);
+    QTest::mouseMove(area, edge);
+    QTest::mousePress(area, Qt::LeftButton, {}, edge);
+    QMouseEvent move(QEvent::MouseMove, edge + QPoint(60, 0), area->mapToGlobal(edge + QPoint(60, 0)), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(area, &move);
+    QTest::mouseRelease(area, Qt::LeftButton, {}, edge + QPoint(60, 0));
+    ASSERT_NEAR(header->sectionSize(MessageModel::kTime), usual + 60, 2);
+    header->resizeSection(MessageModel::kSource, 333);  // the table's own doing
+  }
+  Workspace workspace(environment);
+  MainWindow window(workspace);
+  window.show();
+  auto* header = headerOf(window);
+  EXPECT_NEAR(header->sectionSize(MessageModel::kTime), usual + 60, 2);
+  EXPECT_NE(header->sectionSize(MessageModel::kSource), 333);
+  window.findChild<QAction*>(QStringLiteral("actionResetLayout"))->trigger();
+  EXPECT_EQ(header->sectionSize(MessageModel::kTime), usual);
+  EXPECT_TRUE(workspace.memory().value(QStringLiteral("columns/messageTable")).toMap().isEmpty());
 }
 
 /// Whoever closes the window at the overview finds the pages as large as they were.
