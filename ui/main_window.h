@@ -11,6 +11,7 @@ namespace syncline::ui {
 class Actions;
 class BusCommands;
 struct ComparedSide;
+class ColumnMemory;
 class DeviceEditor;
 class ExplorerPanel;
 class FileCommands;
@@ -26,7 +27,6 @@ class TemplateCommands;
 class WindowCentre;
 class WindowDocks;
 class WindowOverlay;
-class ColumnMemory;
 class WindowLayout;
 class Workspace;
 

@@ -24,12 +24,11 @@ constexpr std::array kFaultSignals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIG
 constexpr std::array kCaughtThoughIgnored{SIGINT, SIGQUIT, SIGTERM, SIGPIPE};
 constexpr std::array kSignalsByHand{SIGINT, SIGQUIT, SIGTERM};
 constexpr std::array kPauseSignals{SIGTSTP, SIGTTIN, SIGTTOU};
-constexpr std::int64_t kTwiceAtOnceMs = 1'000;
 constexpr int kFirstRealTime = 32;  // the kernel's; the C library keeps the first ones for itself
 
 std::atomic<bool> flag{false};
 std::atomic<int> first{0};
-std::atomic<std::int64_t> first_at_ms{0};
+std::atomic<std::int64_t> first_at_ms{0}, longest_echo_ms{0};
 std::atomic<int> wake_up{-1};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
                   std::atomic<std::int64_t>::is_always_lock_free,
@@ -82,7 +81,7 @@ void on_stop_signal(int number, siginfo_t* information, void* /*context*/) {
   int none = 0;
   if (first.compare_exchange_strong(none, number)) {
     first_at_ms = monotonic_ms();
-  } else if (is_signal_of(kSignalsByHand, number) && monotonic_ms() - first_at_ms >= kTwiceAtOnceMs) {
+  } else if (is_signal_of(kSignalsByHand, number) && monotonic_ms() - first_at_ms >= longest_echo_ms) {
     end_at_once(number);
   }
   flag = true;
@@ -113,7 +112,8 @@ std::span<const int> stop_signals() {
   return found;
 }
 
-StopSignals::StopSignals() {
+StopSignals::StopSignals(std::chrono::milliseconds longest_echo) {
+  longest_echo_ms = longest_echo.count();
   flag = false;
   first = 0;
   wake_up = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);

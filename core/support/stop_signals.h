@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <atomic>
+#include <chrono>
 #include <span>
 
 namespace syncline {
@@ -17,11 +18,12 @@ namespace syncline {
 /// While it lives, these signals end the work, not the program: what runs takes itself down and the report is printed.
 /// Calls that wait (for a pipe's writer) return with EINTR, they are not begun again. What was ignored (SIGHUP after
 /// nohup) stays ignored, SIGINT, SIGQUIT, SIGTERM and SIGPIPE excepted: shells have their background jobs ignore them.
-/// Another of SIGINT, SIGQUIT and SIGTERM ends the program at once, with a line on the error stream, if it comes 1 s
-/// after the first or later: shells and timeout send theirs twice. One at a time in a program.
+/// Another of SIGINT, SIGQUIT and SIGTERM ends the program at once, with a line on the error stream, if it comes as
+/// long after the first as no echo does, or later: shells and timeout send theirs twice. One at a time in a program.
 class StopSignals {
  public:
-  StopSignals();
+  static constexpr std::chrono::milliseconds kLongestEcho{1'000};
+  explicit StopSignals(std::chrono::milliseconds longest_echo = kLongestEcho);
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;

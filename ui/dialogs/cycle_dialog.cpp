@@ -38,7 +38,6 @@ CycleDialog::CycleDialog(const Project& project, QWidget* parent) : QDialog(pare
   if (const auto help = cycle_time_help(project)) {
     accepted->setText(tr("The slaves accept: %1.").arg(acceptedCycles(*help)));
     table_->showHelp(*help);
-    use_->setEnabled(false);
   } else {
     accepted->setText(errorText(help.error()));
   }

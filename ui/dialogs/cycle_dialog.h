@@ -7,7 +7,6 @@ namespace syncline {
 struct Project;
 }
 
-class QLabel;
 class QPushButton;
 
 namespace syncline::ui {

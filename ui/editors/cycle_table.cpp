@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/editors/cycle_table.h"
 
-#include <QCoreApplication>
 #include <QHeaderView>
 
 #include "advice/cycle_time_help.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
-#include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"
 
 namespace syncline::ui {
@@ -17,6 +15,12 @@ namespace {
 enum CycleColumn : int { kCycle, kVerdict, kBy, kCycleColumns };
 constexpr qsizetype kMostTold = 3;
 constexpr int kBetweenRows = 6;  // px
+
+/// The first ones, and how many more there are; one more than those is told as well as counted.
+QStringList firstOf(const QStringList& all) {
+  const auto left = static_cast<int>(all.size() - kMostTold);
+  return left > 1 ? all.first(kMostTold) << CycleTable::tr("%n more", nullptr, left) : all;
+}
 
 /// "A, B: why": those who refuse a cycle, or take it with a loss, each reason once.
 QStringList refusalsOf(const CycleCandidate& candidate) {
@@ -36,10 +40,7 @@ QStringList refusalsOf(const CycleCandidate& candidate) {
   }
   QStringList lines;
   for (qsizetype i = 0; i < whys.size(); ++i) {
-    auto names = whos[i];
-    const auto left = static_cast<int>(names.size() - kMostTold);
-    if (left > 1) names = names.first(kMostTold) << CycleTable::tr("%n more", nullptr, left);
-    lines << (names.isEmpty() ? whys[i] : CycleTable::tr("%1: %2").arg(joinedParts(names), whys[i]));
+    lines << (whos[i].isEmpty() ? whys[i] : CycleTable::tr("%1: %2").arg(joinedParts(firstOf(whos[i])), whys[i]));
   }
   return lines;
 }
@@ -84,10 +85,7 @@ void CycleTable::showHelp(const CycleTimeHelp& help) {
     setItem(i, kCycle, cycle);
     setItem(i, kVerdict, new QTableWidgetItem(verdictOf(candidate)));
     const auto lines = refusalsOf(candidate);
-    auto told = lines;
-    const auto left = static_cast<int>(lines.size() - kMostTold);
-    if (left > 1) told = lines.first(kMostTold) << tr("%n more", nullptr, left);
-    auto* by = new QTableWidgetItem(told.join(QLatin1Char('\n')));
+    auto* by = new QTableWidgetItem(firstOf(lines).join(QLatin1Char('\n')));
     by->setToolTip(lines.join(QLatin1Char('\n')));
     setItem(i, kBy, by);
     if (own && none_marked) setCurrentItem(cycle);
