@@ -4480,8 +4480,8 @@ Einstellung %2</translation>
             <translation>Laufzeitdifferenz</translation>
         </message>
         <message>
-            <source>Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns.</source>
-            <translation>Verarbeitungs- minus Weiterleitungszeit der ESCs (tDiff ihrer Datenblätter); auto ist 40 ns.</translation>
+            <source>Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns at ports with a cable and 20 ns at E-bus.</source>
+            <translation>Verarbeitungs- minus Weiterleitungszeit der ESCs (tDiff ihrer Datenblätter); auto ist 40 ns an Ports mit Kabel und 20 ns am E-Bus.</translation>
         </message>
         <message>
             <source>Speed counter start</source>

@@ -4461,8 +4461,8 @@ Setting %2</source>
             <translation>延迟差</translation>
         </message>
         <message>
-            <source>Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns.</source>
-            <translation>ESC 的处理延迟减去转发延迟（数据手册中的 tDiff）；自动为 40 ns。</translation>
+            <source>Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns at ports with a cable and 20 ns at E-bus.</source>
+            <translation>ESC 的处理延迟减去转发延迟（数据手册中的 tDiff）；自动时带电缆的端口为 40 ns，E-bus 为 20 ns。</translation>
         </message>
         <message>
             <source>Speed counter start</source>

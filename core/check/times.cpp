@@ -34,7 +34,7 @@ void check_load(const NetworkView& view, std::size_t t, Findings& findings) {
   Nanoseconds wire = 0;
   for (const auto& frame : task.frames) wire += wire_time(frame);
   const std::size_t slaves = view.config.slaves.size();
-  const auto travel = wire > 0 ? static_cast<Nanoseconds>(slaves) * kTravelPerSlave : 0;
+  const auto travel = wire > 0 ? travel_time(view.config) : 0;
   const auto frames = fig::count<"frames">(task.frames.size());
   const auto taken = fig::time<"wire">(wire);
   const auto cycle = fig::time<"cycle">(task.cycle_time);

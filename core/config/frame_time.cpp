@@ -37,13 +37,19 @@ Nanoseconds outputs_wire_time(const NetworkConfig& config, std::size_t slave) {
   return complete;
 }
 
+Nanoseconds travel_time(const NetworkConfig& config) {
+  Nanoseconds sum = 0;
+  for (const auto& slave : config.slaves) sum += travel_through(slave.physics);
+  return sum;
+}
+
 CycleNeed cycle_need(const NetworkConfig& config, bool all_tasks) {
   CycleNeed need;
   for (const auto& task : config.cyclic) {
     for (const auto& frame : task.frames) need.wire += wire_time(frame);
     if (!all_tasks) break;
   }
-  if (need.wire > 0) need.travel = static_cast<Nanoseconds>(config.slaves.size()) * kTravelPerSlave;
+  if (need.wire > 0) need.travel = travel_time(config);
   return need;
 }
 

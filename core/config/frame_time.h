@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
+
 #include "config/network_config.h"
 
 /// How long a bus cycle's frames are under way.
@@ -11,7 +13,12 @@ namespace syncline {
 
 /// There and back through one slave before anybody has measured it: two PHYs, processing unit and forwarding of an ESC
 /// take 0.6 to 1.2 us at MII ports and about 0.3 us at E-bus (ESC data sheet I, 9.1.2 and the PHYs' own data sheets).
-inline constexpr Nanoseconds kTravelPerSlave = kMicrosecond;
+/// `physics`: of its ports, "YY" or "KK" (ETG.2000); nothing where an ENI does not say.
+[[nodiscard]] constexpr Nanoseconds travel_through(std::string_view physics) {
+  return physics.starts_with('K') || physics.starts_with('B') ? 300 : kMicrosecond;
+}
+/// Of a frame through all slaves and back; an estimate.
+[[nodiscard]] Nanoseconds travel_time(const NetworkConfig& config);
 
 /// When the frames of a cycle must be back, from its begin; what comes later counts as lost or late.
 [[nodiscard]] constexpr Nanoseconds latest_return(Nanoseconds cycle_time) { return cycle_time * 95 / 100; }

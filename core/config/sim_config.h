@@ -47,6 +47,17 @@ struct SimSiiConfig {
 /// What a metre of cable costs a frame.
 inline constexpr double kCableNsPerMetre = 5;
 
+/// How long a frame takes through an ESC: from port 0, through the processing unit (tP), and from the other ports (tF),
+/// until it leaves by the next one, ns.
+struct EscDelays {
+  std::uint32_t processing = 0, forwarding = 0;
+};
+/// Out by a port with a PHY. The difference, tDiff, is that of most examples of the field.
+inline constexpr EscDelays kCableDelays{300, 260};
+/// Out by E-bus: what the receive times of couplers and terminals say (155 and 155 + 155 ns behind a coupler; with
+/// tDiff 20 ns all hops are the same, with 40 ns those between are 10 ns longer than the last).
+inline constexpr EscDelays kEbusDelays{155, 135};
+
 struct SimSlaveConfig {
   std::string name;
   std::string behaviour;  // "generic", "servo-y", "drive-c", "can-gateway", "analog-input", "sync-bridge"
@@ -67,12 +78,11 @@ struct SimSlaveConfig {
   /// "sync-bridge": system time of the network on its other side at a true time; nothing while none is connected.
   std::function<std::optional<Nanoseconds>(Nanoseconds)> external_time;
   std::uint8_t fmmu_count = 8, sync_manager_count = 8;
-  std::uint8_t ram_kbytes = 4;              // process data RAM from 0x1000 on
-  bool logical_read_write = true;           // the ESC executes LRW
-  bool physical_read_write = true;          // ... and APRW, FPRW, BRW
-  std::uint8_t esc_type = 0x11;             // 0x0000
-  std::uint32_t processing_delay_ns = 300;  // tP
-  std::uint32_t forwarding_delay_ns = 260;  // tF
+  std::uint8_t ram_kbytes = 4;      // process data RAM from 0x1000 on
+  bool logical_read_write = true;   // the ESC executes LRW
+  bool physical_read_write = true;  // ... and APRW, FPRW, BRW
+  std::uint8_t esc_type = 0x11;     // 0x0000
+  std::optional<EscDelays> delays;  // whatever the frame leaves by; empty: as a cable or E-bus has them
 };
 
 enum class FaultKind : std::uint8_t {

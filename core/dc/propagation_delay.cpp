@@ -128,12 +128,20 @@ class Measurement {
     return order < ports_[parent].size() ? ports_[parent][order] : nodes_[child].parent_port;
   }
 
+  /// What processing costs more than forwarding where frames leave for `child`, or leave it for its parent.
+  [[nodiscard]] std::int64_t t_diff(std::size_t child) const {
+    const bool ebus = nodes_[child].ebus[result_.entry_port[child]];
+    return options_.t_diff_ns.value_or(ebus ? kEbusDelayDifference : kUsualDelayDifference);
+  }
+
   void measure(std::size_t i) {
-    std::size_t branch = i;    // child of the DC ancestor on the way to i
-    std::int64_t between = 0;  // slaves without times that process on the way out, less those that do on the way back
+    std::size_t branch = i;  // child of the DC ancestor on the way to i
+    // What the way out costs more than the way back: on each cable the processing unit is passed before it on the way
+    // out, or on the way back, or both, or never.
+    std::int64_t correction = 0;
     auto ancestor = nodes_[i].parent;
     while (ancestor && !has_times(*ancestor)) {
-      between += result_.entry_port[*ancestor] == 0 ? 1 : -1;
+      correction += result_.entry_port[*ancestor] == 0 ? t_diff(branch) : -t_diff(*ancestor);
       branch = *ancestor;
       ancestor = nodes_[*ancestor].parent;
     }
@@ -151,9 +159,8 @@ class Measurement {
     const unsigned entry = ports_[i].front();
     const unsigned last = ports_[i].back();
     const auto inside = span(i, last, entry);
-    const auto correction =
-        static_cast<std::int64_t>(options_.t_diff_ns) *
-        ((passes_processing_unit(previous, port) ? 1 : 0) + between - (passes_processing_unit(last, entry) ? 1 : 0));
+    if (passes_processing_unit(previous, port)) correction += t_diff(branch);
+    if (passes_processing_unit(last, entry)) correction -= t_diff(i);
     auto hop = (round_trip - inside + correction) / 2;
     if (hop < 0) {
       report(i, DelayWarning::kNegativeHop, hop);

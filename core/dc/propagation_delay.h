@@ -23,10 +23,12 @@ struct DelayNode {
   std::optional<std::uint16_t> parent;           // position of the predecessor in the tree
   std::uint8_t parent_port = 1;                  // port of the parent that leads here
   std::uint8_t entry_port = 0;  // towards the master, of a slave without receive times; the others tell
+  std::array<bool, 4> ebus{};   // ports without a PHY (0x0007)
 };
 
 struct DelayOptions {
-  std::uint32_t t_diff_ns = kUsualDelayDifference;  // processing minus forwarding latency of an ESC
+  /// Processing minus forwarding latency of every ESC; empty: the usual one of the port that a frame leaves by.
+  std::optional<std::uint32_t> t_diff_ns{};
 };
 
 struct DelayFinding {

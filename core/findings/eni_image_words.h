@@ -58,7 +58,8 @@ inline constexpr FindingWords kEniImage[] = {
     {"ENI-TIME-08",
      Severity::kWarning,
      "The frames and their way through the slaves take longer than the cycle",
-     "A frame is back only when it has passed all slaves, each of which takes about 1 us: it meets the next cycle",
+     "A frame is back only when it has passed all slaves, each of which takes about 1 us, or 0.3 us at E-bus: it meets "
+     "the next cycle",
      "Lengthen the cycle, exchange less, or let slow slaves run in a task of their own",
      "master.cycle_time_us",
      {{"",

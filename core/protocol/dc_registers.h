@@ -8,8 +8,10 @@ namespace syncline {
 
 /// Speed counter start 0x0930 after reset (ESC data sheet, section II); writing it starts the loop anew.
 inline constexpr std::uint16_t kSpeedCounterDefault = 0x1000;
-/// Processing minus forwarding latency of an ET1100, ns (its data sheet, tDiff): of slaves nothing else is known of.
+/// Processing minus forwarding latency, ns (tDiff), of slaves nothing else is known of, where a frame leaves by a port
+/// with a PHY; by E-bus (docs/distributed-clocks.md, Initialisation, says where the numbers come from).
 inline constexpr std::uint32_t kUsualDelayDifference = 40;
+inline constexpr std::uint32_t kEbusDelayDifference = 20;
 
 /// SystemTimeDifference 0x092C: sign and magnitude. Bit 31 is kept raw because data sheet
 /// editions disagree on its meaning; limits use the magnitude only.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "config/port_kind.h"
 #include "protocol/dc_registers.h"
 #include "reasons/because.h"
 #include "settings/field.h"
@@ -15,6 +18,15 @@ constexpr auto bus_dc = [](auto& project) -> auto& { return project.master.dc; }
 constexpr auto loop = [](auto& project) -> auto& { return project.master.dc.loop; };
 constexpr auto notifications = [](auto& project) -> auto& { return project.master.dc.notifications; };
 constexpr auto window = [](auto& project) -> auto& { return project.master.dc.sync_window; };
+
+/// tDiff where the slaves all have the same.
+Value usual_difference(const Project& project, const Place&) {
+  const auto at_ebus = [](const SlaveSettings& slave) { return port_kind(slave.device, 0) == PortKind::kEbus; };
+  if (std::ranges::none_of(project.slaves, at_ebus)) return std::int64_t{kUsualDelayDifference};
+  // The way to the first one is measured by nobody.
+  if (std::all_of(project.slaves.begin() + 1, project.slaves.end(), at_ebus)) return std::int64_t{kEbusDelayDifference};
+  return Unset{};
+}
 
 std::vector<Option> clocks(const Project& project, const Place&) {
   std::vector<Option> options{{Unset{}, "auto", "First with DC"}};
@@ -154,11 +166,11 @@ std::vector<Setting> choice_rows() {
                          "master.dc.delay_difference_ns", integer(0, 1000, "ns"),
                          {.label = "Delay difference",
                           .help = "Processing minus forwarding latency of the ESCs (tDiff of their data sheets); "
-                                  "auto is 40 ns.",
+                                  "auto is 40 ns at ports with a cable and 20 ns at E-bus.",
                           .object = "0x0928",
                           .expert = true},
                          [](auto& p, const Place&) -> auto& { return bus_dc(p).delay_difference; }),
-                     [](const Project&, const Place&) { return Value{std::int64_t{kUsualDelayDifference}}; }),
+                     usual_difference),
   };
 }
 

@@ -290,7 +290,7 @@ TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
   EXPECT_FALSE(std::filesystem::exists(little));
 }
 
-/// The frames of a thousand terminals of 4 bytes need 333 us on the wire and 570 us to pass them all.
+/// The frames of a thousand terminals of 4 bytes need 333 us on the wire and 290 us to pass them all.
 class CliRunThousand : public testing::Test {
  protected:
   TemporaryFolder folder;
@@ -309,7 +309,7 @@ class CliRunThousand : public testing::Test {
 };
 
 TEST_F(CliRunThousand, ReachOpWhereTheirFramesComeBackInTime) {
-  create("1000");
+  create("700");
   const auto run = cli_run({"run", project, "--link", link, "--for", "6s", "--json"});
   EXPECT_EQ(run.code, cli::kDone) << run.err;
   const auto report = run.json();
@@ -319,7 +319,7 @@ TEST_F(CliRunThousand, ReachOpWhereTheirFramesComeBackInTime) {
 }
 
 TEST_F(CliRunThousand, ACycleThatIsTooShortForThemIsTheCause) {
-  create("900");
+  create("600");
   const auto before = cli_run({"export", project, "-o", folder.file("m.xml"), "--json"}).json();
   const auto& findings = before["findings"];
   EXPECT_TRUE(std::ranges::any_of(findings, [](const auto& finding) {
@@ -327,7 +327,7 @@ TEST_F(CliRunThousand, ACycleThatIsTooShortForThemIsTheCause) {
   })) << findings;
   const auto run = cli_run({"run", project, "--link", link, "--for", "3s"});
   EXPECT_EQ(run.code, cli::kAnswerIsNo);
-  EXPECT_THAT(run.out, HasSubstr("error: The cycle of 900 us is too short"));
+  EXPECT_THAT(run.out, HasSubstr("error: The cycle of 600 us is too short"));
   EXPECT_THAT(run.out, testing::Not(HasSubstr("stays in SAFEOP")));
 }
 

@@ -134,7 +134,8 @@ constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP("Setting", "Latches of the receive times (0x0900) whose medians give the propagation delays."),
     QT_TRANSLATE_NOOP("Setting", "Delay difference"),
     QT_TRANSLATE_NOOP("Setting",
-                      "Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns."),
+                      "Processing minus forwarding latency of the ESCs (tDiff of their data sheets); auto is 40 ns at "
+                      "ports with a cable and 20 ns at E-bus."),
     QT_TRANSLATE_NOOP("Setting", "Speed counter start"),
     QT_TRANSLATE_NOOP("Setting",
                       "Start value of the slaves' time control loops (0x0930): small ones follow faster, large ones "

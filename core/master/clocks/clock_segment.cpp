@@ -9,6 +9,7 @@
 
 #include "master/scan/bus_scanner.h"
 #include "master/scan/topology.h"
+#include "protocol/port_descriptor.h"
 #include "protocol/registers.h"
 
 namespace syncline {
@@ -65,8 +66,12 @@ Result<ClockSegment> read_clock_segment(Bus& bus, std::span<const SlaveAddress> 
   auto capabilities = probe_dc(bus, slaves);
   if (!capabilities) return tl::unexpected(capabilities.error());
   std::vector<std::array<std::uint8_t, 2>> bytes(slaves.size());
+  std::vector<std::uint8_t> kinds(slaves.size());
   std::vector<Datagram> reads;
   for (std::size_t i = 0; i < slaves.size(); ++i) reads.push_back(slaves[i].read(reg::kDlStatus, bytes[i]));
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    reads.push_back(slaves[i].read(reg::kPortDescriptor, std::span(&kinds[i], 1)));
+  }
   if (auto status = bus.transact(reads); !status) return tl::unexpected(status.error());
   ClockSegment segment;
   for (std::size_t i = 0; i < slaves.size(); ++i) {
@@ -75,7 +80,10 @@ Result<ClockSegment> read_clock_segment(Bus& bus, std::span<const SlaveAddress> 
     segment.dl_status.push_back(status);
     dc::DelayNode node;
     node.kind = kind_of((*capabilities)[i]);
-    for (unsigned port = 0; port < kPortCount; ++port) node.active[port] = status.active(port);
+    for (unsigned port = 0; port < kPortCount; ++port) {
+      node.active[port] = status.active(port);
+      node.ebus[port] = port_descriptor(kinds[i], port) == PortDescriptor::kEbus;  // nothing where it was not answered
+    }
     segment.nodes.push_back(node);
   }
   segment.capabilities = std::move(*capabilities);

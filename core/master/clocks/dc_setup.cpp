@@ -30,9 +30,7 @@ std::optional<std::uint16_t> configured_reference_clock(const NetworkConfig& con
   return std::nullopt;
 }
 
-dc::DelayOptions delay_options(const DcMasterSettings& settings) {
-  return {settings.delay_difference.value_or(kUsualDelayDifference)};
-}
+dc::DelayOptions delay_options(const DcMasterSettings& settings) { return {settings.delay_difference}; }
 
 std::size_t DcNetwork::synchronised_count() const {
   return static_cast<std::size_t>(std::ranges::count_if(slaves, &Slave::synchronised));

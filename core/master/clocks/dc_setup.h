@@ -84,7 +84,7 @@ class DcSetup {
   PendingFrame frame_;
 };
 
-/// tDiff of the configuration, or the usual one.
+/// tDiff of the configuration, or the usual ones.
 [[nodiscard]] dc::DelayOptions delay_options(const DcMasterSettings& settings);
 /// Position of the clock that all others follow: as configured, else the first slave with DC.
 [[nodiscard]] std::optional<std::uint16_t> configured_reference_clock(const NetworkConfig& config);

@@ -19,7 +19,7 @@ using Leader = CyclicFrameSet::Leader;
 
 constexpr int kLeadReadings = 16;
 constexpr std::int64_t kLeadNear = 50;   // ns: what the others do not notice
-constexpr std::int64_t kLimitShare = 4;  // nor this part of the sync window
+constexpr std::int64_t kLimitShare = 2;  // nor this part of the sync window
 constexpr int kNearInARow = 4;
 /// A clock that is not near by then steps the others when it leads again; they bear it.
 constexpr Nanoseconds kLeadPatience = 10 * kSecond;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/port_kind.h"
+#include "protocol/dl_status.h"
+#include "protocol/port_descriptor.h"
 #include "protocol/registers.h"
 #include "sim/esc/esc.h"
 
@@ -8,6 +11,21 @@ namespace {
 
 // Bits of 0x0008. 0x0100: 0x0981 bits 7..3 and 0x0984.
 constexpr std::uint16_t kEnhancedSyncActivation = 0x0100, kNoLogicalReadWrite = 0x0200, kNoPhysicalReadWrite = 0x0400;
+
+/// 0x0007. A device that does not say what its ports are has all four.
+std::uint8_t port_descriptors(const DeviceDescription& device) {
+  unsigned value = 0;
+  for (std::uint8_t port = 0; port < kPortCount; ++port) {
+    auto what = PortDescriptor::kMii;
+    if (!device.physics.empty()) {
+      const auto kind = port_kind(device, port);
+      if (kind == PortKind::kEbus) what = PortDescriptor::kEbus;
+      if (kind == PortKind::kNone) what = PortDescriptor::kNone;
+    }
+    value |= port_descriptor_bits(what, port);
+  }
+  return static_cast<std::uint8_t>(value);
+}
 
 }  // namespace
 
@@ -35,7 +53,7 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
   memory_.set<std::uint8_t>(reg::kFmmuCount, options.fmmu_count);
   memory_.set<std::uint8_t>(reg::kSyncManagerCount, options.sync_manager_count);
   memory_.set<std::uint8_t>(reg::kRamSize, options.ram_kbytes);
-  memory_.set<std::uint8_t>(reg::kPortDescriptor, 0xFF);
+  memory_.set<std::uint8_t>(reg::kPortDescriptor, port_descriptors(config.device));
   if (!options.logical_read_write) features |= kNoLogicalReadWrite;
   if (!options.physical_read_write) features |= kNoPhysicalReadWrite;
   memory_.set<std::uint16_t>(reg::kFeatures, features);

@@ -10,8 +10,8 @@ namespace syncline::sim {
 namespace {
 
 constexpr std::array kTypes{
-    EscType{"et1100", 0x11, 320, 280},  EscType{"et1200", 0x12, 150, 130},  EscType{"ip-core", 0x04, 335, 315},
-    EscType{"lan9252", 0xC0, 390, 330}, EscType{"xmc4800", 0x98, 340, 300},
+    EscType{"et1100", 0x11, {320, 280}},  EscType{"et1200", 0x12, {150, 130}},  EscType{"ip-core", 0x04, {335, 315}},
+    EscType{"lan9252", 0xC0, {390, 330}}, EscType{"xmc4800", 0x98, {340, 300}},
 };
 
 }  // namespace

@@ -5,15 +5,16 @@
 #include <string>
 #include <string_view>
 
+#include "config/sim_config.h"
+
 namespace syncline::sim {
 
 /// How long frames take through an ESC. Data sheets give ranges; these are values in them (docs/scenarios.md), and what
 /// a master has to get along with is that they differ.
 struct EscType {
   std::string_view name;
-  std::uint8_t type_register;         // 0x0000
-  std::uint32_t processing_delay_ns;  // tP
-  std::uint32_t forwarding_delay_ns;  // tF; tDiff = tP - tF
+  std::uint8_t type_register;  // 0x0000
+  EscDelays delays;
 };
 /// Null when there is none of that name.
 [[nodiscard]] const EscType* find_esc_type(std::string_view name);

@@ -53,33 +53,34 @@ void read_eeprom(Table& table, SimSlaveConfig& slave) {
   slave.sii.eight_bytes = bytes == 8;
 }
 
-/// How long a frame takes through the ESC: by its type, or by the numbers.
+/// How long a frame takes through the ESC: by its type, by the numbers, or by the ports it leaves by.
 void read_delays(Table& table, SimSlaveConfig& slave) {
   const auto type = table.text("esc", "");
   if (!type.empty()) {
     if (const auto* known = find_esc_type(type)) {
-      slave.processing_delay_ns = known->processing_delay_ns;
-      slave.forwarding_delay_ns = known->forwarding_delay_ns;
+      slave.delays = known->delays;
       slave.esc_type = known->type_register;
     } else {
       table.fail_at("esc", "must be one of {names}", esc_type_names());
     }
   }
-  for (const auto* key : {"processing_delay_ns", "forwarding_delay_ns", "tdiff_ns"}) {
+  constexpr std::array<std::string_view, 3> kNumbers{"processing_delay_ns", "forwarding_delay_ns", "tdiff_ns"};
+  for (const auto key : kNumbers) {
     if (!type.empty() && table.has(key)) table.fail_at(key, "goes without esc, whose delays are known");
   }
-  slave.forwarding_delay_ns =
-      static_cast<std::uint32_t>(table.integer("forwarding_delay_ns", slave.forwarding_delay_ns, 0, kMostDelay));
   if (table.has("tdiff_ns") && table.has("processing_delay_ns")) {
     table.fail_at("tdiff_ns", "is processing_delay_ns less forwarding_delay_ns: one of the two");
   }
-  if (table.has("tdiff_ns")) {
-    slave.processing_delay_ns =
-        slave.forwarding_delay_ns + static_cast<std::uint32_t>(table.integer("tdiff_ns", 0, 0, kMostDelay));
-  } else {
-    slave.processing_delay_ns =
-        static_cast<std::uint32_t>(table.integer("processing_delay_ns", slave.processing_delay_ns, 0, kMostDelay));
-  }
+  if (std::ranges::none_of(kNumbers, [&](auto key) { return table.has(key); })) return;
+  const auto number = [&table](std::string_view key, std::uint32_t fallback) {
+    return static_cast<std::uint32_t>(table.integer(key, fallback, 0, kMostDelay));
+  };
+  const auto usual = slave.delays.value_or(kCableDelays);
+  EscDelays delays;
+  delays.forwarding = number("forwarding_delay_ns", usual.forwarding);
+  delays.processing = table.has("tdiff_ns") ? delays.forwarding + number("tdiff_ns", 0)
+                                            : number("processing_delay_ns", usual.processing);
+  slave.delays = delays;
 }
 
 /// What the slave's ESC has and lacks.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/port_kind.h"
 #include "protocol/dl_status.h"
 
 namespace syncline::sim {
@@ -31,7 +32,8 @@ class Walk {
     std::size_t begin = 0;    // of the entry in the order of the ports
     std::size_t step = 1;     // the next port, from there
     std::uint8_t behind = 0;  // the port that the frame has left by
-    double out = 0;           // when it can leave by the next port
+    double came = 0;          // when it was received last
+    bool processed = false;   // and has to pass the processing unit before it leaves
   };
 
   /// The frame comes to a slave at `time`.
@@ -44,7 +46,7 @@ class Walk {
     }
     receive(i, entry, time, true);
     const auto begin = static_cast<std::size_t>(std::ranges::find(kPortOrder, entry) - kPortOrder.begin());
-    inside_.push_back({i, begin, 1, 0, time + delay_behind(i, entry)});
+    inside_.push_back({i, begin, 1, 0, time, entry == 0});
   }
 
   /// The innermost slave's next port, or the way back to the one before it.
@@ -56,8 +58,9 @@ class Walk {
     if (ports_[i].open[port]) {
       leave(visit, port);
     } else if (port == 0) {
-      path_.passages.push_back({static_cast<std::uint16_t>(i), 0, true, false, true, visit.out, 0});
-      visit.out += static_cast<double>(slaves_[i].processing_delay_ns) - slaves_[i].forwarding_delay_ns;
+      const auto there = visit.came + delays(i, way_on(visit)).forwarding;
+      path_.passages.push_back({static_cast<std::uint16_t>(i), 0, true, false, true, there, 0});
+      visit.processed = true;
     }
   }
 
@@ -73,12 +76,13 @@ class Walk {
       return;
     }
     visit.behind = port;
-    enter(*child, visit.out + way_out(slaves_[*child]));  // `visit` may have moved
+    enter(*child, leaves(visit, *child) + way_out(slaves_[*child]));  // `visit` may have moved
   }
 
   /// Out of the innermost slave by its entry.
   void come_back() {
-    const double back = inside_.back().out + way_back(slaves_[inside_.back().slave]);
+    const auto from = inside_.back().slave;
+    const double back = leaves(inside_.back(), from) + way_back(slaves_[from]);
     inside_.pop_back();
     if (inside_.empty()) {
       path_.return_ns = back;
@@ -86,14 +90,31 @@ class Walk {
     }
     auto& visit = inside_.back();
     receive(visit.slave, visit.behind, back, false);
-    visit.out = back + delay_behind(visit.slave, visit.behind);
+    visit.came = back;
+    visit.processed = visit.behind == 0;
   }
 
   void receive(std::size_t i, std::uint8_t port, double time, bool first) {
     path_.passages.push_back({static_cast<std::uint16_t>(i), port, port == 0, first, false, time, 0});
   }
-  [[nodiscard]] double delay_behind(std::size_t i, std::uint8_t port) const {
-    return port == 0 ? slaves_[i].processing_delay_ns : slaves_[i].forwarding_delay_ns;
+  /// Who is on the cable by which the frame leaves next: a child, or the slave itself on its way back.
+  [[nodiscard]] std::size_t way_on(const Visit& visit) const {
+    for (auto step = visit.step; step < kPortOrder.size(); ++step) {
+      const auto port = kPortOrder[(visit.begin + step) % kPortOrder.size()];
+      if (!ports_[visit.slave].open[port]) continue;
+      if (const auto child = wiring_.child(visit.slave, port)) return *child;
+    }
+    return visit.slave;
+  }
+  /// Of a slave where frames leave it for `child`, or leave `child`, which may be itself, for its parent.
+  [[nodiscard]] EscDelays delays(std::size_t slave, std::size_t child) const {
+    const bool ebus = port_kind(slaves_[child].device, wiring_.entry(child)) == PortKind::kEbus;
+    return slaves_[slave].delays.value_or(ebus ? kEbusDelays : kCableDelays);
+  }
+  /// When the frame leaves a slave on that way.
+  [[nodiscard]] double leaves(const Visit& visit, std::size_t child) const {
+    const auto delays = this->delays(visit.slave, child);
+    return visit.came + (visit.processed ? delays.processing : delays.forwarding);
   }
 
   std::span<const SimSlaveConfig> slaves_;

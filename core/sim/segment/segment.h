@@ -69,8 +69,8 @@ struct SegmentPath {
 };
 
 /// Depth first in port order 0-3-1-2-0 from where the frame comes in (ESC data sheet I, 3.2): the processing unit and
-/// its delay lie behind port 0, the forwarding delay behind the others; 5 ns a metre of cable. Closed ports are passed
-/// over.
+/// its delay lie behind port 0, the forwarding delay behind the others, both as a cable or E-bus
+/// has them, what the child is entered by (EscDelays); 5 ns a metre of cable. Closed ports are passed over.
 [[nodiscard]] SegmentPath segment_path(std::span<const SimSlaveConfig> slaves, const Wiring& wiring,
                                        std::span<const PortState> ports);
 

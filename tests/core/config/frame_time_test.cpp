@@ -44,6 +44,15 @@ TEST(FrameTime, ASlaveHasItsOutputsWhenTheirFrameHasPassed) {
   EXPECT_EQ(outputs_wire_time(config, 3), 0) << "has none";
 }
 
+TEST(FrameTime, TheWayThroughASlaveIsShorterAtEBus) {
+  NetworkConfig config;
+  config.slaves.resize(5);
+  config.slaves[0].physics = "YKY";  // a coupler, reached over a cable
+  config.slaves[1].physics = config.slaves[2].physics = "KK";
+  config.slaves[3].physics = "YY";
+  EXPECT_EQ(travel_time(config), 3 * kMicrosecond + 2 * 300) << "the last one does not say";
+}
+
 TEST(FrameTime, WithoutFramesNothingIsUnderWay) {
   NetworkConfig config;
   config.slaves.resize(3);

@@ -28,6 +28,12 @@ DelayNode node(std::optional<std::uint16_t> parent, std::uint8_t parent_port,
   return result;
 }
 
+/// Those that are connected to the one before them by E-bus.
+std::vector<DelayNode> at_ebus(std::vector<DelayNode> nodes, std::initializer_list<std::size_t> which) {
+  for (const auto i : which) nodes[i].ebus[0] = true;
+  return nodes;
+}
+
 TEST(PropagationDelay, LineOfThree) {
   const std::vector nodes{node({}, 0, {{0, 648'892'279}, {1, 648'894'639}}),
                           node(0, 1, {{0, 2'796'742'688}, {1, 2'796'744'288}}), node(1, 1, {{0, 2'302'596'891}})};
@@ -76,6 +82,7 @@ TEST(PropagationDelay, CouplerAndTerminalsAsCaptured) {
                           node(1, 1, {{0, 5}})};
   // The master of that capture left tDiff out.
   EXPECT_THAT(propagation_delays(nodes, {.t_diff_ns = 0}).delay_ns, ElementsAre(0, 145, 300));
+  EXPECT_THAT(propagation_delays(at_ebus(nodes, {1, 2})).delay_ns, ElementsAre(0, 155, 310)) << "hops are the same";
 }
 
 TEST(PropagationDelay, ForkAtACouplerAsReadFromHardware) {
@@ -84,6 +91,7 @@ TEST(PropagationDelay, ForkAtACouplerAsReadFromHardware) {
                           node(0, 1, {{0, 3'384'116'362}, {2, 3'384'116'672}}), node(1, 2, {{0, 7}}),
                           node(0, 2, {{0, 3'373'883'962}, {1, 3'373'884'272}}), node(3, 1, {{0, 8}})};
   EXPECT_THAT(propagation_delays(nodes, {.t_diff_ns = 0}).delay_ns, ElementsAre(0, 145, 300, 1085, 1240));
+  EXPECT_THAT(propagation_delays(at_ebus(nodes, {1, 2, 4})).delay_ns, ElementsAre(0, 155, 310, 1085, 1240));
 }
 
 TEST(PropagationDelay, TwoSlavesOnOneCableAsCaptured) {

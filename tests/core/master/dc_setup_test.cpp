@@ -77,6 +77,61 @@ TEST(DcSetup, RecoversTheDelaysOfSlavesThatAreEnteredByAnyPort) {
   }));
 }
 
+/// Couplers at port C of one another over cables, each with a row of terminals at its port B.
+SimulatedNetwork rows_of_terminals(std::uint64_t seed, bool with_clocks_everywhere) {
+  SimulatedNetwork network;
+  Random random(seed);
+  std::uint16_t coupler = 0;
+  const auto add = [&](const char* physics, std::uint16_t parent, std::uint8_t port) {
+    const auto position = static_cast<std::uint16_t>(network.sim.slaves.size());
+    network.add(test::io8());
+    auto& slave = network.sim.slaves.back();
+    slave.device.physics = physics;
+    slave.oscillator.ppm = random.uniform() * 100 - 50;
+    if (position > 0) {
+      slave.parent = parent;
+      slave.parent_port = port;
+      network.project.slaves.back().previous = PreviousPort{parent, port};
+    }
+    return position;
+  };
+  for (int k = 0; k < 4; ++k) {
+    coupler = add("YKY", coupler, 2);
+    network.sim.slaves.back().cable_m = random.uniform() * 50;
+    auto last = coupler;
+    const auto terminals = static_cast<int>(random.uniform() * 30);
+    for (int i = 0; i < terminals; ++i) {
+      last = add("KK", last, 1);
+      auto& slave = network.sim.slaves.back();
+      slave.cable_m = 0;
+      if (with_clocks_everywhere || random.uniform() < 0.5) continue;
+      slave.dc.system_time = false;
+      slave.dc.receive_times = random.uniform() < 0.3;
+      network.project.slaves.back().dc.op_mode.clear();
+    }
+  }
+  return network;
+}
+
+TEST(DcSetup, RecoversTheDelaysOfTerminalsAtEbusBehindCouplers) {
+  EXPECT_TRUE(rc::check([] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    ClockBed bed(rows_of_terminals(seed, *rc::gen::arbitrary<bool>()));
+    const auto network = bed.set_up();
+    RC_ASSERT(network.has_value());
+    RC_ASSERT(worst_delay_error(bed, *network) <= 20);
+  }));
+}
+
+TEST(DcSetup, OneDelayDifferenceForCablesAndEbusWouldBeWrong) {
+  auto network = rows_of_terminals(3, true);
+  network.project.master.dc.delay_difference = kUsualDelayDifference;
+  ClockBed bed(network);
+  const auto wrong = bed.set_up();
+  ASSERT_TRUE(wrong);
+  EXPECT_GT(worst_delay_error(bed, *wrong), 100);  // 10 ns a terminal
+}
+
 TEST(DcSetup, NoiseOfTheStampsStaysSmallWherePortAIsClosed) {
   // A line whose last slave is entered by port B: the medians must not be taken against a port that no frame passes.
   auto network = test::SimulatedNetwork();
@@ -105,6 +160,7 @@ TEST(DcSetup, ClocksShowTheTimeOfTheReferenceWhenTheLastSlaveIsFarAway) {
   auto network = random_tree(1, 1, false);
   for (int i = 1; i < 200; ++i) network.add(test::io8());
   for (auto& slave : network.sim.slaves) slave.oscillator.ppm = 0;
+  for (auto& slave : network.sim.slaves) slave.device.physics = "YY";
   network.project.master.dc.burst_total = 1;
   network.project.master.dc.burst_ends_early = false;
   ClockBed bed(std::move(network));
@@ -127,7 +183,7 @@ TEST(DcSetup, ClocksOf32And64BitsShowTheSameTime) {
 TEST(DcSetup, ProcessingDifferenceOfOtherEscsCanBeSet) {
   auto network = random_tree(1, 1, false);
   for (int i = 1; i < 20; ++i) network.add(test::io8());
-  for (auto& slave : network.sim.slaves) slave.forwarding_delay_ns = slave.processing_delay_ns - 100;
+  for (auto& slave : network.sim.slaves) slave.delays = EscDelays{300, 200};
   network.project.master.dc.delay_difference = 100;
   ClockBed bed(network);
   const auto right = bed.set_up();

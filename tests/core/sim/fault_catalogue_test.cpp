@@ -187,7 +187,7 @@ TEST(FaultCatalogue, AReversedSlaveInTheMiddleIsProcessedOnTheWayBack) {
   const auto times = probe.read(2, reg::kReceiveTimePort0, 16).data;
   const auto port0 = load_le<std::uint32_t>(std::span(times)),
              port1 = load_le<std::uint32_t>(std::span(times).subspan(4));
-  EXPECT_GT(static_cast<std::int32_t>(port0 - port1), 500) << "it came in by port B";
+  EXPECT_GT(static_cast<std::int32_t>(port0 - port1), 250) << "it came in by port B";
 }
 
 TEST(FaultCatalogue, APortTimeThatSticksIsOld) {

@@ -99,9 +99,9 @@ TEST(LineNoise, ReceiveTimesAreNoisyByAtMostWhatIsSaid) {
 }
 
 TEST(LineNoise, EscTypesDiffer) {
-  EXPECT_EQ(sim::find_esc_type("et1100")->processing_delay_ns - sim::find_esc_type("et1100")->forwarding_delay_ns, 40U);
-  EXPECT_NE(sim::find_esc_type("ip-core")->processing_delay_ns - sim::find_esc_type("ip-core")->forwarding_delay_ns,
-            40U);
+  const auto difference = [](const sim::EscType* type) { return type->delays.processing - type->delays.forwarding; };
+  EXPECT_EQ(difference(sim::find_esc_type("et1100")), 40U);
+  EXPECT_NE(difference(sim::find_esc_type("ip-core")), 40U);
   EXPECT_EQ(sim::find_esc_type("et2000"), nullptr);
 }
 

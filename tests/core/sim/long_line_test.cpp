@@ -45,9 +45,8 @@ TEST(LongLine, TakesNoStack) {
   EXPECT_FALSE(path.swallowed);
   EXPECT_EQ(path.passages[kSlaves - 1].slave, kSlaves - 1);
   EXPECT_EQ(path.passages.back().slave, 0);
-  const auto& slave = work.slaves[0];
-  const double there = 5.0 + slave.processing_delay_ns, back = 5.0 + slave.forwarding_delay_ns;
-  EXPECT_NEAR(path.return_ns, static_cast<double>(kSlaves) * (there + back) - slave.forwarding_delay_ns, 1);
+  const double there = 5.0 + kCableDelays.processing, back = 5.0 + kCableDelays.forwarding;
+  EXPECT_NEAR(path.return_ns, static_cast<double>(kSlaves) * (there + back) - kCableDelays.forwarding, 1);
 }
 
 }  // namespace
