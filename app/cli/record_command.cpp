@@ -18,7 +18,7 @@
 #include "app/cli/record_range.h"
 #include "app/cli/record_report.h"
 #include "app/cli/terminal_reason.h"
-#include "engine/import_capture.h"
+#include "capture/import_capture.h"
 #include "record/import_run.h"
 #include "record/recording_reader.h"
 #include "support/output_file.h"

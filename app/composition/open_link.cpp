@@ -5,8 +5,8 @@
 
 #include "app/composition/link_text.h"
 #include "app/composition/load_scenario.h"
+#include "capture/replay_link.h"
 #include "link/pcap_link.h"
-#include "link/replay/replay_link.h"
 #include "link/simulated_host.h"
 #include "link/simulated_link.h"
 

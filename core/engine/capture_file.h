@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "capture/capture_tap.h"
 #include "engine/opened_link.h"
-#include "link/capture_tap.h"
 
 namespace syncline {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "capture/replay_link.h"
 #include "link/link.h"
-#include "link/replay/replay_link.h"
 #include "support/clock.h"
 #include "support/result.h"
 

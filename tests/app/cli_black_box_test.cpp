@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "link/replay/pcap_reader.h"
+#include "capture/pcap_reader.h"
 #include "support/random.h"
 #include "support/whole_file.h"
 #include "tests/app/cli_process.h"

@@ -16,10 +16,10 @@
 #include <thread>
 #include <vector>
 
+#include "capture/pcapng_writer.h"
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
-#include "link/pcapng_writer.h"
 #include "support/output_file.h"
 #include "support/random.h"
 #include "support/whole_file.h"

@@ -4,8 +4,8 @@
 #include <array>
 #include <string_view>
 
-#include "link/replay/pcap_reader.h"
-#include "link/replay/recorded_bus.h"
+#include "capture/pcap_reader.h"
+#include "capture/recorded_bus.h"
 #include "protocol/coe.h"
 #include "protocol/diagnosis_message.h"
 #include "protocol/diagnosis_text.h"

@@ -3,10 +3,10 @@
 
 #include <map>
 
+#include "capture/pcap_reader.h"
+#include "capture/recorded_bus.h"
 #include "dc/propagation_delay.h"
 #include "findings/error_text.h"
-#include "link/replay/pcap_reader.h"
-#include "link/replay/recorded_bus.h"
 #include "master/scan/topology.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

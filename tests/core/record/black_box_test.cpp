@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "link/replay/pcap_reader.h"
+#include "capture/pcap_reader.h"
 #include "support/random.h"
 #include "support/whole_file.h"
 #include "tests/support/pcapng_file.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/capture_tap.h"
+#include "capture/capture_tap.h"
 
 #include <utility>
 
-#include "link/pcapng_writer.h"
+#include "capture/pcapng_writer.h"
 
 namespace syncline {
 namespace {

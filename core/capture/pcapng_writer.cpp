@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/pcapng_writer.h"
+#include "capture/pcapng_writer.h"
 
 #include <utility>
 

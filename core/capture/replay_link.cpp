@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/replay/replay_link.h"
+#include "capture/replay_link.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <array>
 #include <deque>
 
-#include "link/replay/pcap_reader.h"
-#include "link/replay/recorded_bus.h"
+#include "capture/pcap_reader.h"
+#include "capture/recorded_bus.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
 #include "support/byte_order.h"

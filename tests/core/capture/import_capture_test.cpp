@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/import_capture.h"
+#include "capture/import_capture.h"
 
 #include <gtest/gtest.h>
 
@@ -22,9 +22,9 @@ namespace {
 constexpr Nanoseconds kCaptureBegin = 830'000'000 * kSecond;
 
 /// A capture as it is written: pcap with times in ns.
-class CaptureFile {
+class PlainCapture {
  public:
-  CaptureFile() {
+  PlainCapture() {
     for (const std::uint32_t word : {0xA1B23C4DU, 0x00040002U, 0U, 0U, 0x40000U, 1U}) put(word);
   }
   void add(Nanoseconds time, std::vector<std::uint8_t> frame) {
@@ -82,7 +82,7 @@ std::vector<std::uint8_t> stamped(std::vector<std::uint8_t> frame, std::uint64_t
 
 TEST(ImportCapture, TellsWhatItsFramesHold) {
   const test::TemporaryFolder folder;
-  CaptureFile file;
+  PlainCapture file;
   for (int i = 0; i < 100; ++i) {
     const auto sent = kCaptureBegin + i * 500 * kMicrosecond;
     const std::uint16_t station = i % 2 == 0 ? 1002 : 1003;
@@ -120,7 +120,7 @@ TEST(ImportCapture, TellsWhatItsFramesHold) {
 /// The host's times of the file are worth nothing beside those of the probe.
 TEST(ImportCapture, TakesTheStampsOfAProbe) {
   const test::TemporaryFolder folder;
-  CaptureFile file;
+  PlainCapture file;
   std::uint64_t probe = 5'000'000;
   for (int i = 0; i < 50; ++i) {
     const auto host = kCaptureBegin + i * kMillisecond + (i % 7) * 100'000;
@@ -141,7 +141,7 @@ TEST(ImportCapture, TakesTheStampsOfAProbe) {
 /// A probe on the way back alone: what came is known, not for how long it was under way, nor what is lost.
 TEST(ImportCapture, OneWayIsNoRoundTrip) {
   const test::TemporaryFolder folder;
-  CaptureFile file;
+  PlainCapture file;
   for (int i = 0; i < 20; ++i) {
     const auto time = kCaptureBegin + i * kMillisecond;
     file.add(time, answered(cyclic_frame(static_cast<std::uint8_t>(i), 1002), static_cast<std::uint64_t>(time), 5));
@@ -156,7 +156,7 @@ TEST(ImportCapture, OneWayIsNoRoundTrip) {
 
 TEST(ImportCapture, SaysWhatIsMissing) {
   const test::TemporaryFolder folder;
-  CaptureFile file;
+  PlainCapture file;
   for (int i = 0; i < 20; ++i)
     file.add(kCaptureBegin + i * kMillisecond, cyclic_frame(static_cast<std::uint8_t>(i), 1002));
   const auto sent_only = import_capture(file.write(folder));

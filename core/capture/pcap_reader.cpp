@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/replay/pcap_reader.h"
+#include "capture/pcap_reader.h"
 
 #include <fmt/format.h>
 #include <pcap/pcap.h>

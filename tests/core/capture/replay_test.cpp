@@ -7,11 +7,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "link/capture_tap.h"
-#include "link/pcapng_writer.h"
-#include "link/replay/pcap_reader.h"
-#include "link/replay/recorded_bus.h"
-#include "link/replay/replay_link.h"
+#include "capture/capture_tap.h"
+#include "capture/pcap_reader.h"
+#include "capture/pcapng_writer.h"
+#include "capture/recorded_bus.h"
+#include "capture/replay_link.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 #include "support/random.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/import_capture.h"
+#include "capture/import_capture.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "capture/pcap_reader.h"
 #include "findings/recording_words.h"
 #include "findings/sentence.h"
 #include "link/link.h"
-#include "link/replay/pcap_reader.h"
 #include "protocol/dc_registers.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
@@ -29,7 +29,7 @@ namespace {
 using Flag = CycleSample::Flag;
 
 constexpr Nanoseconds kOldReading = kSecond;
-constexpr std::size_t kMostOpen = 256;  // frames under way; what is older was lost
+constexpr std::size_t kMostUnderWay = 256;  // frames under way; what is older was lost
 
 /// What makes a frame one of the process data: its first logical command, else the reading of the reference clock.
 struct FrameKey {
@@ -129,7 +129,7 @@ class Pairing {
       for (const auto& view : views) learn(exchange, view);
       return;
     }
-    if (open_.size() == kMostOpen) open_.erase(open_.begin());
+    if (open_.size() == kMostUnderWay) open_.erase(open_.begin());
     open.exchange = captured_.exchanges.size();
     auto& exchange = captured_.exchanges.emplace_back();
     exchange.sent = time;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "link/replay/recorded_bus.h"
+#include "capture/recorded_bus.h"
 
 #include <algorithm>
 
