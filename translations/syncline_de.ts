@@ -324,6 +324,49 @@
         </message>
 </context>
 <context>
+    <name>ExportMenu</name>
+        <message>
+            <source>&amp;C Header of the Process Image…</source>
+            <translation>&amp;C-Header des Prozessabbilds…</translation>
+        </message>
+        <message>
+            <source>&amp;Process Image (CSV)…</source>
+            <translation>&amp;Prozessabbild (CSV)…</translation>
+        </message>
+        <message>
+            <source>P&amp;DOs and Their Entries (CSV)…</source>
+            <translation>P&amp;DOs und ihre Einträge (CSV)…</translation>
+        </message>
+        <message>
+            <source>&amp;Init Commands (CSV)…</source>
+            <translation>&amp;Init-Kommandos (CSV)…</translation>
+        </message>
+        <message>
+            <source>&amp;Slaves (CSV)…</source>
+            <translation>&amp;Slaves (CSV)…</translation>
+        </message>
+        <message>
+            <source>&amp;Topology (SVG)…</source>
+            <translation>&amp;Topologie (SVG)…</translation>
+        </message>
+        <message>
+            <source>Export Ta&amp;bles and Code</source>
+            <translation>Tabellen und Ta&amp;bellen und Code exportierenamp;Code exportieren</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>The file could not be written.</source>
+            <translation>Die Datei konnte nicht geschrieben werden.</translation>
+        </message>
+        <message>
+            <source>Written to %1</source>
+            <translation>Nach %1 geschrieben</translation>
+        </message>
+</context>
+<context>
     <name>CutShortDialog</name>
         <message>
             <source>EEPROM write was cut short</source>
@@ -2793,6 +2836,14 @@ Einstellung %2</translation>
 <context>
     <name>NetworkModel</name>
         <message>
+            <source>%1, network in work</source>
+            <translation>%1, Netzwerk in Arbeit</translation>
+        </message>
+        <message>
+            <source>%1, another network</source>
+            <translation>%1, anderes Netzwerk</translation>
+        </message>
+        <message>
             <source>Node</source>
             <translation>Knoten</translation>
         </message>
@@ -3191,6 +3242,169 @@ Einstellung %2</translation>
         <message>
             <source>no SYNC0</source>
             <translation>kein SYNC0</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveFilesPage</name>
+        <message>
+            <source>Files</source>
+            <translation>Dateien</translation>
+        </message>
+        <message>
+            <source>Most devices take firmware in BOOT only, where the buttons above lead the slave; other files are served in PREOP and above. What a name means, and which password opens it, says the device&apos;s manual.</source>
+            <translation>Die meisten Geräte nehmen Firmware nur in BOOT, wohin die Schaltflächen oben den Slave führen; andere Dateien gibt es ab PREOP. Was ein Name bedeutet und welches Passwort ihn öffnet, sagt das Handbuch des Geräts.</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>Slave</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Was</translation>
+        </message>
+        <message>
+            <source>File in the slave</source>
+            <translation>Datei im Slave</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Größe</translation>
+        </message>
+        <message>
+            <source>File here</source>
+            <translation>Datei hier</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Ergebnis</translation>
+        </message>
+        <message>
+            <source>Files that were transferred</source>
+            <translation>Übertragene Dateien</translation>
+        </message>
+        <message>
+            <source>How much of the file has been transferred</source>
+            <translation>Wie viel der Datei übertragen ist</translation>
+        </message>
+        <message>
+            <source>Name of the file in the slave</source>
+            <translation>Name der Datei im Slave</translation>
+        </message>
+        <message>
+            <source>Password of the slave, a number</source>
+            <translation>Passwort des Slaves, eine Zahl</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>keins</translation>
+        </message>
+        <message>
+            <source>&amp;Read into File…</source>
+            <translation>In Datei &amp;lesen…</translation>
+        </message>
+        <message>
+            <source>Copy the slave&apos;s file into a file here</source>
+            <translation>Die Datei des Slaves in eine Datei hier kopieren</translation>
+        </message>
+        <message>
+            <source>&amp;Write from File…</source>
+            <translation>Aus Datei &amp;schreiben…</translation>
+        </message>
+        <message>
+            <source>Give a file to the slave</source>
+            <translation>Dem Slave eine Datei geben</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>&amp;Abbrechen</translation>
+        </message>
+        <message>
+            <source>End the transfer</source>
+            <translation>Die Übertragung beenden</translation>
+        </message>
+        <message>
+            <source>Password</source>
+            <translation>Passwort</translation>
+        </message>
+        <message>
+            <source>The machine was started without files (FoE) for this slave: restart it with the project as it is now.</source>
+            <translation>Die Maschine wurde ohne Dateien (FoE) für diesen Slave gestartet: mit dem jetzigen Projekt neu starten.</translation>
+        </message>
+        <message>
+            <source>The slave is in %1: lead it to PREOP, or to BOOT.</source>
+            <translation>Der Slave ist in %1: nach PREOP oder BOOT führen.</translation>
+        </message>
+        <message>
+            <source>%1: &quot;%2&quot; is being written, %3 of %4.</source>
+            <translation>%1: „%2“ wird geschrieben, %3 von %4.</translation>
+        </message>
+        <message>
+            <source>%1: &quot;%2&quot; is being read, %3 so far.</source>
+            <translation>%1: „%2“ wird gelesen, bisher %3.</translation>
+        </message>
+        <message>
+            <source>The password is a number of 32 bits, such as 1234 or 0x12AB: &quot;%1&quot; is none.</source>
+            <translation>Das Passwort ist eine Zahl von 32 Bit, etwa 1234 oder 0x12AB: „%1“ ist keine.</translation>
+        </message>
+        <message>
+            <source>Read File of the Slave</source>
+            <translation>Datei des Slaves lesen</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Write File to the Slave</source>
+            <translation>Datei in den Slave schreiben</translation>
+        </message>
+        <message>
+            <source>The file could not be read.</source>
+            <translation>Die Datei konnte nicht gelesen werden.</translation>
+        </message>
+        <message>
+            <source>Write %1 (%2) into %3 as &quot;%4&quot;?</source>
+            <translation>%1 (%2) als „%4“ in %3 schreiben?</translation>
+        </message>
+        <message>
+            <source>Nothing brings back what the slave has under this name now, and a wrong firmware can leave a slave that no longer comes up. The slave must keep its power until it is done.</source>
+            <translation>Nichts bringt zurück, was der Slave jetzt unter diesem Namen hat, und nach einer falschen Firmware kommt ein Slave vielleicht nicht mehr hoch. Bis es fertig ist, darf er die Versorgung nicht verlieren.</translation>
+        </message>
+        <message>
+            <source>The slave is in %1: taking a file may stop it.</source>
+            <translation>Der Slave ist in %1: Eine Datei anzunehmen kann ihn anhalten.</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>Schreiben</translation>
+        </message>
+        <message>
+            <source>Cancelled: the slave has a part of it, or nothing</source>
+            <translation>Abgebrochen: Der Slave hat einen Teil davon oder nichts</translation>
+        </message>
+        <message>
+            <source>Cancelled</source>
+            <translation>Abgebrochen</translation>
+        </message>
+        <message>
+            <source>Written</source>
+            <translation>Geschrieben</translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation>Gelesen</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot;: %2</source>
+            <translation>„%1“: %2</translation>
+        </message>
+        <message>
+            <source>write</source>
+            <translation>schreiben</translation>
+        </message>
+        <message>
+            <source>read</source>
+            <translation>lesen</translation>
         </message>
 </context>
 <context>
@@ -5126,6 +5340,18 @@ Einstellung %2</translation>
         <message>
             <source>Take %1 offline?</source>
             <translation>%1 offline nehmen?</translation>
+        </message>
+        <message>
+            <source>A slave is being written to, which ends unfinished.</source>
+            <translation>In einen Slave wird geschrieben, was unfertig endet.</translation>
+        </message>
+        <message>
+            <source>A slave is being written to. Go offline all the same?</source>
+            <translation>In einen Slave wird geschrieben. Trotzdem offline gehen?</translation>
+        </message>
+        <message>
+            <source>An EEPROM gets back what it held; a slave that has half of a file may not come up any more.</source>
+            <translation>Ein EEPROM bekommt zurück, was es enthielt; ein Slave, der eine halbe Datei hat, kommt vielleicht nicht mehr hoch.</translation>
         </message>
 </context>
 <context>

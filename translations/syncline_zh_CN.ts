@@ -324,6 +324,49 @@
         </message>
 </context>
 <context>
+    <name>ExportMenu</name>
+        <message>
+            <source>&amp;C Header of the Process Image…</source>
+            <translation>过程映像的 C 头文件(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>&amp;Process Image (CSV)…</source>
+            <translation>过程映像 (CSV)(&amp;P)…</translation>
+        </message>
+        <message>
+            <source>P&amp;DOs and Their Entries (CSV)…</source>
+            <translation>PDO 及其条目 (CSV)(&amp;D)…</translation>
+        </message>
+        <message>
+            <source>&amp;Init Commands (CSV)…</source>
+            <translation>初始化命令 (CSV)(&amp;I)…</translation>
+        </message>
+        <message>
+            <source>&amp;Slaves (CSV)…</source>
+            <translation>从站 (CSV)(&amp;S)…</translation>
+        </message>
+        <message>
+            <source>&amp;Topology (SVG)…</source>
+            <translation>拓扑 (SVG)(&amp;T)…</translation>
+        </message>
+        <message>
+            <source>Export Ta&amp;bles and Code</source>
+            <translation>导出表格和代码(&amp;B)</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>导出</translation>
+        </message>
+        <message>
+            <source>The file could not be written.</source>
+            <translation>无法写入该文件。</translation>
+        </message>
+        <message>
+            <source>Written to %1</source>
+            <translation>已写入 %1</translation>
+        </message>
+</context>
+<context>
     <name>CutShortDialog</name>
         <message>
             <source>EEPROM write was cut short</source>
@@ -2782,6 +2825,14 @@ Setting %2</source>
 <context>
     <name>NetworkModel</name>
         <message>
+            <source>%1, network in work</source>
+            <translation>%1，正在编辑的网络</translation>
+        </message>
+        <message>
+            <source>%1, another network</source>
+            <translation>%1，其他网络</translation>
+        </message>
+        <message>
             <source>Node</source>
             <translation>节点</translation>
         </message>
@@ -3180,6 +3231,169 @@ Setting %2</source>
         <message>
             <source>no SYNC0</source>
             <translation>无 SYNC0</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveFilesPage</name>
+        <message>
+            <source>Files</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Most devices take firmware in BOOT only, where the buttons above lead the slave; other files are served in PREOP and above. What a name means, and which password opens it, says the device&apos;s manual.</source>
+            <translation>多数设备只在 BOOT 状态下接受固件，可用上方按钮切换到该状态；其他文件在 PREOP 及以上状态提供。文件名的含义和所需密码见设备手册。</translation>
+        </message>
+        <message>
+            <source>Slave</source>
+            <translation>从站</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>操作</translation>
+        </message>
+        <message>
+            <source>File in the slave</source>
+            <translation>从站中的文件</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>大小</translation>
+        </message>
+        <message>
+            <source>File here</source>
+            <translation>本机文件</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>结果</translation>
+        </message>
+        <message>
+            <source>Files that were transferred</source>
+            <translation>已传输的文件</translation>
+        </message>
+        <message>
+            <source>How much of the file has been transferred</source>
+            <translation>文件已传输多少</translation>
+        </message>
+        <message>
+            <source>Name of the file in the slave</source>
+            <translation>从站中的文件名</translation>
+        </message>
+        <message>
+            <source>Password of the slave, a number</source>
+            <translation>从站的密码（数字）</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>&amp;Read into File…</source>
+            <translation>读取到文件(&amp;R)…</translation>
+        </message>
+        <message>
+            <source>Copy the slave&apos;s file into a file here</source>
+            <translation>把从站的文件复制到本机文件</translation>
+        </message>
+        <message>
+            <source>&amp;Write from File…</source>
+            <translation>从文件写入(&amp;W)…</translation>
+        </message>
+        <message>
+            <source>Give a file to the slave</source>
+            <translation>把文件写入从站</translation>
+        </message>
+        <message>
+            <source>&amp;Cancel</source>
+            <translation>取消(&amp;C)</translation>
+        </message>
+        <message>
+            <source>End the transfer</source>
+            <translation>结束传输</translation>
+        </message>
+        <message>
+            <source>Password</source>
+            <translation>密码</translation>
+        </message>
+        <message>
+            <source>The machine was started without files (FoE) for this slave: restart it with the project as it is now.</source>
+            <translation>机器启动时该从站未启用文件访问 (FoE)：请用当前项目重新启动。</translation>
+        </message>
+        <message>
+            <source>The slave is in %1: lead it to PREOP, or to BOOT.</source>
+            <translation>从站处于 %1：请切换到 PREOP 或 BOOT。</translation>
+        </message>
+        <message>
+            <source>%1: &quot;%2&quot; is being written, %3 of %4.</source>
+            <translation>%1：正在写入“%2”，%3 / %4。</translation>
+        </message>
+        <message>
+            <source>%1: &quot;%2&quot; is being read, %3 so far.</source>
+            <translation>%1：正在读取“%2”，已读 %3。</translation>
+        </message>
+        <message>
+            <source>The password is a number of 32 bits, such as 1234 or 0x12AB: &quot;%1&quot; is none.</source>
+            <translation>密码是 32 位数字，例如 1234 或 0x12AB：“%1”不是。</translation>
+        </message>
+        <message>
+            <source>Read File of the Slave</source>
+            <translation>读取从站的文件</translation>
+        </message>
+        <message>
+            <source>All files (*)</source>
+            <translation>所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Write File to the Slave</source>
+            <translation>向从站写入文件</translation>
+        </message>
+        <message>
+            <source>The file could not be read.</source>
+            <translation>无法读取该文件。</translation>
+        </message>
+        <message>
+            <source>Write %1 (%2) into %3 as &quot;%4&quot;?</source>
+            <translation>把 %1（%2）作为“%4”写入 %3？</translation>
+        </message>
+        <message>
+            <source>Nothing brings back what the slave has under this name now, and a wrong firmware can leave a slave that no longer comes up. The slave must keep its power until it is done.</source>
+            <translation>从站中该名称下的现有内容将无法恢复，错误的固件可能使从站无法再启动。完成之前从站不得断电。</translation>
+        </message>
+        <message>
+            <source>The slave is in %1: taking a file may stop it.</source>
+            <translation>从站处于 %1：接收文件可能使其停止。</translation>
+        </message>
+        <message>
+            <source>Write</source>
+            <translation>写入</translation>
+        </message>
+        <message>
+            <source>Cancelled: the slave has a part of it, or nothing</source>
+            <translation>已取消：从站只收到一部分，或没有收到</translation>
+        </message>
+        <message>
+            <source>Cancelled</source>
+            <translation>已取消</translation>
+        </message>
+        <message>
+            <source>Written</source>
+            <translation>已写入</translation>
+        </message>
+        <message>
+            <source>Read</source>
+            <translation>已读取</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot;: %2</source>
+            <translation>“%1”：%2</translation>
+        </message>
+        <message>
+            <source>write</source>
+            <translation>写入</translation>
+        </message>
+        <message>
+            <source>read</source>
+            <translation>读取</translation>
         </message>
 </context>
 <context>
@@ -5107,6 +5321,18 @@ Setting %2</source>
         <message>
             <source>Take %1 offline?</source>
             <translation>要使%1离线吗？</translation>
+        </message>
+        <message>
+            <source>A slave is being written to, which ends unfinished.</source>
+            <translation>正在写入一个从站，写入将中断而未完成。</translation>
+        </message>
+        <message>
+            <source>A slave is being written to. Go offline all the same?</source>
+            <translation>正在写入一个从站。仍要离线吗？</translation>
+        </message>
+        <message>
+            <source>An EEPROM gets back what it held; a slave that has half of a file may not come up any more.</source>
+            <translation>EEPROM 会恢复原有内容；只收到半个文件的从站可能无法再启动。</translation>
         </message>
 </context>
 <context>

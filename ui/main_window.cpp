@@ -18,6 +18,7 @@
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/compare_dialog.h"
+#include "ui/dialogs/export_menu.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/finding_fixes.h"
 #include "ui/dialogs/go_to_dialog.h"
@@ -181,9 +182,11 @@ void MainWindow::buildMenus() {
   auto* language = new LanguageMenu(workspace_.memory(), this);
   connect(language, &LanguageMenu::chosen, this,
           [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
-  auto* network = ui::buildMenus(*menuBar(), *actions_,
-                                 {recent, language, building_->commands().all(), networks_->all(), docks_->toggles(),
-                                  explorer_->viewActions(), editor_->modeActions(), centre_->replayBar().commands()});
+  auto* exports = new ExportMenu(workspace_, *files_, *this, [this] { return commitFields(); });
+  auto* network =
+      ui::buildMenus(*menuBar(), *actions_,
+                     {recent, language, exports, building_->commands().all(), networks_->all(), docks_->toggles(),
+                      explorer_->viewActions(), editor_->modeActions(), centre_->replayBar().commands()});
   connect(network, &QMenu::aboutToShow, this, &MainWindow::updateRecordingActions);
   state_button_ = buildToolBar(*addToolBar(tr("Main")), *actions_);
 }

@@ -14,13 +14,15 @@
 namespace syncline::ui {
 namespace {
 
-void buildFileMenu(QMenu& menu, const Actions& actions, QMenu& recent) {
+void buildFileMenu(QMenu& menu, const Actions& actions, const MenuEntries& entries) {
   menu.addActions({actions.create, actions.new_machine, actions.open});
-  menu.addMenu(&recent);
+  menu.addMenu(entries.recent);
   menu.addAction(actions.close_recording);
   menu.addActions({actions.save, actions.save_as, actions.save_template});
   menu.addSeparator();
-  menu.addActions({actions.export_eni, actions.export_report, actions.compare});
+  menu.addActions({actions.export_eni, actions.export_report});
+  menu.addMenu(entries.exports);
+  menu.addAction(actions.compare);
   menu.addSeparator();
   menu.addAction(actions.quit);
 }
@@ -68,7 +70,7 @@ void buildViewMenu(QMenu& menu, const Actions& actions, const MenuEntries& entri
 }  // namespace
 
 QMenu* buildMenus(QMenuBar& bar, const Actions& actions, const MenuEntries& entries) {
-  buildFileMenu(*bar.addMenu(MainWindow::tr("&File")), actions, *entries.recent);
+  buildFileMenu(*bar.addMenu(MainWindow::tr("&File")), actions, entries);
   buildEditMenu(*bar.addMenu(MainWindow::tr("&Edit")), actions, entries.slaves);
   auto* network = bar.addMenu(MainWindow::tr("&Network"));
   buildNetworkMenu(*network, actions, entries);

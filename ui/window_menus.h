@@ -17,6 +17,7 @@ class Actions;
 struct MenuEntries {
   QMenu* recent = nullptr;
   QMenu* language = nullptr;
+  QMenu* exports = nullptr;  // besides the ENI
   QList<QAction*> slaves;    // what is done to slaves
   QList<QAction*> networks;  // to networks of the machine
   QList<QAction*> panels;    // shown or hidden

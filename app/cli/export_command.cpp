@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
@@ -15,7 +17,7 @@
 #include "eni/format/eni_file.h"
 #include "eni/report/reported_eni.h"
 #include "eni/xml/xml_text.h"
-#include "exports/exports.h"
+#include "exports/formats.h"
 #include "findings/recovered_words.h"
 #include "findings/sentence.h"
 #include "recover/recover_project.h"
@@ -33,14 +35,8 @@ EniDialect chosen_dialect(const ExportOptions& options) {
 }
 
 std::string content(const ExportOptions& options, const NetworkConfig& config) {
-  if (options.format == "c-header") {
-    return exports::c_header(config, std::filesystem::path(options.output).stem().string());
-  }
-  if (options.format == "csv") return exports::image_csv(config);
-  if (options.format == "init-csv") return exports::init_commands_csv(config);
-  if (options.format == "pdo-csv") return exports::pdo_csv(config);
-  if (options.format == "slaves-csv") return exports::slaves_csv(config);
-  if (options.format == "svg") return exports::topology_svg(config);
+  if (const auto* format = exports::find_format(options.format))
+    return format->text(config, std::filesystem::path(options.output).stem().string());
   return eni::write_eni(config, eni::style_of(chosen_dialect(options)));
 }
 
@@ -116,12 +112,13 @@ void add_export_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<ExportOptions>();
   command->add_option("file", options->file, "Project or ENI file")->required();
   command->add_option("-o,--output", options->output, "File to write")->required();
-  command
-      ->add_option(
-          "--format", options->format,
-          "eni, c-header (process image for C and C++), csv (process image), pdo-csv (PDOs and their entries), "
-          "init-csv (init commands), slaves-csv (slave list) or svg (topology)")
-      ->check(CLI::IsMember({"eni", "c-header", "csv", "pdo-csv", "init-csv", "slaves-csv", "svg"}));
+  std::vector<std::string> names{"eni"};
+  std::string about = "eni";
+  for (const auto& format : exports::formats()) {
+    names.emplace_back(format.name);
+    about += fmt::format(", {} ({})", format.name, format.what);
+  }
+  command->add_option("--format", options->format, about)->check(CLI::IsMember(names));
   command->add_option("--dialect", options->dialect, "ec-master or twincat")
       ->check(CLI::IsMember({"ec-master", "twincat"}));
   command->add_option("--report", options->report,

@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -21,6 +22,7 @@
 #include "settings/default_value.h"
 #include "support/project_window.h"
 #include "support/ui_test_support.h"
+#include "tests/support/eni_effect.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
@@ -376,6 +378,29 @@ class EveryKey : public Fields {
     return {QStringList(parts, QStringLiteral("0")).join(u'.'), QStringList(parts, QStringLiteral("255")).join(u'.')};
   }
 
+  /// What the step changed in the ENI, where both can be exported.
+  void noteEni(const std::string& key, const Project& before, const Project& after) {
+    auto& effect = eni_[key];
+    for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
+      const auto left = test::eni_text(before, dialect), right = test::eni_text(after, dialect);
+      if (left.empty() || right.empty()) continue;
+      ++effect.tried;
+      if (left == right) continue;
+      ++effect.changed;
+      effect.paths.merge(test::other_paths(test::elements_of(left), test::elements_of(right)));
+    }
+  }
+
+  /// The steps of a key changed what its column *ENI* names, where they changed anything in the ENI of this machine; a
+  /// key without one changed nothing.
+  static void expectEni(const settings::Setting& setting, const test::EniEffect& effect) {
+    const auto named = test::named_in(setting.words.eni);
+    EXPECT_TRUE(effect.changed == 0 || std::ranges::any_of(named, [&](const auto& name) { return effect.holds(name); }))
+        << setting.key << " changes " << effect.some_path();
+  }
+
+  std::map<std::string, test::EniEffect> eni_;
+
   /// `act` is one undo step that gives `wanted`; undo and redo are exact.
   void expectOneStep(const FieldBinder::Bound& bound, const Act& act, const std::optional<settings::Value>& wanted) {
     const auto& key = bound.setting->key;
@@ -385,6 +410,7 @@ class EveryKey : public Fields {
     ASSERT_EQ(steps().index(), base + 1) << key;
     const Project after = project();
     EXPECT_FALSE(after == before) << key;
+    noteEni(key, before, after);
     if (wanted) {
       EXPECT_EQ(read(bound, project()), *wanted) << key;
     }
@@ -537,7 +563,10 @@ TEST_F(EveryKey, GoesThroughItsFieldAtBothEndsOfItsRange) {
   }
   for (const auto& setting : settings::table()) {
     EXPECT_TRUE(keys.contains(setting.key)) << setting.key;
+    expectEni(setting, eni_[setting.key]);
   }
+  const auto changed = [](const auto& of_key) { return of_key.second.changed > 0; };
+  EXPECT_GT(std::ranges::count_if(eni_, changed), 25) << "keys whose steps another ENI came of";
   RecordProperty("keys", static_cast<int>(keys.size()));
 }
 

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QMimeData>
 #include <QSignalSpy>
+#include <memory>
 
 #include "support/ui_test_support.h"
 #include "ui/models/message_model.h"
@@ -93,6 +95,51 @@ TEST(NetworkModel, ShowsOfEachSlaveItsOwnState) {
   EXPECT_FALSE(model.indexOf(1).data(NetworkModel::kErrorRole).toBool());
   EXPECT_EQ(model.indexOf(1).data(NetworkModel::kStateRole).toInt(), -1) << "it does not run";
   EXPECT_TRUE(model.indexOf(2).data(NetworkModel::kErrorRole).toBool());
+}
+
+/// The tree of a machine with two networks.
+class ModelOfNetworks : public testing::Test {
+ protected:
+  ModelOfNetworks() {
+    fewer_.slaves.pop_back();
+    model_.setNetworks({QStringLiteral("Feeder"), QStringLiteral("Press")}, {&project_, &fewer_}, 0);
+  }
+  const Project project_ = smallProject();
+  Project fewer_ = smallProject();
+  NetworkModel model_;
+  QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Warning};
+};
+
+TEST_F(ModelOfNetworks, HasTheMasterOfEachWithItsSlaves) {
+  ASSERT_EQ(model_.rowCount(), 2);
+  EXPECT_EQ(model_.index(0, 0).data().toString(), QStringLiteral("Feeder"));
+  EXPECT_EQ(model_.index(1, 0).data().toString(), QStringLiteral("Press"));
+  EXPECT_EQ(model_.rowCount(model_.index(0, 0)), 3);
+  EXPECT_EQ(model_.rowCount(model_.index(1, 0)), 2);
+  EXPECT_EQ(model_.slaveCount(), 3) << "of the one in work";
+  const auto other = model_.indexOf(1, 1);
+  EXPECT_EQ(other.parent(), model_.index(1, 0));
+  EXPECT_EQ(other.data(NetworkModel::kSlaveRole).toInt(), 1);
+  EXPECT_EQ(other.data(NetworkModel::kNetworkRole).toInt(), 1);
+  EXPECT_FALSE(model_.flags(other) & (Qt::ItemIsDragEnabled | Qt::ItemIsDropEnabled)) << "only seen";
+  EXPECT_TRUE(model_.flags(model_.indexOf(1)) & Qt::ItemIsDragEnabled);
+  const std::unique_ptr<QMimeData> slave(model_.mimeData({model_.indexOf(1)}));
+  EXPECT_FALSE(model_.canDropMimeData(slave.get(), Qt::MoveAction, -1, 0, other));
+}
+
+TEST_F(ModelOfNetworks, KeepsTheStatesOfEachWhicheverIsInWork) {
+  QSignalSpy changed(&model_, &QAbstractItemModel::dataChanged);
+  model_.setSnapshot(1, runningSnapshot(2), {0, 1});
+  ASSERT_EQ(changed.count(), 2) << "its master and its slaves";
+  EXPECT_EQ(changed[1][0].toModelIndex().parent(), model_.index(1, 0));
+  EXPECT_EQ(model_.indexOf(1, 1).data(NetworkModel::kStateRole).toInt(), 8);
+  EXPECT_EQ(model_.indexOf(0, 1).data(NetworkModel::kStateRole).toInt(), -1);
+  model_.setNetworks({QStringLiteral("Feeder"), QStringLiteral("Press")}, {&project_, &fewer_}, 1);
+  EXPECT_EQ(model_.slaveCount(), 2);
+  EXPECT_EQ(model_.indexOf(1).data(NetworkModel::kStateRole).toInt(), 8);
+  model_.setProject(project_);
+  EXPECT_EQ(model_.slaveCount(), 3);
+  EXPECT_EQ(model_.rowCount(model_.index(0, 0)), 3) << "the other one is as it was";
 }
 
 Message message(Severity severity, const char* text) {

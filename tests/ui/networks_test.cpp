@@ -5,10 +5,13 @@
 #include <QAction>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTreeView>
 
 #include "eni/project/project_file.h"
 #include "support/running_window.h"
 #include "ui/editors/choice_edit.h"
+#include "ui/models/network_model.h"
+#include "ui/panels/explorer_panel.h"
 #include "ui/session/comparison.h"
 #include "ui/session/project_document.h"
 
@@ -128,11 +131,54 @@ TEST(Networks, AreComparedWithTheOneOfTheirName) {
 class NetworksInTheWindow : public test::RunningWindow {
  protected:
   NetworksInTheWindow() { workspace_.document().take(twoNetworks(), {}); }
+  QTreeView& tree() { return field<QTreeView>("explorerTree"); }
+  QModelIndex node(int network, int slave) { return workspace_.network().indexOf(network, slave); }
   ChoiceEdit& choice() { return field<ChoiceEdit>("networkChoice"); }
   QAction& action(const char* name) { return *window_.findChild<QAction*>(QLatin1String(name)); }
 };
 
+TEST_F(NetworksInTheWindow, StandInOneTreeAndComeInWorkByTheirNodes) {
+  EXPECT_FALSE(choice().isVisible()) << "the tree has them all";
+  ASSERT_EQ(tree().model()->rowCount(), 2);
+  EXPECT_EQ(node(0, -1).data().toString(), QStringLiteral("Feeder"));
+  EXPECT_EQ(node(1, -1).data().toString(), QStringLiteral("Press"));
+  EXPECT_TRUE(tree().isExpanded(node(1, -1)));
+  tree().setCurrentIndex(node(1, 1));
+  ASSERT_TRUE(test::waitFor([this] { return workspace_.document().network() == 1; }));
+  EXPECT_EQ(window_.explorer().selected(), 1);
+  EXPECT_EQ(tree().currentIndex(), node(1, 1));
+  EXPECT_TRUE(node(0, 1).data(NetworkModel::kOtherRole).toBool());
+  EXPECT_FALSE(node(1, 1).data(NetworkModel::kOtherRole).toBool());
+  // By keyboard over the border between them, and what was folded stays so.
+  tree().setCurrentIndex(node(1, -1));
+  tree().setFocus();
+  QTest::keyClick(&tree(), Qt::Key_Up);
+  ASSERT_TRUE(test::waitFor([this] { return workspace_.document().network() == 0; }));
+  EXPECT_EQ(window_.explorer().selected(), 2) << "the last slave of the network above";
+  tree().collapse(node(1, -1));
+  ASSERT_TRUE(workspace_.document().edit(QStringLiteral("fewer"), [](Project& project) -> Status {
+    project.slaves.pop_back();
+    return {};
+  }));
+  EXPECT_FALSE(tree().isExpanded(node(1, -1)));
+  EXPECT_TRUE(tree().isExpanded(node(0, -1)));
+  EXPECT_EQ(workspace_.network().rowCount(node(0, -1)), 2);
+}
+
+TEST_F(NetworksInTheWindow, ANodeOfAnotherComesInWorkOnlyWhereThatMayBe) {
+  window_.selectNode(0);
+  ASSERT_TRUE(window_.editor().showKey(QStringLiteral("slave.0.station_address")));
+  auto* address = QApplication::focusWidget();
+  ASSERT_NE(address, nullptr);
+  QTest::keyClick(address, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(address, QStringLiteral("none"));
+  tree().setCurrentIndex(node(1, 0));
+  EXPECT_TRUE(test::waitFor([this] { return tree().currentIndex() == node(0, 0); })) << "what is typed is kept";
+  EXPECT_EQ(workspace_.document().network(), 0);
+}
+
 TEST_F(NetworksInTheWindow, AreChosenAboveTheExplorer) {
+  window_.explorer().setView(ExplorerPanel::View::kTopology);
   ASSERT_TRUE(choice().isVisible());
   EXPECT_EQ(choice().currentText(), QStringLiteral("Feeder"));
   choice().setCurrentIndex(1);
@@ -150,6 +196,7 @@ TEST_F(NetworksInTheWindow, AreChosenAboveTheExplorer) {
 }
 
 TEST_F(NetworksInTheWindow, OnesThatHoldSlavesAreRemovedAfterAQuestion) {
+  window_.explorer().setView(ExplorerPanel::View::kTopology);
   answerQuestion("removeNetworkQuestion", false);
   action("actionRemoveNetwork").trigger();
   EXPECT_EQ(workspace_.document().networks().size(), 2);

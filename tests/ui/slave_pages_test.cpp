@@ -12,16 +12,21 @@
 #include <QTableView>
 #include <QTreeView>
 #include <algorithm>
+#include <fstream>
+#include <string>
 
 #include "protocol/registers.h"
 #include "protocol/sii.h"
 #include "support/byte_order.h"
 #include "support/running_window.h"
+#include "support/whole_file.h"
+#include "tests/support/temporary_folder.h"
 #include "ui/dialogs/slave_state_commands.h"
 #include "ui/models/count_history.h"
 #include "ui/models/eeprom_lines.h"
 #include "ui/models/register_model.h"
 #include "ui/pages/slave_eeprom_page.h"
+#include "ui/pages/slave_files_page.h"
 #include "ui/pages/slave_registers_page.h"
 
 namespace syncline::ui {
@@ -238,6 +243,98 @@ TEST_F(TheEepromOfARunningSlave, TakesAnImageOfExpertsAndRefusesWhatDoesNotFit) 
   const auto again = sii::decode(page().image());
   ASSERT_TRUE(again);
   EXPECT_EQ(again->serial_no, 99U);
+}
+
+// ---- files --------------------------------------------------------------------------------------
+
+class TheFilesOfARunningSlave : public ASlaveOfARunningMachine {
+ protected:
+  TheFilesOfARunningSlave() { std::ofstream(folder_.file("in.bin"), std::ios::binary) << content_; }
+  SlaveFilesPage& page() { return field<SlaveFilesPage>("slaveFilesPage"); }
+  QString here(const char* name) const { return QString::fromStdString(folder_.file(name)); }
+  void open() {
+    goOnline();
+    show(kServo, "slaveFilesPage");
+    run(100 * kMillisecond);
+  }
+  void write(const char* name) {
+    field<QLineEdit>("fileName").setText(QLatin1String(name));
+    answerQuestion("fileQuestion", true);
+    page().writeFrom(here("in.bin"));
+  }
+  void finish() {
+    for (int i = 0; i < 400 && field("fileCancel").isEnabled(); ++i) run(100 * kMillisecond);
+    ASSERT_FALSE(field("fileCancel").isEnabled()) << qPrintable(text("fileStatus"));
+  }
+  const QAbstractItemModel& transfers() { return *field<QTableView>("fileTransfers").model(); }
+
+  test::TemporaryFolder folder_;
+  const std::string content_ = std::string(5000, 'p') + "end";
+};
+
+TEST_F(TheFilesOfARunningSlave, ComeAndGoWhileTheMachineRuns) {
+  open();
+  EXPECT_FALSE(field("fileRead").isEnabled()) << "no name yet";
+  write("parameters.bin");
+  EXPECT_TRUE(asked_.contains(QStringLiteral("in OP"))) << qPrintable(asked_);
+  finish();
+  EXPECT_TRUE(text("fileStatus").contains(QStringLiteral("Written"))) << qPrintable(text("fileStatus"));
+  page().readInto(here("out.bin"));
+  finish();
+  EXPECT_EQ(read_whole_file(folder_.file("out.bin")), content_) << qPrintable(text("fileStatus"));
+  ASSERT_EQ(transfers().rowCount(), 2);
+  EXPECT_EQ(transfers().index(0, 2).data().toString(), QStringLiteral("parameters.bin"));
+  EXPECT_EQ(workspace_.live().snapshot().wkc_errors, 0U);
+  EXPECT_EQ(stateOf(kServo), AlState::kOp);
+}
+
+TEST_F(TheFilesOfARunningSlave, WhatTheSlaveRefusesLeavesTheFileHereAsItWas) {
+  open();
+  field<QLineEdit>("fileName").setText(QStringLiteral("nothing.bin"));
+  page().readInto(here("in.bin"));
+  finish();
+  EXPECT_TRUE(text("fileStatus").contains(QStringLiteral("nothing.bin"))) << qPrintable(text("fileStatus"));
+  EXPECT_EQ(read_whole_file(folder_.file("in.bin")), content_);
+  EXPECT_NE(transfers().index(0, 5).data().toString(), QStringLiteral("Read"));
+}
+
+TEST_F(TheFilesOfARunningSlave, AreNotWrittenWithoutAYesNorWithAPasswordThatIsNoNumber) {
+  open();
+  field<QLineEdit>("fileName").setText(QStringLiteral("a.bin"));
+  answerQuestion("fileQuestion", false);
+  page().writeFrom(here("in.bin"));
+  EXPECT_FALSE(field("fileCancel").isEnabled());
+  field<QLineEdit>("filePassword").setText(QStringLiteral("secret"));
+  page().writeFrom(here("in.bin"));
+  EXPECT_TRUE(text("fileStatus").contains(QStringLiteral("secret"))) << qPrintable(text("fileStatus"));
+  EXPECT_FALSE(field("fileCancel").isEnabled());
+  EXPECT_EQ(transfers().rowCount(), 0);
+}
+
+TEST_F(TheFilesOfARunningSlave, GoOnWhileAnotherSlaveIsShownAndCanBeCancelled) {
+  std::ofstream(folder_.file("in.bin"), std::ios::binary) << std::string(200'000, 'x');
+  open();
+  write("large.bin");
+  window_.selectNode(kOtherServo);
+  run(200 * kMillisecond);
+  EXPECT_TRUE(workspace_.requests().writing());
+  EXPECT_TRUE(text("fileStatus").contains(QStringLiteral("large.bin"))) << qPrintable(text("fileStatus"));
+  EXPECT_FALSE(field("fileWrite").isEnabled()) << "one at a time";
+  answerQuestion("writingQuestion", false);
+  window_.bus().goOffline();
+  EXPECT_TRUE(workspace_.requests().writing()) << "who says no stays online";
+  press("fileCancel");
+  finish();
+  EXPECT_TRUE(transfers().index(0, 5).data().toString().startsWith(QStringLiteral("Cancelled")))
+      << qPrintable(transfers().index(0, 5).data().toString());
+}
+
+TEST_F(TheFilesOfARunningSlave, AreNoPageOfASlaveWithoutThem) {
+  EXPECT_FALSE(page().appliesTo(-1));
+  open();
+  EXPECT_TRUE(page().appliesTo(kServo));
+  EXPECT_FALSE(page().appliesTo(kCoupler));
+  EXPECT_FALSE(page().appliesTo(1000));
 }
 
 // ---- counters -----------------------------------------------------------------------------------

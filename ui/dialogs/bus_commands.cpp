@@ -100,7 +100,9 @@ void BusCommands::restart() {
   start();
 }
 
-void BusCommands::goOffline() { workspace_.live().goOffline(); }
+void BusCommands::goOffline() {
+  if (mayStopWriting(window_, workspace_)) workspace_.live().goOffline();
+}
 
 void BusCommands::offerRepairs() {
   auto* dialog = new CutShortDialog(workspace_.eepromRepair(), &window_);

@@ -164,14 +164,7 @@ bool FileCommands::saveTo(const QString& path) {
 }
 
 void FileCommands::exportEni() {
-  // An ENI is of one network: those of the others are not to be proposed for replacing.
-  const auto networks = workspace_.document().networks();
-  auto suffix = QStringLiteral(".eni.xml");
-  if (networks.size() > 1) {
-    static const QRegularExpression kOdd(QStringLiteral("[^\\w-]+"), QRegularExpression::UseUnicodePropertiesOption);
-    suffix.prepend(u'.' + QString(networks[workspace_.document().network()]).replace(kOdd, QStringLiteral("_")));
-  }
-  auto path = QFileDialog::getSaveFileName(&window_, tr("Export ENI"), proposedName(suffix),
+  auto path = QFileDialog::getSaveFileName(&window_, tr("Export ENI"), proposedExport(QStringLiteral(".eni.xml")),
                                            tr("EtherCAT network information (*.xml)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".xml");
@@ -206,6 +199,15 @@ bool FileCommands::mayDiscard() {
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
+}
+
+/// It is of one network: those of the others are not to be proposed for replacing.
+QString FileCommands::proposedExport(const QString& suffix) const {
+  const auto networks = workspace_.document().networks();
+  if (networks.size() < 2) return proposedName(suffix);
+  static const QRegularExpression kOdd(QStringLiteral("[^\\w-]+"), QRegularExpression::UseUnicodePropertiesOption);
+  const auto name = QString(networks[workspace_.document().network()]).replace(kOdd, QStringLiteral("_"));
+  return proposedName(u'.' + name + suffix);
 }
 
 QString FileCommands::proposedName(const QString& suffix) const {

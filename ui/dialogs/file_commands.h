@@ -45,6 +45,10 @@ class FileCommands final : public QObject {
   /// Asks about unsaved changes; false = stay.
   bool mayDiscard();
 
+  /// Name of a file that is made of the network in work, beside the project's; with the network's name where there are
+  /// several.
+  [[nodiscard]] QString proposedExport(const QString& suffix) const;
+
  Q_SIGNALS:
   /// The file is to be compared with the project.
   void comparisonWanted(const QString& path);
@@ -53,10 +57,10 @@ class FileCommands final : public QObject {
   void recordingWanted(const QString& path);
 
  private:
+  [[nodiscard]] QString proposedName(const QString& suffix) const;
   bool saveTo(const QString& path);
   bool mayOpenBeside(const QString& path);
   void recover(const LostWork& work);
-  [[nodiscard]] QString proposedName(const QString& suffix) const;
 
   Workspace& workspace_;
   QWidget& window_;

@@ -29,9 +29,10 @@ NetworkCommands::NetworkCommands(Workspace& workspace, QWidget& window, std::fun
               [this] { add(); });
   remove_ = make("actionRemoveNetwork", tr("Re&move Network…"), tr("Take the network in work out of the machine"),
                  [this] { remove(); });
-  all_offline_ =
-      make("actionAllOffline", tr("All Net&works Offline"), tr("Take all networks of the machine that run offline"),
-           [this] { workspace_.runs().goOffline(); });
+  all_offline_ = make("actionAllOffline", tr("All Net&works Offline"),
+                      tr("Take all networks of the machine that run offline"), [this] {
+                        if (mayStopWriting(window_, workspace_)) workspace_.runs().goOffline();
+                      });
   connect(&workspace.document(), &ProjectDocument::networksChanged, this, &NetworkCommands::update);
   connect(&workspace.runs(), &NetworkRuns::phaseChanged, this, &NetworkCommands::update);
   connect(&workspace.recording(), &OpenedRecording::changed, this, &NetworkCommands::update);

@@ -9,6 +9,29 @@
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
+namespace {
+
+/// What ends when all slaves go to INIT, in words.
+QString atTheEnd(Workspace& workspace) {
+  auto text = QCoreApplication::translate("Questions", "All slaves go to INIT.");
+  if (workspace.requests().writing()) {
+    text.prepend(QCoreApplication::translate("Questions", "A slave is being written to, which ends unfinished.") +
+                 u' ');
+  }
+  return text;
+}
+
+}  // namespace
+
+bool mayStopWriting(QWidget& window, Workspace& workspace) {
+  if (!workspace.requests().writing()) return true;
+  return ask(window, "writingQuestion",
+             QCoreApplication::translate("Questions", "A slave is being written to. Go offline all the same?"),
+             QCoreApplication::translate("Questions",
+                                         "An EEPROM gets back what it held; a slave that has half of a file may not "
+                                         "come up any more."),
+             QCoreApplication::translate("Questions", "Go Offline"));
+}
 
 bool ask(QWidget& window, const char* object_name, const QString& text, const QString& more, const QString& on) {
   QMessageBox box(QMessageBox::Question, QCoreApplication::applicationName(), text, QMessageBox::Cancel, &window);
@@ -31,16 +54,14 @@ bool mayEndAll(QWidget& window, Workspace& workspace, const QString& why) {
   if (names.size() == 1) return mayGoOffline(window, workspace, why);
   return ask(window, "offlineQuestion",
              QCoreApplication::translate("Questions", "Take %1 offline?").arg(QLocale().createSeparatedList(running)),
-             why + QLatin1Char(' ') + QCoreApplication::translate("Questions", "All slaves go to INIT."),
-             QCoreApplication::translate("Questions", "Go Offline"));
+             why + QLatin1Char(' ') + atTheEnd(workspace), QCoreApplication::translate("Questions", "Go Offline"));
 }
 
 bool mayGoOffline(QWidget& window, Workspace& workspace, const QString& why) {
   if (workspace.live().phase() == LiveSession::Phase::kOffline) return true;
   return ask(window, "offlineQuestion",
              QCoreApplication::translate("Questions", "The machine is running. Take it offline?"),
-             why + QLatin1Char(' ') + QCoreApplication::translate("Questions", "All slaves go to INIT."),
-             QCoreApplication::translate("Questions", "Go Offline"));
+             why + QLatin1Char(' ') + atTheEnd(workspace), QCoreApplication::translate("Questions", "Go Offline"));
 }
 
 }  // namespace syncline::ui

@@ -15,6 +15,9 @@ class Workspace;
 /// The same, for what ends the runs of all networks.
 [[nodiscard]] bool mayEndAll(QWidget& window, Workspace& workspace, const QString& why);
 
+/// Asks where a slave is being written to, which ends unfinished when the bus goes offline; true at once otherwise.
+[[nodiscard]] bool mayStopWriting(QWidget& window, Workspace& workspace);
+
 /// A question with one way on and a way back, which is the default. True: on.
 [[nodiscard]] bool ask(QWidget& window, const char* object_name, const QString& text, const QString& more,
                        const QString& on);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/network_model.h"
 
+#include <QFont>
 #include <QMimeData>
-#include <QStringList>
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "config/wiring_tree.h"
 #include "ui/text/glossary.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
@@ -15,181 +14,135 @@
 namespace syncline::ui {
 namespace {
 
-// The master's index carries this id, a slave's its position and one.
-constexpr quintptr kMasterId = 0;
+/// What an index carries: the network, and a slave's position and one, of the master 0.
+quintptr idOf(int network, int slave) {
+  return static_cast<quintptr>(network) << 32U | static_cast<quintptr>(slave + 1);
+}
+int networkIn(const QModelIndex& index) { return static_cast<int>(index.internalId() >> 32U); }
+int slaveIn(const QModelIndex& index) { return static_cast<int>(index.internalId() & 0xFFFF'FFFFU) - 1; }
 
 }  // namespace
 
-NetworkModel::NetworkModel(QObject* parent) : QAbstractItemModel(parent) { arrange(); }
+NetworkModel::NetworkModel(QObject* parent) : QAbstractItemModel(parent) {}
 
 void NetworkModel::setProject(const Project& project) {
-  const auto tree = WiringTree::of(project.slaves);
-  std::vector<Node> slaves;
-  std::vector<int> classic;
-  slaves.reserve(project.slaves.size());
-  for (const auto& slave : project.slaves) {
-    Node node;
-    node.name = QString::fromStdString(slave.name);
-    node.device = QString::fromStdString(slave.device.type);
-    node.group = QString::fromStdString(slave.hot_connect);
-    node.optional = slave.optional;
-    node.station_address = slave.station_address;
-    // A line has one answer for all of its slaves; those before this one have theirs already.
-    const auto position = slaves.size();
-    const auto before = tree.previous(position);
-    const bool goes_on = before && *before < position && tree.next(*before) == position;
-    const auto from = goes_on ? std::nullopt : tree.branches_from(position);
-    classic.push_back(goes_on ? classic[*before] : from ? static_cast<int>(*from) : -1);
-    slaves.push_back(std::move(node));
-  }
-  master_.name = QString::fromStdString(project.master.name);
-  assign(std::move(slaves), std::move(classic));
-  Q_EMIT dataChanged(indexOf(-1), indexOf(-1));
-}
-
-void NetworkModel::assign(std::vector<Node> slaves, std::vector<int> classic) {
-  const bool same_shape = slaves.size() == slaves_.size() && (shape_ == Shape::kFlat || classic == classic_);
-  // One other address is an edit of a slave, several are slaves in other places.
-  std::size_t others = 0;
-  for (std::size_t i = 0; same_shape && i < slaves.size(); ++i)
-    others += slaves[i].station_address == slaves_[i].station_address ? 0U : 1U;
-  if (!same_shape || others > 1) {
+  NodeTree next(project, shape_);
+  auto& now = trees_[in_work_];
+  if (!next.stands_like(now)) {
     beginResetModel();
-    slaves_ = std::move(slaves);
-    classic_ = std::move(classic);
-    arrange();
+    now = std::move(next);
     endResetModel();
     return;
   }
-  classic_ = std::move(classic);
-  for (std::size_t i = 0; i < slaves.size(); ++i) {
-    slaves[i].al_status = slaves_[i].al_status;
-    slaves[i].link = slaves_[i].link;
-    slaves[i].live_reference = slaves_[i].live_reference;
-    slaves[i].dc = slaves_[i].dc;
-    slaves[i].configured_reference = slaves_[i].configured_reference;
+  next.take_states(now);
+  const auto changed = next.different_from(now);
+  now = std::move(next);
+  tellOf(network(), changed);
+}
+
+/// A network that was there and stands as it stood keeps its states, whoever is in work.
+void NetworkModel::setNetworks(const QStringList& names, const std::vector<const Project*>& projects, int in_work) {
+  std::vector<NodeTree> trees;
+  for (const auto* project : projects) trees.emplace_back(*project, shape_);
+  bool same = trees.size() == trees_.size() && in_work == network();
+  for (std::size_t i = 0; i < trees.size() && i < trees_.size(); ++i) {
+    const bool alike = trees[i].stands_like(trees_[i]);
+    same = same && alike;
+    if (alike) trees[i].take_states(trees_[i]);
   }
-  std::vector<int> changed;
-  for (std::size_t i = 0; i < slaves.size(); ++i) {
-    if (!(slaves[i] == slaves_[i])) changed.push_back(static_cast<int>(i));
-  }
-  slaves_ = std::move(slaves);
-  tellOf(changed);
+  if (!same) beginResetModel();
+  trees_ = std::move(trees);
+  in_work_ = static_cast<std::size_t>(in_work);
+  names_ = names;
+  if (!same) return endResetModel();
+  for (int i = 0; i < networkCount(); ++i) Q_EMIT dataChanged(indexOf(i, -1), indexOf(i, -1));
 }
 
 void NetworkModel::setShape(Shape shape) {
   if (shape == shape_) return;
   beginResetModel();
   shape_ = shape;
-  arrange();
+  for (auto& tree : trees_) tree.arrange(shape);
   endResetModel();
 }
 
-void NetworkModel::arrange() {
-  parents_ = shape_ == Shape::kClassic ? classic_ : std::vector<int>(slaves_.size(), -1);
-  rows_.assign(slaves_.size(), 0);
-  below_.assign(slaves_.size() + 1, {});
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    auto& siblings = below_[static_cast<std::size_t>(parents_[i] + 1)];
-    rows_[i] = static_cast<int>(siblings.size());
-    siblings.push_back(static_cast<int>(i));
-  }
-}
-
 /// One range a parent.
-void NetworkModel::tellOf(const std::vector<int>& changed) {
+void NetworkModel::tellOf(int network, const std::vector<int>& changed) {
+  const auto& tree = trees_[static_cast<std::size_t>(network)];
   std::map<int, std::pair<int, int>> ranges;
   for (const int slave : changed) {
-    const auto at = static_cast<std::size_t>(slave);
-    auto& [first, last] = ranges.try_emplace(parents_[at], rows_[at], rows_[at]).first->second;
-    first = std::min(first, rows_[at]);
-    last = std::max(last, rows_[at]);
+    if (slave < 0) {
+      Q_EMIT dataChanged(indexOf(network, -1), indexOf(network, -1));
+      continue;
+    }
+    const int row = tree.row(slave);
+    auto& [first, last] = ranges.try_emplace(tree.parent(slave), row, row).first->second;
+    first = std::min(first, row);
+    last = std::max(last, row);
   }
-  for (const auto& [parent, range] : ranges)
-    Q_EMIT dataChanged(index(range.first, 0, indexOf(parent)), index(range.second, 0, indexOf(parent)));
+  for (const auto& [parent, range] : ranges) {
+    const auto above = indexOf(network, parent);
+    Q_EMIT dataChanged(index(range.first, 0, above), index(range.second, 0, above));
+  }
 }
 
 void NetworkModel::setConfiguration(const NetworkConfig* config) {
-  std::vector<int> changed;
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    const auto* dc =
-        config != nullptr && i < config->slaves.size() && config->slaves[i].dc ? &*config->slaves[i].dc : nullptr;
-    const bool leads = dc != nullptr && dc->reference_clock;
-    if (slaves_[i].dc == (dc != nullptr) && slaves_[i].configured_reference == leads) continue;
-    slaves_[i].dc = dc != nullptr;
-    slaves_[i].configured_reference = leads;
-    changed.push_back(static_cast<int>(i));
-  }
-  tellOf(changed);
+  tellOf(network(), trees_[in_work_].set_configuration(config));
 }
 
 void NetworkModel::setSnapshot(const Snapshot& snapshot, const std::vector<int>& positions) {
-  const int master_state = snapshot.online ? static_cast<int>(snapshot.state) : -1;
-  if (std::exchange(master_.al_status, master_state) != master_state) Q_EMIT dataChanged(indexOf(-1), indexOf(-1));
-  std::vector<int> changed;
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    auto& node = slaves_[i];
-    const auto at = i < positions.size() ? static_cast<std::size_t>(positions[i]) : snapshot.slaves.size();
-    const SlaveStatus* status = snapshot.online && at < snapshot.slaves.size() ? &snapshot.slaves[at] : nullptr;
-    const int al_status = status == nullptr ? -1 : (status->present ? status->al_status : 0);
-    const bool leads = status != nullptr && status->is_reference_clock;
-    const auto link = status == nullptr      ? LinkState::kOffline
-                      : status->cable_broken ? LinkState::kBroken
-                      : status->present      ? LinkState::kGood
-                                             : LinkState::kSilent;
-    if (node.al_status == al_status && node.live_reference == leads && node.link == link) continue;
-    node.al_status = al_status;
-    node.live_reference = leads;
-    node.link = link;
-    changed.push_back(static_cast<int>(i));
-  }
-  tellOf(changed);
+  setSnapshot(network(), snapshot, positions);
 }
 
-QModelIndex NetworkModel::indexOf(int slave) const {
-  if (slave < 0) return createIndex(0, 0, kMasterId);
-  if (slave >= slaveCount()) return {};
-  return createIndex(rows_[static_cast<std::size_t>(slave)], 0, static_cast<quintptr>(slave) + 1);
+void NetworkModel::setSnapshot(int network, const Snapshot& snapshot, const std::vector<int>& positions) {
+  if (network < 0 || network >= networkCount()) return;
+  tellOf(network, trees_[static_cast<std::size_t>(network)].set_snapshot(snapshot, positions));
+}
+
+QModelIndex NetworkModel::indexOf(int network, int slave) const {
+  if (network < 0 || network >= networkCount()) return {};
+  const auto& tree = trees_[static_cast<std::size_t>(network)];
+  if (slave < 0) return createIndex(network, 0, idOf(network, -1));
+  if (slave >= tree.size()) return {};
+  return createIndex(tree.row(slave), 0, idOf(network, slave));
 }
 
 QModelIndex NetworkModel::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
-  if (!parent.isValid()) return indexOf(-1);
-  return indexOf(below_[parent.internalId()][static_cast<std::size_t>(row)]);
+  if (!parent.isValid()) return indexOf(row, -1);
+  const int network = networkIn(parent);
+  const auto& below = trees_[static_cast<std::size_t>(network)].below(slaveIn(parent));
+  return indexOf(network, below[static_cast<std::size_t>(row)]);
 }
 
 QModelIndex NetworkModel::parent(const QModelIndex& child) const {
-  if (!child.isValid() || child.internalId() == kMasterId) return {};
-  return indexOf(parents_[child.internalId() - 1]);
+  if (!child.isValid() || slaveIn(child) < 0) return {};
+  const int network = networkIn(child);
+  return indexOf(network, trees_[static_cast<std::size_t>(network)].parent(slaveIn(child)));
 }
 
 int NetworkModel::rowCount(const QModelIndex& parent) const {
-  if (!parent.isValid()) return 1;
-  if (parent.column() != 0 || below_.empty()) return 0;
-  return static_cast<int>(below_[parent.internalId()].size());
+  if (!parent.isValid()) return networkCount();
+  if (parent.column() != 0) return 0;
+  return static_cast<int>(trees_[static_cast<std::size_t>(networkIn(parent))].below(slaveIn(parent)).size());
 }
 
 int NetworkModel::columnCount(const QModelIndex&) const { return 1; }
 
 Qt::ItemFlags NetworkModel::flags(const QModelIndex& index) const {
   auto flags = QAbstractItemModel::flags(index);
-  if (!index.isValid() || fixed_) return flags;
+  if (!index.isValid() || fixed_ || networkIn(index) != network()) return flags;
   flags |= Qt::ItemIsDropEnabled;
-  return index.internalId() == kMasterId ? flags : flags | Qt::ItemIsDragEnabled;
+  return slaveIn(index) < 0 ? flags : flags | Qt::ItemIsDragEnabled;
 }
 
 QMimeData* NetworkModel::mimeData(const QModelIndexList& indexes) const {
-  if (indexes.isEmpty() || indexes.front().internalId() == kMasterId) return nullptr;
+  if (indexes.isEmpty() || slaveIn(indexes.front()) < 0) return nullptr;
   return draggedSlave(indexes.front().data(kAddressRole).toInt());
 }
 
-int NetworkModel::slaveAt(int address) const {
-  const auto found = std::ranges::find(slaves_, address, [](const Node& node) { return int{node.station_address}; });
-  return found == slaves_.end() ? -1 : static_cast<int>(found - slaves_.begin());
-}
-
-bool NetworkModel::canDropMimeData(const QMimeData* data, Qt::DropAction, int, int, const QModelIndex&) const {
-  if (fixed_ || data == nullptr) return false;
+bool NetworkModel::canDropMimeData(const QMimeData* data, Qt::DropAction, int, int, const QModelIndex& parent) const {
+  if (fixed_ || data == nullptr || (parent.isValid() && networkIn(parent) != network())) return false;
   const auto address = addressOf(*data);
   return address ? slaveAt(*address) >= 0 : deviceOf(*data).has_value();
 }
@@ -221,9 +174,28 @@ QVariant NetworkModel::headerData(int section, Qt::Orientation orientation, int 
 
 QVariant NetworkModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  if (index.internalId() == kMasterId) return nodeData(master_, -1, role);
-  const auto position = index.internalId() - 1;
-  return nodeData(slaves_[position], static_cast<int>(position), role);
+  const int network = networkIn(index), slave = slaveIn(index);
+  if (role == kNetworkRole) return network;
+  if (role == kOtherRole) return network != this->network();
+  if (slave < 0 && networkCount() > 1) {
+    if (const auto own = masterData(network, role); own.isValid()) return own;
+  }
+  return nodeData(trees_[static_cast<std::size_t>(network)].node(slave), slave, role);
+}
+
+/// A master among several goes by the name of its network; the one in work stands out.
+QVariant NetworkModel::masterData(int network, int role) const {
+  if (role == Qt::DisplayRole) return names_.value(network);
+  if (role == Qt::FontRole && network == this->network()) {
+    QFont bold;
+    bold.setBold(true);
+    return bold;
+  }
+  if (role != Qt::AccessibleTextRole) return {};
+  const auto& master = trees_[static_cast<std::size_t>(network)].node(-1);
+  const auto text = network == this->network() ? tr("%1, network in work").arg(names_.value(network))
+                                               : tr("%1, another network").arg(names_.value(network));
+  return master.al_status < 0 ? text : joinedParts({text, stateText(master, -1)});
 }
 
 QVariant NetworkModel::nodeData(const Node& node, int slave, int role) const {

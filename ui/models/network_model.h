@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QStringList>
 #include <vector>
 
 #include "channels/snapshot.h"
@@ -9,11 +10,13 @@
 #include "config/project.h"
 #include "ui/models/dragged.h"
 #include "ui/models/drop_place.h"
+#include "ui/models/node_tree.h"
 
 namespace syncline::ui {
 
-/// The project explorer's tree: the master, below it the slaves, with their live states. Slaves stand in bus order
-/// below the master (flat), or below the slave from which their line branches off (classic).
+/// The project explorer's tree: the master of each network of the machine, below it the slaves, with their live states.
+/// One network is in work: its slaves are meant wherever a position alone is said, can be moved, and its master stands
+/// out; of the others one only sees them. Slaves are meant by their position, -1 is the master.
 class NetworkModel final : public QAbstractItemModel {
   Q_OBJECT
 
@@ -26,24 +29,34 @@ class NetworkModel final : public QAbstractItemModel {
     kAddressRole,                   // station address, 0 = master
     kLinkRole,                      // LinkState as int
     kTopologyMarksRole,             // QStringList: the marks, who hot-connects, who has no clock
+    kNetworkRole,                   // which network of the machine
+    kOtherRole,                     // that is not in work
   };
-  enum class LinkState { kOffline, kGood, kBroken, kSilent };  // cable to the slave; kSilent: it does not answer
-  enum class Shape { kClassic, kFlat };
+  using LinkState = NodeTree::Link;
+  using Shape = NodeTree::Shape;
 
   explicit NetworkModel(QObject* parent = nullptr);
 
   void setShape(Shape shape);
   [[nodiscard]] Shape shape() const { return shape_; }
+  /// What is edited, of the network in work.
   void setProject(const Project& project);
+  /// All networks of the machine with their names, and which of them is in work. `projects` are read, not kept.
+  void setNetworks(const QStringList& names, const std::vector<const Project*>& projects, int in_work);
+  [[nodiscard]] int networkCount() const { return static_cast<int>(trees_.size()); }
+  [[nodiscard]] int network() const { return static_cast<int>(in_work_); }
   /// Marks who uses distributed clocks and who leads, as compiled; nullptr when nothing could be compiled.
   void setConfiguration(const NetworkConfig* config);
   /// Live states; one dataChanged over the rows of a parent that differ.
   /// `positions`: of each slave in the snapshot; -1: it is not in it.
   void setSnapshot(const Snapshot& snapshot, const std::vector<int>& positions);
-  [[nodiscard]] QModelIndex indexOf(int slave) const;
-  [[nodiscard]] int slaveCount() const { return static_cast<int>(slaves_.size()); }
+  /// The same of any network.
+  void setSnapshot(int network, const Snapshot& snapshot, const std::vector<int>& positions);
+  [[nodiscard]] QModelIndex indexOf(int slave) const { return indexOf(network(), slave); }
+  [[nodiscard]] QModelIndex indexOf(int network, int slave) const;
+  [[nodiscard]] int slaveCount() const { return tree().size(); }
   /// The slave with a station address, -1 = none.
-  [[nodiscard]] int slaveAt(int address) const;
+  [[nodiscard]] int slaveAt(int address) const { return tree().slave_at(address); }
   /// Slaves stay where they are, and none are added.
   void setFixed(bool fixed) { fixed_ = fixed; }
 
@@ -71,31 +84,22 @@ class NetworkModel final : public QAbstractItemModel {
   void deviceDropped(qint64 device, syncline::ui::DropPlace place);
 
  private:
-  struct Node {
-    QString name, device, group;
-    bool dc = false, configured_reference = false, live_reference = false, optional = false;
-    int al_status = -1;  // -1 offline
-    LinkState link = LinkState::kOffline;
-    std::uint16_t station_address = 0;
-    bool operator==(const Node&) const = default;
-  };
+  using Node = NodeTree::Node;
 
+  [[nodiscard]] const NodeTree& tree() const { return trees_[in_work_]; }
   [[nodiscard]] QVariant nodeData(const Node& node, int slave, int role) const;
   [[nodiscard]] static QString stateText(const Node& node, int slave);
   [[nodiscard]] QString toolTip(const Node& node, int slave) const;
   [[nodiscard]] QString spokenText(const Node& node, int slave) const;
   [[nodiscard]] QStringList marksOf(const Node& node) const;
   [[nodiscard]] DropPlace placeOf(int row, const QModelIndex& parent) const;
-  void assign(std::vector<Node> slaves, std::vector<int> classic);
-  void arrange();
-  void tellOf(const std::vector<int>& changed);
+  [[nodiscard]] QVariant masterData(int network, int role) const;
+  void tellOf(int network, const std::vector<int>& changed);
 
-  Node master_;
-  std::vector<Node> slaves_;
-  std::vector<int> classic_;  // whom each slave stands below in the classic tree; -1 = the master
+  std::vector<NodeTree> trees_{1};  // of each network
+  QStringList names_;               // theirs
+  std::size_t in_work_ = 0;
   Shape shape_ = Shape::kClassic;
-  std::vector<int> parents_, rows_;      // as shown
-  std::vector<std::vector<int>> below_;  // of the master, of slave 0, 1, ...
   bool fixed_ = false;
 };
 

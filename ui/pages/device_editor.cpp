@@ -25,6 +25,7 @@
 #include "ui/pages/slave_data_page.h"
 #include "ui/pages/slave_dc_page.h"
 #include "ui/pages/slave_eeprom_page.h"
+#include "ui/pages/slave_files_page.h"
 #include "ui/pages/slave_general_page.h"
 #include "ui/pages/slave_history_page.h"
 #include "ui/pages/slave_mailbox_page.h"
@@ -93,13 +94,17 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   auto* eni = new EniPage(workspace);
   connect(eni, &EniPage::compareWanted, this, &DeviceEditor::compareWanted);
   connect(eni, &EniPage::exportWanted, this, &DeviceEditor::exportWanted);
-  pages_ = {new MasterGeneralPage(workspace), new MasterDcPage(workspace),       new MasterDcExpertPage(workspace),
-            new MasterTasksPage(workspace),   new SlaveGeneralPage(workspace),   new SlaveDcPage(workspace),
-            new SlaveSyncPage(workspace),     new ProcessDataPage(workspace),    new SlaveDataPage(workspace),
-            new SlaveStartupPage(workspace),  new SlaveMailboxPage(workspace),   new SlaveTimingPage(workspace),
-            new SlaveObjectsPage(workspace),  new SlaveRegistersPage(workspace), new SlaveEepromPage(workspace),
-            new SlaveCountersPage(workspace), new SlaveHistoryPage(workspace),   new VariablesPage(workspace),
-            new FramesPage(workspace),        new InitCommandsPage(workspace),   eni};
+  pages_ = {new MasterGeneralPage(workspace),  new MasterDcPage(workspace),
+            new MasterDcExpertPage(workspace), new MasterTasksPage(workspace),
+            new SlaveGeneralPage(workspace),   new SlaveDcPage(workspace),
+            new SlaveSyncPage(workspace),      new ProcessDataPage(workspace),
+            new SlaveDataPage(workspace),      new SlaveStartupPage(workspace),
+            new SlaveMailboxPage(workspace),   new SlaveTimingPage(workspace),
+            new SlaveObjectsPage(workspace),   new SlaveRegistersPage(workspace),
+            new SlaveEepromPage(workspace),    new SlaveFilesPage(workspace),
+            new SlaveCountersPage(workspace),  new SlaveHistoryPage(workspace),
+            new VariablesPage(workspace),      new FramesPage(workspace),
+            new InitCommandsPage(workspace),   eni};
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();

@@ -49,7 +49,11 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(view, &QWidget::customContextMenuRequested, this, [this, view](const QPoint& point) {
       const auto index = view->indexAt(point);
-      if (index.isValid()) view->setCurrentIndex(index);
+      if (index.data(NetworkModel::kOtherRole).toBool()) {
+        takeNode(index);
+      } else if (index.isValid()) {
+        view->setCurrentIndex(index);
+      }
       openMenu(view->viewport()->mapToGlobal(point));
     });
   }
@@ -59,7 +63,14 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   });
   connect(&model, &QAbstractItemModel::modelReset, this, &ExplorerPanel::keepSelection);
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& current) {
-    if (current.isValid()) Q_EMIT nodeSelected(current.data(NetworkModel::kSlaveRole).toInt());
+    if (!current.isValid()) return;
+    if (!current.data(NetworkModel::kOtherRole).toBool()) {
+      own_ = current.data(NetworkModel::kSlaveRole).toInt();
+      return Q_EMIT nodeSelected(own_);
+    }
+    // Not from here: the tree becomes another one with it.
+    QMetaObject::invokeMethod(
+        this, [this] { takeNode(tree_->currentIndex()); }, Qt::QueuedConnection);
   });
   connect(&workspace.document(), &ProjectDocument::projectChanged, this,
           [this] { topology_->setProject(workspace_.document().project()); });
@@ -74,6 +85,15 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   showNetworks();
   setView(static_cast<View>(std::clamp(remembered, 0, static_cast<int>(View::kTopology))));
   select(-1);
+}
+
+/// A node of another network, which comes in work if it may; else the one in work keeps the selection.
+void ExplorerPanel::takeNode(const QModelIndex& index) {
+  if (!index.data(NetworkModel::kOtherRole).toBool()) return;
+  const int network = index.data(NetworkModel::kNetworkRole).toInt(),
+            slave = index.data(NetworkModel::kSlaveRole).toInt();
+  Q_EMIT networkWanted(network);
+  select(workspace_.document().network() == network ? slave : own_);
 }
 
 void ExplorerPanel::openMenu(const QPoint& at) {
@@ -110,7 +130,15 @@ void ExplorerPanel::buildTree() {
   tree_->setDragDropMode(QAbstractItemView::DragDrop);
   tree_->setDefaultDropAction(Qt::MoveAction);
   tree_->setDropIndicatorShown(true);
-  tree_->expandAll();
+  const auto network = [](const QModelIndex& index) {
+    return index.parent().isValid() ? -1 : index.data(NetworkModel::kNetworkRole).toInt();
+  };
+  connect(tree_, &QTreeView::collapsed, this, [this, network](const QModelIndex& index) {
+    if (network(index) >= 0) folded_.insert(network(index));
+  });
+  connect(tree_, &QTreeView::expanded, this,
+          [this, network](const QModelIndex& index) { folded_.erase(network(index)); });
+  unfold();
 }
 
 const QList<QAction*>& ExplorerPanel::viewActions() const { return views_->choices(); }
@@ -127,7 +155,16 @@ Segments* ExplorerPanel::buildViews() {
   return views;
 }
 
-/// Which of the machine's networks is in work; nothing to choose where there is one.
+/// All but the networks that were folded; the one in work is open.
+void ExplorerPanel::unfold() {
+  auto folded = folded_;
+  folded.erase(workspace_.network().network());
+  tree_->expandAll();
+  for (const int network : folded) tree_->collapse(workspace_.network().indexOf(network, -1));
+  folded_ = folded;
+}
+
+/// Which of the machine's networks is in work, where only that one is drawn; nothing to choose where there is one.
 ChoiceEdit* ExplorerPanel::buildNetworks() {
   auto* networks = named(new ChoiceEdit, "networkChoice", tr("Network of the machine"));
   networks->setToolTip(tr("Which network of the machine is in work (Ctrl+F6: the next one)"));
@@ -156,7 +193,8 @@ void ExplorerPanel::showNetworks() {
     networks_->addItem(networkText(names[i], workspace_.runs().of(i).run), names[i]);
   networks_->setCurrentIndex(workspace_.document().network());
   networks_->setEnabled(!workspace_.recording().isOpen());
-  networks_->setVisible(names.size() > 1);
+  networks_->setVisible(names.size() > 1 && view_ == View::kTopology);
+  tree_->setRootIsDecorated(names.size() > 1);
 }
 
 void ExplorerPanel::setView(View view) {
@@ -168,6 +206,7 @@ void ExplorerPanel::setView(View view) {
   if (view != View::kTopology) wanted = tree_;
   const bool focused = stack_->currentWidget()->hasFocus();
   stack_->setCurrentWidget(wanted);
+  networks_->setVisible(networks_->count() > 1 && view == View::kTopology);
   stack_->setFocusProxy(wanted);
   if (focused) wanted->setFocus();
   select(slave);
@@ -183,7 +222,9 @@ QSize ExplorerPanel::sizeHint() const { return {250, 400}; }
 
 int ExplorerPanel::selected() const {
   const auto index = tree_->currentIndex();
-  return index.isValid() ? index.data(NetworkModel::kSlaveRole).toInt() : -1;
+  // One of another network is selected for a moment only, until that comes in work.
+  const bool own = index.isValid() && !index.data(NetworkModel::kOtherRole).toBool();
+  return own ? index.data(NetworkModel::kSlaveRole).toInt() : -1;
 }
 
 void ExplorerPanel::select(int slave) {
@@ -196,7 +237,7 @@ void ExplorerPanel::select(int slave) {
 
 /// The slave that was selected, wherever it stands now.
 void ExplorerPanel::keepSelection() {
-  tree_->expandAll();
+  unfold();
   auto& network = workspace_.network();
   int slave = -1;
   for (int i = 0; kept_slave_ >= 0 && i < network.slaveCount(); ++i) {

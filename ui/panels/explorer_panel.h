@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <set>
 
 class QAction;
 class QStackedWidget;
@@ -16,8 +17,9 @@ class Segments;
 class TopologyView;
 class Workspace;
 
-/// Project explorer: the network as a tree by wiring (classic), as a list by position (flat) or drawn (topology); one
-/// node selected in all three. Slaves are moved by dragging.
+/// Project explorer: the networks of the machine as a tree by wiring (classic), as lists by position (flat), or the one
+/// in work drawn (topology); one node selected in all three. Whoever selects a node of another network takes it in
+/// work. Slaves are moved by dragging.
 class ExplorerPanel final : public QWidget {
   Q_OBJECT
 
@@ -53,6 +55,8 @@ class ExplorerPanel final : public QWidget {
   void showNetworks();
   void showStates(int network);
   void keepSelection();
+  void takeNode(const QModelIndex& index);
+  void unfold();
 
   Workspace& workspace_;
   QTreeView* tree_;
@@ -62,6 +66,8 @@ class ExplorerPanel final : public QWidget {
   ChoiceEdit* networks_;
   View view_ = View::kClassic;
   int kept_slave_ = -1, kept_address_ = 0;  // over a reset of the model
+  int own_ = -1;                            // selected last of the network in work
+  std::set<int> folded_;                    // networks whose slaves the user does not want to see
 };
 
 }  // namespace syncline::ui

@@ -75,7 +75,9 @@ void NodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   const bool selected = (row.state & QStyle::State_Selected) != 0;
-  const auto text = row.palette.color(QPalette::Active, selected ? QPalette::HighlightedText : QPalette::Text);
+  const bool other = index.data(NetworkModel::kOtherRole).toBool() && !selected;
+  const auto text = other ? theme::mutedText(row.palette)
+                          : row.palette.color(QPalette::Active, selected ? QPalette::HighlightedText : QPalette::Text);
   auto small = row.font;
   small.setPointSizeF(small.pointSizeF() * 0.8);
   const QRect badge(row.rect.left() + kMargin, row.rect.center().y() - kBadge / 2 + 1, kBadge, kBadge);

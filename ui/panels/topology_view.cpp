@@ -27,7 +27,11 @@ constexpr double kReach = 14;  // around a port
 constexpr double kNearCable = 5, kBadgeBeside = 10;
 constexpr double kSmallest = 0.3, kLargest = 2;
 
-int slaveOf(const QModelIndex& index) { return index.isValid() ? index.data(NetworkModel::kSlaveRole).toInt() : -1; }
+/// Only the network in work is drawn.
+int slaveOf(const QModelIndex& index) {
+  const bool drawn = index.isValid() && !index.data(NetworkModel::kOtherRole).toBool();
+  return drawn ? index.data(NetworkModel::kSlaveRole).toInt() : -1;
+}
 
 double distanceOf(const QPointF& point, const QLineF& line) {
   const auto along = line.p2() - line.p1();

@@ -30,6 +30,20 @@ int slaveOf(const Project& project, const NetworkConfig& running, int position) 
   return found == project.slaves.end() ? -1 : static_cast<int>(found - project.slaves.begin());
 }
 
+std::vector<int> positionsIn(const Project& project, const NetworkConfig& running) {
+  std::map<std::uint16_t, std::size_t> by_address;
+  for (std::size_t i = 0; i < running.slaves.size(); ++i) by_address.emplace(running.slaves[i].station_address, i);
+  std::vector<int> positions(project.slaves.size(), -1);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto& slave = project.slaves[i];
+    const auto found = by_address.find(slave.station_address);
+    if (found == by_address.end()) continue;
+    if (sameDevice(running.slaves[found->second].identity, slave.device.identity))
+      positions[i] = static_cast<int>(found->second);
+  }
+  return positions;
+}
+
 RunningSlaves::RunningSlaves(const ProjectDocument& document, const LiveSession& live)
     : document_(document), live_(live) {
   connect(&document, &ProjectDocument::taken, this, [this] { stale_ = true; });
@@ -39,19 +53,14 @@ RunningSlaves::RunningSlaves(const ProjectDocument& document, const LiveSession&
 
 void RunningSlaves::find() const {
   if (!std::exchange(stale_, false)) return;
-  const auto& wanted = document_.project().slaves;
-  positions_.assign(wanted.size(), -1);
   slaves_.clear();
+  positions_.assign(document_.project().slaves.size(), -1);
   if (live_.record() == nullptr) return;
-  const auto& running = live_.record()->config().slaves;
-  slaves_.assign(running.size(), -1);
-  std::map<std::uint16_t, std::size_t> by_address;
-  for (std::size_t i = 0; i < running.size(); ++i) by_address.emplace(running[i].station_address, i);
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const auto found = by_address.find(wanted[i].station_address);
-    if (found == by_address.end() || !sameDevice(running[found->second].identity, wanted[i].device.identity)) continue;
-    positions_[i] = static_cast<int>(found->second);
-    slaves_[found->second] = static_cast<int>(i);
+  const auto& running = live_.record()->config();
+  slaves_.assign(running.slaves.size(), -1);
+  positions_ = positionsIn(document_.project(), running);
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    if (positions_[i] >= 0) slaves_[static_cast<std::size_t>(positions_[i])] = static_cast<int>(i);
   }
 }
 

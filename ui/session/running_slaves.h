@@ -15,6 +15,9 @@ class ProjectDocument;
 /// The slave of `project` that stands at `position` of what runs; -1: none any more.
 [[nodiscard]] int slaveOf(const Project& project, const NetworkConfig& running, int position);
 
+/// Where each slave of `project` stands in what runs; -1: nowhere.
+[[nodiscard]] std::vector<int> positionsIn(const Project& project, const NetworkConfig& running);
+
 /// Which slave of the project is which of the run: by station address and identity, because the project may have been
 /// edited since, and slaves may have come, gone or changed places in it.
 class RunningSlaves final : public QObject {

@@ -52,12 +52,17 @@ Workspace::Workspace(Environment environment, QObject* parent)
   runs_.setBlackBox(rememberedWish(memory_));
   if (const int mib = memory_.value(kMemoryMib).toInt(); mib >= 1 && mib <= DiskRecording::kMostMemoryMib)
     runs_.setMemoryMib(mib);
-  network_.setProject(document_.project());
+  showNetworks();
   cables_.setProject(document_.project());
   connect(&document_, &ProjectDocument::viewsChanged, this,
           [this] { runs_.current().disk.setViews(document_.views()); });
   connect(&document_, &ProjectDocument::projectChanged, this, [this] {
-    network_.setProject(document_.project());
+    // Of another network, or of another machine, all are told: which one is in work is a part of the tree.
+    if (document_.network() == network_.network() && document_.networks().size() == network_.networkCount()) {
+      network_.setProject(document_.project());
+    } else {
+      showNetworks();
+    }
     cables_.setProject(document_.project());
     network_.setConfiguration(configuration_.config());
   });
@@ -71,6 +76,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
     network_.setSnapshot(live().snapshot(), running_slaves_.positions());
     cables_.setSnapshot(live().snapshot(), running_slaves_.positions());
   });
+  connect(&document_, &ProjectDocument::networksChanged, this, &Workspace::showNetworks);
+  connect(&runs_, &NetworkRuns::snapshotChanged, this, &Workspace::showOther);
   connect(&variables_, &VariableWatch::changed, this, [this] {
     if (const auto status = runs_.watch(variables_.names()); !status)
       report(status.error(), Severity::kWarning, tr("Monitor"));
@@ -105,6 +112,21 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&scan_, &ScanController::failed, this, [this](const QString&, const Error& error) {
     report(error, error.code == ErrorCode::kCancelled ? Severity::kNote : Severity::kError, tr("Scan"));
   });
+}
+
+void Workspace::showNetworks() {
+  const auto names = document_.networks();
+  std::vector<const Project*> projects;
+  for (int i = 0; i < names.size(); ++i) projects.push_back(&document_.project(i));
+  network_.setNetworks(names, projects, document_.network());
+}
+
+/// The states of a network that is not in work, which runs all the same.
+void Workspace::showOther(int network) {
+  if (network == document_.network() || network < 0 || network >= network_.networkCount()) return;
+  const auto& run = runs_.of(network).run;
+  if (run.record() == nullptr) return;
+  network_.setSnapshot(network, run.snapshot(), positionsIn(document_.project(network), run.record()->config()));
 }
 
 void Workspace::appendEvent(int network, const Event& event) {

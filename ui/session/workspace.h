@@ -132,6 +132,8 @@ class Workspace final : public QObject {
   void showRunFindings();
   void showRecording();
   void showMoment();
+  void showNetworks();
+  void showOther(int network);
 
   Environment environment_;
   WindowMemory memory_;
