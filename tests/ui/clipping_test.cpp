@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// No text of the window is cut, in any of its languages, on the smallest screen and the usual one. With
-// SYNCLINE_PICTURES=FOLDER each page is also painted there.
+// No text of the window is cut, in any of its languages, on the smallest screen and the usual one; with
+// SYNCLINE_WINDOW_SIZE=3840x2160 in that size instead. With SYNCLINE_PICTURES=FOLDER each page is also painted there.
 #include <gtest/gtest.h>
 
 #include <QDir>
 #include <QFile>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <vector>
 
 #include "support/cut_texts.h"
 #include "support/speak.h"
@@ -25,7 +26,11 @@
 namespace syncline::ui {
 namespace {
 
-constexpr QSize kSizes[] = {{1024, 640}, {1280, 800}};
+std::vector<QSize> windowSizes() {
+  const auto wish = qEnvironmentVariable("SYNCLINE_WINDOW_SIZE").split(u'x');
+  if (wish.size() == 2) return {{wish[0].toInt(), wish[1].toInt()}};
+  return {{1024, 640}, {1280, 800}};
+}
 
 class Clipping : public ::testing::TestWithParam<const char*> {
  protected:
@@ -108,7 +113,7 @@ class Clipping : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(Clipping, NoTextIsCut) {
-  for (const auto size : kSizes) {
+  for (const auto size : windowSizes()) {
     window_.resize(size);
     look(QStringLiteral("welcome"));
   }
@@ -116,7 +121,7 @@ TEST_P(Clipping, NoTextIsCut) {
   ASSERT_FALSE(HasFatalFailure());
   workspace_.setExpert(true);
   const auto& slaves = workspace_.document().project().slaves;
-  for (const auto size : kSizes) {
+  for (const auto size : windowSizes()) {
     told_.clear();
     window_.resize(size);
     settle();
@@ -150,7 +155,7 @@ TEST_P(Clipping, NoTextOfARecordingIsCut) {
   ASSERT_TRUE(QFile::copy(path, other));
   window_.files().openAny(path);
   ASSERT_TRUE(test::waitFor([this] { return workspace_.recording().isOpen(); }));
-  for (const auto size : kSizes) {
+  for (const auto size : windowSizes()) {
     told_.clear();
     window_.resize(size);
     settle();

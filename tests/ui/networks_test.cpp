@@ -165,6 +165,29 @@ TEST_F(NetworksInTheWindow, StandInOneTreeAndComeInWorkByTheirNodes) {
   EXPECT_EQ(workspace_.network().rowCount(node(0, -1)), 2);
 }
 
+TEST_F(NetworksInTheWindow, HaveMarksOfTheirOwn) {
+  const auto compiled = [this] { return !workspace_.configuration().current()->config.slaves.empty(); };
+  ASSERT_TRUE(compiled());
+  const auto marks = [this](int network, int slave) {
+    return node(network, slave).data(NetworkModel::kMarksRole).toStringList();
+  };
+  const auto leads = marks(0, 1), follows = marks(0, 2);
+  EXPECT_TRUE(leads.contains(QStringLiteral("REF")));
+  EXPECT_TRUE(follows.contains(QStringLiteral("DC")));
+  workspace_.document().chooseNetwork(1);
+  ASSERT_TRUE(workspace_.document().edit(QStringLiteral("off"), [](Project& project) -> Status {
+    project.master.dc.enabled = false;
+    return {};
+  }));
+  ASSERT_TRUE(compiled());
+  QApplication::processEvents();
+  EXPECT_EQ(marks(1, 1), QStringList());
+  EXPECT_EQ(marks(0, 1), leads) << "as it was when it was in work";
+  EXPECT_EQ(marks(0, 2), follows);
+  workspace_.document().chooseNetwork(0);
+  EXPECT_EQ(marks(1, 1), QStringList()) << "the one that was left keeps its own";
+}
+
 TEST_F(NetworksInTheWindow, ANodeOfAnotherComesInWorkOnlyWhereThatMayBe) {
   window_.selectNode(0);
   ASSERT_TRUE(window_.editor().showKey(QStringLiteral("slave.0.station_address")));

@@ -86,8 +86,9 @@ void NetworkModel::tellOf(int network, const std::vector<int>& changed) {
   }
 }
 
-void NetworkModel::setConfiguration(const NetworkConfig* config) {
-  tellOf(network(), trees_[in_work_].set_configuration(config));
+void NetworkModel::setConfiguration(int network, const NetworkConfig* config) {
+  if (network < 0 || network >= networkCount()) return;
+  tellOf(network, trees_[static_cast<std::size_t>(network)].set_configuration(config));
 }
 
 void NetworkModel::setSnapshot(const Snapshot& snapshot, const std::vector<int>& positions) {

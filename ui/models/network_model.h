@@ -46,11 +46,12 @@ class NetworkModel final : public QAbstractItemModel {
   [[nodiscard]] int networkCount() const { return static_cast<int>(trees_.size()); }
   [[nodiscard]] int network() const { return static_cast<int>(in_work_); }
   /// Marks who uses distributed clocks and who leads, as compiled; nullptr when nothing could be compiled.
-  void setConfiguration(const NetworkConfig* config);
+  void setConfiguration(const NetworkConfig* config) { setConfiguration(network(), config); }
   /// Live states; one dataChanged over the rows of a parent that differ.
   /// `positions`: of each slave in the snapshot; -1: it is not in it.
   void setSnapshot(const Snapshot& snapshot, const std::vector<int>& positions);
   /// The same of any network.
+  void setConfiguration(int network, const NetworkConfig* config);
   void setSnapshot(int network, const Snapshot& snapshot, const std::vector<int>& positions);
   [[nodiscard]] QModelIndex indexOf(int slave) const { return indexOf(network(), slave); }
   [[nodiscard]] QModelIndex indexOf(int network, int slave) const;

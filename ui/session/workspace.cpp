@@ -64,19 +64,20 @@ Workspace::Workspace(Environment environment, QObject* parent)
       showNetworks();
     }
     cables_.setProject(document_.project());
-    network_.setConfiguration(configuration_.config());
+    network_.setConfiguration(document_.network(), configuration_.config());
   });
   connect(&configuration_, &ConfigurationMonitor::compiled, this, [this] {
-    network_.setConfiguration(configuration_.config());
+    network_.setConfiguration(document_.network(), configuration_.config());
     showFindings();
   });
   for (const auto signal : {&EniPreview::changed, &EniPreview::progressed})
     connect(&eni_, signal, this, &Workspace::showEniFindings);
   connect(&live(), &LiveSession::snapshotChanged, this, [this] {
-    network_.setSnapshot(live().snapshot(), running_slaves_.positions());
+    network_.setSnapshot(document_.network(), live().snapshot(), running_slaves_.positions());
     cables_.setSnapshot(live().snapshot(), running_slaves_.positions());
   });
-  connect(&document_, &ProjectDocument::networksChanged, this, &Workspace::showNetworks);
+  for (const auto signal : {&ProjectDocument::taken, &ProjectDocument::networksChanged})
+    connect(&document_, signal, this, &Workspace::showNetworks);
   connect(&runs_, &NetworkRuns::snapshotChanged, this, &Workspace::showOther);
   connect(&variables_, &VariableWatch::changed, this, [this] {
     if (const auto status = runs_.watch(variables_.names()); !status)
