@@ -309,7 +309,7 @@ class CliRunThousand : public testing::Test {
 };
 
 TEST_F(CliRunThousand, ReachOpWhereTheirFramesComeBackInTime) {
-  create("700");
+  create("750");
   const auto run = cli_run({"run", project, "--link", link, "--for", "6s", "--json"});
   EXPECT_EQ(run.code, cli::kDone) << run.err;
   const auto report = run.json();

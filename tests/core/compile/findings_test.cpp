@@ -284,12 +284,12 @@ TEST(Compile, EqualNamesOfVariablesAreTold) {
   EXPECT_EQ(config.image.inputs[1].name, "Slave_1002 [SI1002].Channel 1.Input (2)");
 }
 
-/// 1 us a slave is an estimate: it warns, and stops nobody.
+/// The way through the slaves is an estimate: it warns, and stops nobody.
 TEST(Findings, TheWayThroughTheSlavesCountsInTheCycle) {
   Project project = sample::small_machine();
   project.master.cycle_time = 100 * kMicrosecond;
   const auto frames = cycle_need(compile(project)->config).wire;
-  while (static_cast<Nanoseconds>(project.slaves.size()) * kMicrosecond + frames <= project.master.cycle_time) {
+  while (static_cast<Nanoseconds>(project.slaves.size()) * travel_through("KK") + frames <= project.master.cycle_time) {
     auto slave = project.slaves[1];
     slave.name = "Input " + std::to_string(project.slaves.size());
     slave.station_address = static_cast<std::uint16_t>(2000 + project.slaves.size());
