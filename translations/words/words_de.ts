@@ -1425,6 +1425,10 @@
         <translation>Data Link Layer der Mailbox</translation>
     </message>
     <message>
+        <source>Data types of many variables</source>
+        <translation>Datentypen vieler Variablen</translation>
+    </message>
+    <message>
         <source>Delete it or choose another one.</source>
         <translation>Ihn löschen oder einen anderen wählen.</translation>
     </message>
@@ -2109,6 +2113,10 @@
         <translation>Bringen Sie die Uhr in Ordnung; weder die Firmware des Slaves noch seine Verschiebung ist der Grund.</translation>
     </message>
     <message>
+        <source>Names of many variables</source>
+        <translation>Namen vieler Variablen</translation>
+    </message>
+    <message>
         <source>Read it from another copy; what is shown beside it is as it was written.</source>
         <translation>Aus einer anderen Kopie lesen; was daneben gezeigt wird, ist wie geschrieben.</translation>
     </message>
@@ -2159,6 +2167,10 @@
     <message>
         <source>Slaves followed with delays that were not theirs</source>
         <translation>Slaves folgten mit Verzögerungen, die nicht ihre waren</translation>
+    </message>
+    <message>
+        <source>SyncManager of PDO {pdo}</source>
+        <translation>SyncManager des PDO {pdo}</translation>
     </message>
     <message>
         <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
@@ -4949,6 +4961,10 @@
         <translation>Daten zu kurz</translation>
     </message>
     <message>
+        <source>data type of variable "{variable}"</source>
+        <translation>Datentyp der Variablen "{variable}"</translation>
+    </message>
+    <message>
         <source>data type or length does not match</source>
         <translation>Datentyp oder Länge passt nicht</translation>
     </message>
@@ -5123,6 +5139,10 @@
     <message>
         <source>init commands</source>
         <translation>Init-Kommandos</translation>
+    </message>
+    <message>
+        <source>init commands of a transition come in another order</source>
+        <translation>Init-Kommandos eines Übergangs kommen in anderer Reihenfolge</translation>
     </message>
     <message>
         <source>inputs</source>
@@ -5367,6 +5387,10 @@
     <message>
         <source>modules and options of the device</source>
         <translation>Module und Optionen des Geräts</translation>
+    </message>
+    <message>
+        <source>name of the variable at bit {bit}</source>
+        <translation>Name der Variablen bei Bit {bit}</translation>
     </message>
     <message>
         <source>network adapter {adapter} is DOWN, gone or without carrier: waiting for it</source>
@@ -6351,6 +6375,14 @@
     <message>
         <source>{count:# frame was|# frames were} lost when {slave} went away or came back.</source>
         <translation>{count:# Frame ging|# Frames gingen} verloren, als {slave} ging oder wiederkam.</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another data type|# variables have other data types}</source>
+        <translation>{count:# Variable hat einen anderen Datentyp|# Variablen haben andere Datentypen}</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another name|# variables have other names}</source>
+        <translation>{count:# Variable hat einen anderen Namen|# Variablen haben andere Namen}</translation>
     </message>
     <message>
         <source>{count:# variable of the inputs lies|# variables of the inputs lie} elsewhere</source>

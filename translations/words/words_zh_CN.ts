@@ -1425,6 +1425,10 @@
         <translation>邮箱的数据链路层</translation>
     </message>
     <message>
+        <source>Data types of many variables</source>
+        <translation>许多变量的数据类型</translation>
+    </message>
+    <message>
         <source>Delete it or choose another one.</source>
         <translation>删除它或选择另一个。</translation>
     </message>
@@ -2109,6 +2113,10 @@
         <translation>请修复时钟；原因既不是从站固件，也不是其偏移。</translation>
     </message>
     <message>
+        <source>Names of many variables</source>
+        <translation>许多变量的名称</translation>
+    </message>
+    <message>
         <source>Read it from another copy; what is shown beside it is as it was written.</source>
         <translation>请从另一份副本读取；其余显示的内容与写入时一致。</translation>
     </message>
@@ -2159,6 +2167,10 @@
     <message>
         <source>Slaves followed with delays that were not theirs</source>
         <translation>从站曾使用不属于自己的延迟跟随</translation>
+    </message>
+    <message>
+        <source>SyncManager of PDO {pdo}</source>
+        <translation>PDO {pdo} 的 SyncManager</translation>
     </message>
     <message>
         <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
@@ -4949,6 +4961,10 @@
         <translation>数据过短</translation>
     </message>
     <message>
+        <source>data type of variable "{variable}"</source>
+        <translation>变量“{variable}”的数据类型</translation>
+    </message>
+    <message>
         <source>data type or length does not match</source>
         <translation>数据类型或长度不匹配</translation>
     </message>
@@ -5123,6 +5139,10 @@
     <message>
         <source>init commands</source>
         <translation>初始化命令</translation>
+    </message>
+    <message>
+        <source>init commands of a transition come in another order</source>
+        <translation>某一转换的初始化命令顺序不同</translation>
     </message>
     <message>
         <source>inputs</source>
@@ -5367,6 +5387,10 @@
     <message>
         <source>modules and options of the device</source>
         <translation>设备的模块和选件</translation>
+    </message>
+    <message>
+        <source>name of the variable at bit {bit}</source>
+        <translation>第 {bit} 位处变量的名称</translation>
     </message>
     <message>
         <source>network adapter {adapter} is DOWN, gone or without carrier: waiting for it</source>
@@ -6351,6 +6375,14 @@
     <message>
         <source>{count:# frame was|# frames were} lost when {slave} went away or came back.</source>
         <translation>{slave} 离开或恢复时丢失了 {count} 帧。</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another data type|# variables have other data types}</source>
+        <translation>{count} 个变量的数据类型不同</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another name|# variables have other names}</source>
+        <translation>{count} 个变量的名称不同</translation>
     </message>
     <message>
         <source>{count:# variable of the inputs lies|# variables of the inputs lie} elsewhere</source>
