@@ -249,6 +249,10 @@
         <translation>Ein Command Specifier, der nicht 1 ist</translation>
     </message>
     <message>
+        <source>A command that no slave can carry out</source>
+        <translation>Ein Kommando, das kein Slave ausführen kann</translation>
+    </message>
+    <message>
         <source>A command to a clock register has the wrong length</source>
         <translation>Ein Kommando an ein Uhrenregister hat die falsche Länge</translation>
     </message>
@@ -1285,6 +1289,10 @@
         <translation>BitStart oder die Offsets des Kommandos berichtigen</translation>
     </message>
     <message>
+        <source>Correct Cmd and Ado, or remove Validate</source>
+        <translation>Cmd und Ado berichtigen oder Validate entfernen</translation>
+    </message>
+    <message>
         <source>Correct CycleTime</source>
         <translation>CycleTime berichtigen</translation>
     </message>
@@ -1895,6 +1903,10 @@
     <message>
         <source>It cannot be set: {reason}.</source>
         <translation>Sie lässt sich nicht setzen: {reason}.</translation>
+    </message>
+    <message>
+        <source>It fails or changes nothing, and the transition ends there</source>
+        <translation>Es schlägt fehl oder ändert nichts, und der Übergang endet dort</translation>
     </message>
     <message>
         <source>It fails unless the first answer fits; other masters take 0 for a default of their own</source>
@@ -5233,6 +5245,10 @@
         <translation>es vergleicht Daten des EEPROMs, nach denen kein gültiges Kommando fragt</translation>
     </message>
     <message>
+        <source>it expects the {field} in word {word} of the EEPROM, which stands in word {own}</source>
+        <translation>es erwartet {field} in Wort {word} des EEPROM, steht aber in Wort {own}</translation>
+    </message>
+    <message>
         <source>it hangs on {slave}, which does not stand before it</source>
         <translation>er hängt an {slave}, der nicht vor ihm steht</translation>
     </message>
@@ -6269,6 +6285,10 @@
         <translation>{command} geht an alle Slaves</translation>
     </message>
     <message>
+        <source>{command} goes to logical addresses, which are those of the process data</source>
+        <translation>{command} geht an logische Adressen, die der Prozessdaten</translation>
+    </message>
+    <message>
         <source>{command} has no Cnt; the FMMUs make it {computed}</source>
         <translation>{command} hat kein Cnt; nach den FMMUs ist es {computed}</translation>
     </message>
@@ -6289,6 +6309,10 @@
         <translation>{command} wird in {state} nicht gesendet</translation>
     </message>
     <message>
+        <source>{command} reads nothing that Validate could be compared with</source>
+        <translation>{command} liest nichts, womit Validate verglichen werden könnte</translation>
+    </message>
+    <message>
         <source>{command} stands before {distributor}</source>
         <translation>{command} steht vor {distributor}</translation>
     </message>
@@ -6307,6 +6331,14 @@
     <message>
         <source>{command} takes the time of {slave}, the reference clock is {reference}</source>
         <translation>{command} nimmt die Zeit von {slave}, die Referenzuhr ist {reference}</translation>
+    </message>
+    <message>
+        <source>{command}: a master can only read the register {register}</source>
+        <translation>{command}: ein Master kann das Register {register} nur lesen</translation>
+    </message>
+    <message>
+        <source>{command}: no ESC has a register there</source>
+        <translation>{command}: dort hat kein ESC ein Register</translation>
     </message>
     <message>
         <source>{copies:# slave-to-slave copy|# slave-to-slave copies} cannot be kept: a project has no place for that.</source>

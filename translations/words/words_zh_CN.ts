@@ -249,6 +249,10 @@
         <translation>命令说明符 (Ccs) 不为 1</translation>
     </message>
     <message>
+        <source>A command that no slave can carry out</source>
+        <translation>任何从站都无法执行的命令</translation>
+    </message>
+    <message>
         <source>A command to a clock register has the wrong length</source>
         <translation>写时钟寄存器的命令长度错误</translation>
     </message>
@@ -1285,6 +1289,10 @@
         <translation>更正 BitStart，或更正命令的偏移</translation>
     </message>
     <message>
+        <source>Correct Cmd and Ado, or remove Validate</source>
+        <translation>更正 Cmd 和 Ado，或删除 Validate</translation>
+    </message>
+    <message>
         <source>Correct CycleTime</source>
         <translation>更正 CycleTime</translation>
     </message>
@@ -1895,6 +1903,10 @@
     <message>
         <source>It cannot be set: {reason}.</source>
         <translation>无法设置：{reason}。</translation>
+    </message>
+    <message>
+        <source>It fails or changes nothing, and the transition ends there</source>
+        <translation>命令失败或不起作用，转换到此结束</translation>
     </message>
     <message>
         <source>It fails unless the first answer fits; other masters take 0 for a default of their own</source>
@@ -5233,6 +5245,10 @@
         <translation>它比较 EEPROM 的数据，但没有有效的命令请求这些数据</translation>
     </message>
     <message>
+        <source>it expects the {field} in word {word} of the EEPROM, which stands in word {own}</source>
+        <translation>它在 EEPROM 的字 {word} 中期望 {field}，而该值位于字 {own}</translation>
+    </message>
+    <message>
         <source>it hangs on {slave}, which does not stand before it</source>
         <translation>它接在{slave} 上，而后者不在它之前</translation>
     </message>
@@ -6269,6 +6285,10 @@
         <translation>{command} 发往所有从站</translation>
     </message>
     <message>
+        <source>{command} goes to logical addresses, which are those of the process data</source>
+        <translation>{command} 指向逻辑地址，即过程数据的地址</translation>
+    </message>
+    <message>
         <source>{command} has no Cnt; the FMMUs make it {computed}</source>
         <translation>{command} 没有 Cnt；按 FMMU 计算应为 {computed}</translation>
     </message>
@@ -6289,6 +6309,10 @@
         <translation>{command} 在 {state} 中没有发送</translation>
     </message>
     <message>
+        <source>{command} reads nothing that Validate could be compared with</source>
+        <translation>{command} 不读取可与 Validate 比较的任何内容</translation>
+    </message>
+    <message>
         <source>{command} stands before {distributor}</source>
         <translation>{command} 位于 {distributor} 之前</translation>
     </message>
@@ -6307,6 +6331,14 @@
     <message>
         <source>{command} takes the time of {slave}, the reference clock is {reference}</source>
         <translation>{command} 取用{slave} 的时间，而参考时钟是{reference}</translation>
+    </message>
+    <message>
+        <source>{command}: a master can only read the register {register}</source>
+        <translation>{command}：主站只能读取寄存器 {register}</translation>
+    </message>
+    <message>
+        <source>{command}: no ESC has a register there</source>
+        <translation>{command}：任何 ESC 在该处都没有寄存器</translation>
     </message>
     <message>
         <source>{copies:# slave-to-slave copy|# slave-to-slave copies} cannot be kept: a project has no place for that.</source>
