@@ -8,7 +8,6 @@
 #include "eni/check/eni_structure.h"
 #include "eni/format/eni_end_cap.h"
 #include "eni/format/eni_file.h"
-#include "eni/format/eni_reader.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/recovered_words.h"
@@ -80,12 +79,15 @@ std::vector<Finding> unread_parts(const Element& root) {
 }  // namespace
 
 Result<EniImport> import_eni_text(std::string_view text, const std::string& file_name) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return tl::unexpected(document.error());
-  const Element& root = *(*document)->RootElement();
-  auto config = read_eni_document(&root, file_name);
+  std::vector<Finding> unread;
+  {  // the tree goes before the configuration comes: both take several times the file's size
+    const auto document = parse_xml(text, file_name);
+    if (!document) return tl::unexpected(document.error());
+    unread = unread_parts(*(*document)->RootElement());
+  }
+  auto config = parse_eni(text, file_name);
   if (!config) return tl::unexpected(config.error());
-  return EniImport{std::move(*config), unread_parts(root)};
+  return EniImport{std::move(*config), std::move(unread)};
 }
 
 Result<EniImport> import_eni(const std::string& path) {
