@@ -7,7 +7,8 @@
 #include "eni/check/eni_locations.h"
 #include "eni/check/eni_structure.h"
 #include "eni/format/eni_file.h"
-#include "eni/xml/xml_reader.h"
+#include "eni/format/eni_reader.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_text.h"
 #include "findings/eni_structure_words.h"
 #include "findings/error_text.h"
@@ -42,13 +43,15 @@ void sort_by_line(EniCheck& check) {
   std::ranges::stable_sort(check.findings, {}, [](const Finding& finding) { return finding.place.line; });
 }
 
-/// The tree of the file goes before the file is read into a configuration: both take several times its size.
-Result<EniLocations> check_tree(std::string_view text, const std::string& file_name, std::vector<Finding>& findings) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return fail(document.error());
-  const tinyxml2::XMLElement& root = *(*document)->RootElement();
-  findings = check_structure(root);
-  return EniLocations(root);
+/// Before the file is read into a configuration, which takes several times its size.
+Result<EniLocations> check_text(std::string_view text, const std::string& file_name, std::vector<Finding>& findings) {
+  auto pieces = XmlPieces::parse(text, file_name, is_eni_piece);
+  if (!pieces) return fail(pieces.error());
+  findings = check_structure(*pieces);
+  EniLocations locations(*pieces);
+  if (!pieces->error()) return locations;
+  findings.clear();
+  return fail(*pieces->error());
 }
 
 }  // namespace
@@ -60,7 +63,7 @@ std::string EniCheck::slave_name(const Finding& finding) const {
 
 Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_name) {
   EniCheck check;
-  const auto locations = check_tree(text, file_name, check.findings);
+  const auto locations = check_text(text, file_name, check.findings);
   if (!locations) {
     if (locations.error().code != ErrorCode::kXmlMalformed) return fail(locations.error());
     check.understood = false;

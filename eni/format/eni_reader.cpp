@@ -55,10 +55,6 @@ std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
   return selected->number_of<std::uint16_t>("PhysAddr");
 }
 
-bool is_eni_piece(std::string_view element, std::string_view parent) {
-  return parent == "Config" && (element == "Slave" || element == "Cyclic" || element == "ProcessImage");
-}
-
 Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading, XmlPieces& pieces) {
   const auto whole = [&pieces](const EniElement& part) { return EniElement(pieces.whole(part.node())); };
   const EniElement config_element = root.required("Config");
@@ -85,6 +81,10 @@ Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading
 }
 
 }  // namespace
+
+bool is_eni_piece(std::string_view element, std::string_view parent) {
+  return parent == "Config" && (element == "Slave" || element == "Cyclic" || element == "ProcessImage");
+}
 
 MasterConfig read_master(const EniElement& master) {
   MasterConfig config;

@@ -158,17 +158,22 @@ Error XmlPieces::error_of(const Piece& piece) const {
                .line = piece.line};
 }
 
-Node XmlPieces::whole(const Node& element) {
-  const auto* place = element ? static_cast<const Piece*>(element.element()->GetUserData()) : nullptr;
-  if (place == nullptr) return element;
+const tinyxml2::XMLElement* XmlPieces::whole(const tinyxml2::XMLElement& element) {
+  const auto* place = static_cast<const Piece*>(element.GetUserData());
+  if (place == nullptr) return &element;
   if (!piece_) piece_ = std::make_unique<tinyxml2::XMLDocument>();
   const auto text = text_.substr(place->begin, place->end - place->begin);
   if (piece_->Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS || piece_->RootElement() == nullptr) {
     if (!error_) error_ = error_of(*place);
-    return {};
+    return nullptr;
   }
   set_first_line(*piece_, place->line);
-  return {piece_->RootElement(), element.reading()};
+  return piece_->RootElement();
+}
+
+Node XmlPieces::whole(const Node& element) {
+  const auto* found = element ? whole(*element.element()) : nullptr;
+  return found ? Node(found, element.reading()) : Node();
 }
 
 }  // namespace syncline::eni

@@ -27,6 +27,7 @@ class XmlPieces {
   /// The element with its content; one that is no piece comes back as it is. Lives until the next piece is asked for.
   /// None, and error(), where the piece is no XML.
   [[nodiscard]] Node whole(const Node& element);
+  [[nodiscard]] const tinyxml2::XMLElement* whole(const tinyxml2::XMLElement& element);
   /// As parse_xml() tells of the whole text: whoever finds it drops what he has read.
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
