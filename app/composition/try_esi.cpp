@@ -100,8 +100,8 @@ class Trial {
     for (std::size_t i = next_++; i < files_.size() && !stopped(); i = next_++) try_file(i);
   }
 
-  /// The parser takes up to ten times a file's size: large ones are read one after the other, and what the parser had
-  /// goes back to the system before the devices are tried.
+  /// Reading takes a few times a file's size: large ones are read one after the other, and what that had goes back to
+  /// the system before the devices are tried.
   [[nodiscard]] Result<eni::EsiFile> read(const std::string& path) {
     constexpr std::uintmax_t kLarge = 1U << 20;
     std::error_code none;

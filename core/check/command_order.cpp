@@ -16,6 +16,23 @@ bool in(std::uint16_t ado, std::uint16_t first, unsigned size) { return ado >= f
 
 constexpr std::uint32_t kLastWord = 0xFFFF;  // of any EEPROM in the field
 
+bool reads_nothing(Command command) {
+  return command == Command::kNop || command == Command::kApwr || command == Command::kFpwr ||
+         command == Command::kBwr || command == Command::kLwr;
+}
+
+/// Registers that the data sheet names, those of the maker of the ESC, and memory.
+bool is_register(std::uint16_t ado) {
+  constexpr std::uint16_t kOfTheMaker = 0x0E00;  // ESC data sheet, section II: ESC specific registers
+  return ado >= kOfTheMaker || !reg::name(ado).empty();
+}
+
+/// What the ESC or its PDI writes and a master only reads (ESC data sheet, section II).
+bool is_read_only(std::uint16_t ado) {
+  return ado < reg::kStationAddress || in(ado, reg::kDlStatus, 2) || in(ado, reg::kAlStatus, 6) ||
+         in(ado, reg::kEcatEventRequest, 2) || in(ado, reg::kAlEventRequest, 4);
+}
+
 class OrderCheck {
  public:
   OrderCheck(const NetworkView& view, std::size_t slave, Findings& findings)
@@ -28,6 +45,7 @@ class OrderCheck {
     check_address();
     check_eeprom();
     check_answers();
+    for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) check_sense(i, config_.init_cmds[i]);
   }
 
  private:
@@ -115,6 +133,20 @@ class OrderCheck {
       }
     }
     unread();
+  }
+
+  /// What no slave can answer as it is meant, whatever is in it.
+  void check_sense(std::size_t i, const InitCmd& cmd) {
+    const auto command = fig::text<"command">(address_text(cmd));
+    if (cmd.validate && cmd.validate->type != ValidateType::kNone && reads_nothing(cmd.command))
+      add("ENI-ORD-10/check", i, command);
+    if (is_logical(cmd.command)) {
+      add("ENI-ORD-10/logical", i, command);
+    } else if (!is_register(cmd.ado)) {
+      add("ENI-ORD-10", i, command);
+    } else if (writes(cmd.command) && is_read_only(cmd.ado)) {
+      add("ENI-ORD-10/read-only", i, command, fig::text<"register">(std::string(reg::name(cmd.ado))));
+    }
   }
 
   std::size_t slave_;

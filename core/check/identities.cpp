@@ -38,6 +38,16 @@ Part part_at(std::uint16_t word) {
   return {};
 }
 
+/// The field whose number a command expects in a word that is none of it.
+const IdentityField* field_with(const InitCmdValidate& expected, const Identity& identity) {
+  if (expected.data.size() != 4 || std::ranges::any_of(expected.mask, [](auto byte) { return byte != 0xFF; }))
+    return nullptr;
+  const auto* found = std::ranges::find_if(kFields, [&](const IdentityField& field) {
+    return is_said(field, identity) && identity.*field.member == le_number(expected.data);
+  });
+  return found == std::end(kFields) ? nullptr : found;
+}
+
 /// Follows the reads of the EEPROM on one transition and compares what they expect with Info.
 void check_identity(const NetworkView& view, std::size_t slave, Findings& findings) {
   const SlaveConfig& config = view.config.slaves[slave];
@@ -51,6 +61,10 @@ void check_identity(const NetworkView& view, std::size_t slave, Findings& findin
     if (!word || cmd.ado != reg::kSiiData || is_logical(cmd.command) || writes(cmd.command) || !cmd.validate) continue;
     const InitCmdValidate& expected = *cmd.validate;
     const Part part = part_at(*word);
+    if (const auto* other = part.field == nullptr ? field_with(expected, config.identity) : nullptr) {
+      findings.add("ENI-REF-10/elsewhere", {PlaceKind::kSlaveInitCmd, slave, i},
+                   fig::text<"field">(std::string(other->name)), fig::hex<"word">(*word), fig::hex<"own">(other->word));
+    }
     if (part.field == nullptr || expected.type != ValidateType::kEqual || !is_said(*part.field, config.identity)) {
       continue;
     }

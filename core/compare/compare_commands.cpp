@@ -37,33 +37,57 @@ bool goes_to(const InitCmd& cmd, const SlaveConfig& slave) {
 }
 
 /// A copy without what follows from the slave's place: addresses, and the logical start of FMMUs.
+InitCmd without_place(const SlaveConfig& slave, const InitCmd& cmd) {
+  InitCmd copy = cmd;
+  copy.comment.clear();
+  // Marked, since a foreign address may be 0 as well.
+  if (goes_to(cmd, slave))
+    copy.adp = 0;
+  else
+    copy.logical_address = 1;
+  if (cmd.ado == reg::kStationAddress && cmd.data.size() == 2 &&
+      (cmd.data[0] | cmd.data[1] << 8) == slave.station_address) {
+    copy.data = {0, 0};
+  }
+  if (in(cmd.ado, reg::kFmmu, 0x100) && cmd.data.size() == Fmmu::kSize) {
+    const Fmmu fmmu = Fmmu::decode(std::span<const std::uint8_t, Fmmu::kSize>(cmd.data.data(), Fmmu::kSize));
+    // One that is switched off or only cleared lies nowhere: its bytes are what they are.
+    if (!fmmu.active) return copy;
+    // In bit-packed images the start bit follows from the slaves before, and the length in bytes from that: what
+    // counts is how many bits there are.
+    std::fill_n(copy.data.begin(), 8, std::uint8_t{0});
+    store_le(std::span<std::uint8_t>(copy.data), fmmu.bit_length());
+    // Bits that have no meaning there are kept.
+    copy.data[6] = cmd.data[6] & 0xF8;
+    copy.data[7] = cmd.data[7] & 0xF8;
+  }
+  return copy;
+}
+
 std::vector<InitCmd> without_place(const SlaveConfig& slave, Group group) {
   std::vector<InitCmd> out;
   for (const InitCmd& cmd : slave.init_cmds) {
-    if (group_of(cmd) != group) continue;
-    InitCmd& copy = out.emplace_back(cmd);
-    copy.comment.clear();
-    // Marked, since a foreign address may be 0 as well.
-    if (goes_to(cmd, slave))
-      copy.adp = 0;
-    else
-      copy.logical_address = 1;
-    if (cmd.ado == reg::kStationAddress && cmd.data.size() == 2 &&
-        (cmd.data[0] | cmd.data[1] << 8) == slave.station_address) {
-      copy.data = {0, 0};
-    }
-    if (in(cmd.ado, reg::kFmmu, 0x100) && cmd.data.size() == 16) {
-      // In bit-packed images the start bit follows from the slaves before, and the length in bytes from that: what
-      // counts is how many bits there are.
-      const Fmmu fmmu = Fmmu::decode(std::span<const std::uint8_t, Fmmu::kSize>(cmd.data.data(), Fmmu::kSize));
-      std::fill_n(copy.data.begin(), 8, std::uint8_t{0});
-      store_le(std::span<std::uint8_t>(copy.data), fmmu.bit_length());
-      // Bits that have no meaning there are kept.
-      copy.data[6] = cmd.data[6] & 0xF8;
-      copy.data[7] = cmd.data[7] & 0xF8;
-    }
+    if (group_of(cmd) == group) out.push_back(without_place(slave, cmd));
   }
   return out;
+}
+
+/// Commands of one transition, whatever they are for.
+std::vector<InitCmd> of_transition(const SlaveConfig& slave, Transition transition) {
+  std::vector<InitCmd> out;
+  for (const InitCmd& cmd : slave.init_cmds) {
+    if (std::ranges::find(cmd.transitions, transition) != cmd.transitions.end())
+      out.push_back(without_place(slave, cmd));
+  }
+  return out;
+}
+
+/// The groups are compared each for itself: a setting that went behind the request that needs it changes none of them.
+bool same_order(const SlaveConfig& left, const SlaveConfig& right) {
+  for (auto t = Transition::kII; t <= Transition::kBI; t = static_cast<Transition>(static_cast<int>(t) + 1)) {
+    if (of_transition(left, t) != of_transition(right, t)) return false;
+  }
+  return true;
 }
 
 bool is_state_time_out(const InitCmd& left, const InitCmd& right) {
@@ -112,7 +136,8 @@ void compare_commands(const SlaveConfig& left, const SlaveConfig& right, Differe
   compare_time_outs(left.timeouts, right.timeouts, out);
   const bool time_outs_differ = out.has(Group::kCommands);
   if (left.init_cmds == right.init_cmds) return;
-  for (const Group group : {Group::kMailbox, Group::kProcessData, Group::kClocks, Group::kCommands}) {
+  constexpr Group kGroups[] = {Group::kMailbox, Group::kProcessData, Group::kClocks, Group::kCommands};
+  for (const Group group : kGroups) {
     if (group != Group::kCommands && out.has(group)) continue;  // explained by the setting
     auto one = without_place(left, group);
     auto other = without_place(right, group);
@@ -126,6 +151,8 @@ void compare_commands(const SlaveConfig& left, const SlaveConfig& right, Differe
     // What the words above do not tell apart.
     if (!out.has(group)) out.add(group, "difference-init-commands", "", "");
   }
+  const bool told = std::ranges::any_of(kGroups, [&](Group group) { return out.has(group); });
+  if (!told && !same_order(left, right)) out.add(Group::kCommands, "difference-init-commands/order", "", "");
 }
 
 }  // namespace syncline::comparison

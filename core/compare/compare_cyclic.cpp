@@ -142,6 +142,10 @@ void compare_task(std::size_t task, const std::vector<Line>& left, const std::ve
   }
 }
 
+std::string cycle_time_text(const CyclicTask& task) {
+  return task.cycle_time_given ? exact_time_text(task.cycle_time) : "not told";
+}
+
 std::string frame_sizes(const CyclicTask& task) {
   std::string out;
   for (const auto& frame : task.frames) out += fmt::format("{}{}", out.empty() ? "" : "+", frame.commands.size());
@@ -160,10 +164,10 @@ void compare_cyclic(const NetworkConfig& left, const NetworkConfig& right, const
     const CyclicTask& l = left.cyclic[t];
     const CyclicTask& r = right.cyclic[t];
     const std::size_t task = left.cyclic.size() > 1 ? t + 1 : 0;
-    if (l.cycle_time != r.cycle_time) {
+    if (l.cycle_time != r.cycle_time || l.cycle_time_given != r.cycle_time_given) {
       out.add(Group::kCyclic,
               task == 0 ? what("difference-cycle-time") : what("difference-cycle-time/task", fig::count<"task">(task)),
-              exact_time_text(l.cycle_time), exact_time_text(r.cycle_time));
+              cycle_time_text(l), cycle_time_text(r));
     }
     if (l.frames == r.frames && left.slaves.size() == right.slaves.size()) continue;
     const auto one = Lines(left, nullptr).of(l);

@@ -32,7 +32,10 @@ class Moves {
   using Counted = FindingSentence<words::kDifferences, FigureName("count")>;
   explicit Moves(Counted counted) : counted_(counted) {}
   void add(Finding what, std::int64_t left, std::int64_t right) {
-    if (++count_ <= kTold) named_.push_back({std::move(what), fmt::format("{}", left), fmt::format("{}", right)});
+    add(std::move(what), fmt::format("{}", left), fmt::format("{}", right));
+  }
+  void add(Finding what, std::string left, std::string right) {
+    if (++count_ <= kTold) named_.push_back({std::move(what), std::move(left), std::move(right)});
   }
   void report(DifferenceList& out) const {
     if (count_ > kTold) return out.add(Group::kImage, what(counted_, fig::count<"count">(count_)), "", "");
@@ -141,10 +144,11 @@ class Owners {
   std::map<std::uint32_t, std::pair<std::size_t, ImageRange>> ranges_;
 };
 
+using VariablePairs = std::vector<std::pair<const Variable*, const Variable*>>;
+
 /// Variables by name, or by order where the names are others.
-std::vector<std::pair<const Variable*, const Variable*>> paired(const std::vector<Variable>& left,
-                                                                const std::vector<Variable>& right) {
-  std::vector<std::pair<const Variable*, const Variable*>> out;
+VariablePairs paired(const std::vector<Variable>& left, const std::vector<Variable>& right) {
+  VariablePairs out;
   const bool same_names = std::ranges::equal(left, right, {}, &Variable::name, &Variable::name);
   std::map<std::string_view, const Variable*> others;
   for (const Variable& variable : right) others.emplace(variable.name, &variable);
@@ -159,6 +163,23 @@ std::vector<std::pair<const Variable*, const Variable*>> paired(const std::vecto
   return out;
 }
 
+/// What an application finds a variable by, and what it takes it for. Tools name all in their own way, so that names
+/// count only where most are the same.
+void compare_meaning(const VariablePairs& pairs, DifferenceList& out) {
+  const auto same = static_cast<std::size_t>(
+      std::ranges::count_if(pairs, [](const auto& pair) { return pair.first->name == pair.second->name; }));
+  Moves renamed("difference-variable-names"), retyped("difference-variable-types");
+  for (const auto& [one, other] : pairs) {
+    if (one->name != other->name && 2 * same >= pairs.size())
+      renamed.add(what("difference-variable/name", fig::number<"bit">(one->bit_offset)), one->name, other->name);
+    if (one->data_type != other->data_type && !one->data_type.empty() && !other->data_type.empty()) {
+      retyped.add(what("difference-variable/type", fig::text<"variable">(one->name)), one->data_type, other->data_type);
+    }
+  }
+  renamed.report(out);
+  retyped.report(out);
+}
+
 void compare_variables(const NetworkConfig& left, const NetworkConfig& right, const SlavePairing& pairing, bool inputs,
                        DifferenceList& out) {
   const auto& ours = inputs ? left.image.inputs : left.image.outputs;
@@ -171,7 +192,8 @@ void compare_variables(const NetworkConfig& left, const NetworkConfig& right, co
   }
   const Owners left_owners(left, inputs), right_owners(right, inputs);
   Moves moved(inputs ? Moves::Counted("difference-moved") : Moves::Counted("difference-moved/outputs"));
-  for (const auto& [one, other] : paired(ours, theirs)) {
+  const auto pairs = paired(ours, theirs);
+  for (const auto& [one, other] : pairs) {
     const auto owner = left_owners.of(one->bit_offset);
     const auto new_owner = right_owners.of(other->bit_offset);
     // What belongs to no slave on both sides is the tool's own diagnosis: its place follows from the frames.
@@ -187,6 +209,7 @@ void compare_variables(const NetworkConfig& left, const NetworkConfig& right, co
     }
   }
   moved.report(out);
+  compare_meaning(pairs, out);
 }
 
 /// Where commands put their data in the image, from the start that each tool counts from.

@@ -30,10 +30,14 @@ const ConfiguredSyncManager* manager(const SlaveConfig& slave, unsigned number) 
 
 constexpr const char* kNotDescribed = "not described";
 
-/// Mapping of a PDO as entries without names.
-std::string mapping(const SlaveConfig& slave, std::uint16_t index) {
+const ConfiguredPdo* described(const SlaveConfig& slave, std::uint16_t index) {
   const auto pdo = std::ranges::find_if(slave.pdos, [&](const ConfiguredPdo& p) { return p.pdo.index == index; });
-  if (pdo == slave.pdos.end()) return kNotDescribed;
+  return pdo == slave.pdos.end() ? nullptr : &*pdo;
+}
+
+/// Mapping of a PDO as entries without names.
+std::string mapping(const ConfiguredPdo* pdo) {
+  if (pdo == nullptr) return kNotDescribed;
   std::string out;
   for (const PdoEntry& entry : pdo->pdo.entries) {
     out += fmt::format("{}0x{:04x}:{:02x}/{}", out.empty() ? "" : " ", entry.index, entry.sub_index, entry.bit_length);
@@ -41,9 +45,10 @@ std::string mapping(const SlaveConfig& slave, std::uint16_t index) {
   return out.empty() ? "empty" : out;
 }
 
-/// Tools leave out a limit, or write 0 for none.
-std::string sizes(const SyncManagerDescription& manager) {
-  return fmt::format("{} to {} bytes", manager.min_size.value_or(0), manager.max_size.value_or(0));
+/// Tools leave out a limit, or write 0 for none; some leave out the size.
+std::string sizes(const SyncManagerDescription& manager, bool with_default) {
+  return fmt::format("{} to {} bytes{}", manager.min_size.value_or(0), manager.max_size.value_or(0),
+                     with_default ? fmt::format(", {} by default", manager.default_size.value_or(0)) : "");
 }
 
 void compare_manager(const ConfiguredSyncManager& left, const ConfiguredSyncManager& right, DifferenceList& out) {
@@ -62,7 +67,8 @@ void compare_manager(const ConfiguredSyncManager& left, const ConfiguredSyncMana
         fmt::format("0x{:02x}", r.control_byte));
   field("difference-sm-settings", l.enable ? "yes" : "no", r.enable ? "yes" : "no");
   field("difference-sm-settings/op-only", l.op_only ? "yes" : "no", r.op_only ? "yes" : "no");
-  field("difference-sm/sizes", sizes(l), sizes(r));
+  const bool both = l.default_size && r.default_size && l.default_size != r.default_size;
+  field("difference-sm/sizes", sizes(l, both), sizes(r, both));
   field("difference-sm-settings/watchdog", optional_number(left.watchdog), optional_number(right.watchdog));
 }
 
@@ -168,6 +174,24 @@ void compare_startup(const SlaveConfig& left, const SlaveConfig& right, Differen
   }
 }
 
+/// A PDO that a SyncManager of either side carries.
+void compare_pdo(const SlaveConfig& left, const SlaveConfig& right, std::uint16_t index, DifferenceList& out) {
+  const ConfiguredPdo* l = described(left, index);
+  const ConfiguredPdo* r = described(right, index);
+  // One that is described on one side only is told with the assignment, where that is another; a tool that describes
+  // none says nothing.
+  if ((l == nullptr || r == nullptr) && (out.has(Group::kProcessData) || left.pdos.empty() || right.pdos.empty()))
+    return;
+  if (const std::string one = mapping(l), other = mapping(r); one != other)
+    out.add(Group::kProcessData, what("difference-pdo", fig::hex<"pdo">(index)), one, other);
+  // Tools may leave out the one or the other way to say it.
+  if (l != nullptr && r != nullptr && l->pdo.sync_manager && r->pdo.sync_manager &&
+      *l->pdo.sync_manager != *r->pdo.sync_manager) {
+    out.add(Group::kProcessData, what("difference-pdo/sm", fig::hex<"pdo">(index)),
+            fmt::format("SM{}", *l->pdo.sync_manager), fmt::format("SM{}", *r->pdo.sync_manager));
+  }
+}
+
 }  // namespace
 
 void compare_process_data(const SlaveConfig& left, const SlaveConfig& right, DifferenceList& out) {
@@ -184,13 +208,7 @@ void compare_process_data(const SlaveConfig& left, const SlaveConfig& right, Dif
               r ? pdo_list(r->pdos) : "");
     }
   }
-  for (const std::uint16_t pdo : assigned) {
-    const std::string one = mapping(left, pdo);
-    const std::string other = mapping(right, pdo);
-    // One that is described on one side only is told with the assignment.
-    if (one == other || one == kNotDescribed || other == kNotDescribed) continue;
-    out.add(Group::kProcessData, what("difference-pdo", fig::hex<"pdo">(pdo)), one, other);
-  }
+  for (const std::uint16_t pdo : assigned) compare_pdo(left, right, pdo, out);
   if (!out.has(Group::kProcessData)) {
     out.field(Group::kProcessData, "difference-outputs", bits(left.send), bits(right.send));
     out.field(Group::kProcessData, "difference-inputs", bits(left.receive), bits(right.receive));

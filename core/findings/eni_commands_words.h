@@ -172,6 +172,16 @@ inline constexpr FindingWords kEniCommands[] = {
      "",
      {{"", "no command on IP reads 0x0508 before the next request"},
       {"unasked", "it compares data of the EEPROM for which no valid command asks"}}},
+    {"ENI-ORD-10",
+     Severity::kError,
+     "A command that no slave can carry out",
+     "It fails or changes nothing, and the transition ends there",
+     "Correct Cmd and Ado, or remove Validate",
+     "",
+     {{"", "{command}: no ESC has a register there"},
+      {"read-only", "{command}: a master can only read the register {register}"},
+      {"check", "{command} reads nothing that Validate could be compared with"},
+      {"logical", "{command} goes to logical addresses, which are those of the process data"}}},
 };
 
 }  // namespace syncline::words

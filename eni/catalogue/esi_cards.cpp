@@ -8,6 +8,8 @@
 
 #include "eni/catalogue/content_hash.h"
 #include "eni/catalogue/revision_rule.h"
+#include "eni/esi/esi_device.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
@@ -18,7 +20,8 @@ namespace {
 
 class InfoReader {
  public:
-  InfoReader(const Node& info, EsiCards& found, int& place) : info_(info), found_(found), place_(place) {}
+  InfoReader(const Node& info, XmlPieces& pieces, EsiCards& found, int& place)
+      : info_(info), pieces_(pieces), found_(found), place_(place) {}
 
   void read() {
     const Node vendor = info_.required("Vendor");
@@ -28,7 +31,9 @@ class InfoReader {
     for (const Node& group : descriptions.child("Groups").children("Group")) {
       group_names_.emplace(group.child("Type").trimmed(), group.localized("Name").trimmed());
     }
-    for (const Node& device : descriptions.child("Devices").children("Device")) read_device(device, place_++);
+    for (const Node& stub : descriptions.child("Devices").children("Device")) {
+      if (const Node device = pieces_.whole(stub)) read_device(device, place_++);
+    }
   }
 
  private:
@@ -89,6 +94,7 @@ class InfoReader {
   static bool is_true(std::string_view text) { return parse_bool(text).value_or(false); }
 
   Node info_;
+  XmlPieces& pieces_;
   EsiCards& found_;
   int& place_;
   std::uint32_t vendor_id_ = 0;
@@ -99,17 +105,17 @@ class InfoReader {
 }  // namespace
 
 Result<EsiCards> read_cards(std::string_view text, const std::string& file_name) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return tl::unexpected(document.error());
+  auto pieces = XmlPieces::parse(text, file_name, is_esi_piece);
+  if (!pieces) return tl::unexpected(pieces.error());
   FileWarnings tolerated;  // whoever reads the whole device tells of them
   Reading reading(file_name, tolerated);
-  const Node root((*document)->RootElement(), reading);
+  const Node root(pieces->root(), reading);
   EsiCards found;
   int place = 0;
   if (root.name() == "EtherCATInfo") {
-    InfoReader(root, found, place).read();
+    InfoReader(root, *pieces, found, place).read();
   } else if (root.name() == "EtherCATInfoList") {
-    for (const Node& info : root.children("EtherCATInfo")) InfoReader(info, found, place).read();
+    for (const Node& info : root.children("EtherCATInfo")) InfoReader(info, *pieces, found, place).read();
   } else if (root.name() != "EtherCATModule" && root.name() != "EtherCATDict") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .subject = std::string(root.name()),
@@ -117,21 +123,23 @@ Result<EsiCards> read_cards(std::string_view text, const std::string& file_name)
                       .file = file_name,
                       .line = root.line()});
   }
+  if (pieces->error()) return tl::unexpected(*pieces->error());
   if (!reading.ok()) return tl::unexpected(*reading.error());
   return found;
 }
 
 Result<std::vector<std::uint64_t>> read_contents(std::string_view text, const std::string& file_name) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return tl::unexpected(document.error());
+  auto pieces = XmlPieces::parse(text, file_name, is_esi_piece);
+  if (!pieces) return tl::unexpected(pieces.error());
   Reading reading(file_name);
-  const Node root((*document)->RootElement(), reading);
+  const Node root(pieces->root(), reading);
   std::vector<std::uint64_t> contents;
   for (const Node& info : root.name() == "EtherCATInfoList" ? root.children("EtherCATInfo") : std::vector<Node>{root}) {
-    for (const Node& device : info.child("Descriptions").child("Devices").children("Device")) {
-      contents.push_back(content_hash(*device.element()));
+    for (const Node& stub : info.child("Descriptions").child("Devices").children("Device")) {
+      if (const Node device = pieces->whole(stub)) contents.push_back(content_hash(*device.element()));
     }
   }
+  if (pieces->error()) return tl::unexpected(*pieces->error());
   return contents;
 }
 

@@ -8,7 +8,7 @@
 #include "eni/check/eni_structure.h"
 #include "eni/format/eni_file.h"
 #include "eni/format/eni_reader.h"
-#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_text.h"
 #include "findings/eni_structure_words.h"
 #include "findings/error_text.h"
@@ -43,6 +43,17 @@ void sort_by_line(EniCheck& check) {
   std::ranges::stable_sort(check.findings, {}, [](const Finding& finding) { return finding.place.line; });
 }
 
+/// Before the file is read into a configuration, which takes several times its size.
+Result<EniLocations> check_text(std::string_view text, const std::string& file_name, std::vector<Finding>& findings) {
+  auto pieces = XmlPieces::parse(text, file_name, is_eni_piece);
+  if (!pieces) return fail(pieces.error());
+  findings = check_structure(*pieces);
+  EniLocations locations(*pieces);
+  if (!pieces->error()) return locations;
+  findings.clear();
+  return fail(*pieces->error());
+}
+
 }  // namespace
 
 std::string EniCheck::slave_name(const Finding& finding) const {
@@ -52,23 +63,21 @@ std::string EniCheck::slave_name(const Finding& finding) const {
 
 Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_name) {
   EniCheck check;
-  const auto document = parse_xml(text, file_name);
-  if (!document) {
-    if (document.error().code != ErrorCode::kXmlMalformed) return fail(document.error());
+  const auto locations = check_text(text, file_name, check.findings);
+  if (!locations) {
+    if (locations.error().code != ErrorCode::kXmlMalformed) return fail(locations.error());
     check.understood = false;
-    check.findings.push_back(unreadable(document.error()));
+    check.findings.push_back(unreadable(locations.error()));
     return check;
   }
-  const tinyxml2::XMLElement& root = *(*document)->RootElement();
-  const auto config = read_eni_document(&root, file_name);
+  const auto config = parse_eni(text, file_name);
   if (!config && config.error().code != ErrorCode::kXmlBadValue &&
       config.error().code != ErrorCode::kXmlMissingElement) {
     return fail(config.error());
   }
-  check.findings = check_structure(root);
   if (config) {
     for (const SlaveConfig& slave : config->slaves) check.slaves.push_back(slave.name);
-    add_semantic_findings(check, *config, EniLocations(root));
+    add_semantic_findings(check, *config, *locations);
   } else {
     add_reader_error(check, config.error());
   }

@@ -9,7 +9,7 @@
 #include "eni/format/eni_end_cap.h"
 #include "eni/format/eni_file.h"
 #include "eni/format/eni_reader.h"
-#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_text.h"
 #include "findings/recovered_words.h"
 #include "findings/sentence.h"
@@ -32,19 +32,20 @@ struct Part {
   auto operator<=>(const Part&) const = default;
 };
 
-void count_left_out(const Element& parent, std::map<Part, Count>& counts) {
+void count_left_out(const Element& parent, XmlPieces& pieces, std::map<Part, Count>& counts) {
   for (const auto* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     const std::string_view name = e->Name();
     if (std::ranges::find(kLeftOut, name) == std::end(kLeftOut)) {
-      count_left_out(*e, counts);
+      if (const Element* whole = pieces.whole(*e)) count_left_out(*whole, pieces, counts);
       continue;
     }
     Count& count = counts[{std::string(name), parent.Name()}];
-    if (count.times++ == 0) count.line = e->GetLineNum();
+    if (count.times++ == 0) count.line = line_of(*e);
   }
 }
 
-std::vector<Finding> unread_parts(const Element& root) {
+std::vector<Finding> unread_parts(XmlPieces& pieces) {
+  const Element& root = *pieces.root();
   std::vector<Finding> out;
   std::set<std::string> told;
   const auto add = [&](std::string what, int line) {
@@ -53,13 +54,13 @@ std::vector<Finding> unread_parts(const Element& root) {
     out.push_back(make_finding<words::kRecovered, "line", "what">(
         "eni-part-unread", std::move(place), fig::number<"line">(line), fig::text<"what">(std::move(what))));
   };
-  for (const Finding& finding : check_structure(root)) {
+  for (const Finding& finding : check_structure(pieces)) {
     if (finding.code != "ENI-XML-04") continue;
     told.insert(finding.figures[0].text + '\n' + finding.figures[1].text);
     add(facts_text(finding), finding.place.line);
   }
   std::map<Part, Count> counts;
-  count_left_out(root, counts);
+  count_left_out(root, pieces, counts);
   for (const auto& [part, count] : counts) {
     if (told.contains(part.name + '\n' + part.parent)) continue;
     const auto what = fmt::format("<{}> in <{}>", part.name, part.parent);
@@ -68,11 +69,13 @@ std::vector<Finding> unread_parts(const Element& root) {
   const Element* config = root.FirstChildElement("Config");
   const Element* slave = config != nullptr ? config->FirstChildElement("Slave") : nullptr;
   for (; slave != nullptr; slave = slave->NextSiblingElement("Slave")) {
-    if (!is_end_cap(*slave)) continue;
+    const Element* whole = pieces.whole(*slave);
+    if (whole == nullptr || !is_end_cap(*whole)) continue;
+    const int line = line_of(*slave);
     Place place;
-    place.line = slave->GetLineNum();
+    place.line = line;
     out.push_back(make_finding<words::kRecovered, "line">("eni-part-unread/end-cap", std::move(place),
-                                                          fig::number<"line">(slave->GetLineNum())));
+                                                          fig::number<"line">(line)));
   }
   return out;
 }
@@ -80,12 +83,15 @@ std::vector<Finding> unread_parts(const Element& root) {
 }  // namespace
 
 Result<EniImport> import_eni_text(std::string_view text, const std::string& file_name) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return tl::unexpected(document.error());
-  const Element& root = *(*document)->RootElement();
-  auto config = read_eni_document(&root, file_name);
+  std::vector<Finding> unread;
+  {  // gone before the configuration comes, which takes several times the file's size
+    auto pieces = XmlPieces::parse(text, file_name, is_eni_piece);
+    if (!pieces) return tl::unexpected(pieces.error());
+    unread = unread_parts(*pieces);
+  }
+  auto config = parse_eni(text, file_name);
   if (!config) return tl::unexpected(config.error());
-  return EniImport{std::move(*config), unread_parts(root)};
+  return EniImport{std::move(*config), std::move(unread)};
 }
 
 Result<EniImport> import_eni(const std::string& path) {

@@ -12,7 +12,7 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
-int line_of(const Element* element) { return element ? element->GetLineNum() : 0; }
+int line_or_none(const Element* element) { return element ? line_of(*element) : 0; }
 
 /// The element at the end of a path of names, or null.
 const Element* descend(const Element* element, std::initializer_list<const char*> names) {
@@ -26,7 +26,7 @@ const Element* descend(const Element* element, std::initializer_list<const char*
 void append_lines(std::vector<int>& out, const Element* parent, const char* name) {
   if (parent == nullptr) return;
   for (const auto* e = parent->FirstChildElement(name); e != nullptr; e = e->NextSiblingElement(name)) {
-    out.push_back(e->GetLineNum());
+    out.push_back(line_or_none(e));
   }
 }
 
@@ -36,47 +36,50 @@ int line_or(const std::vector<int>& lines, std::size_t index, int otherwise) {
 
 }  // namespace
 
-EniLocations::EniLocations(const Element& root) : root_(fmt::format("/{}/Config", root.Name())) {
+EniLocations::EniLocations(XmlPieces& pieces) : root_(fmt::format("/{}/Config", pieces.root()->Name())) {
+  const Element& root = *pieces.root();
   const Element* config = root.FirstChildElement("Config");
-  config_ = line_of(config ? config : &root);
+  config_ = line_or_none(config ? config : &root);
   const Element* master = descend(config, {"Master"});
-  master_.element = line_of(master);
+  master_.element = line_or_none(master);
   append_lines(master_.parts, descend(master, {"InitCmds"}), "InitCmd");
   std::size_t index = 0;
   for (const auto* e = descend(config, {"Slave"}); e != nullptr; e = e->NextSiblingElement("Slave")) {
     ++index;
-    if (is_end_cap(*e)) continue;
-    slaves_.push_back(read_slave(*e));
+    const Element* slave = pieces.whole(*e);
+    if (slave == nullptr || is_end_cap(*slave)) continue;
+    slaves_.push_back(read_slave(*slave));
     slaves_.back().index = index;
   }
   for (const auto* e = descend(config, {"Cyclic"}); e != nullptr; e = e->NextSiblingElement("Cyclic")) {
     Task& task = tasks_.emplace_back();
-    task.line = e->GetLineNum();
-    for (const auto* f = e->FirstChildElement("Frame"); f != nullptr; f = f->NextSiblingElement("Frame")) {
-      task.frames.push_back({f->GetLineNum(), {}});
+    task.line = line_or_none(e);
+    for (const auto* f = descend(pieces.whole(*e), {"Frame"}); f != nullptr; f = f->NextSiblingElement("Frame")) {
+      task.frames.push_back({line_or_none(f), {}});
       append_lines(task.frames.back().parts, f, "Cmd");
     }
   }
   const Element* image = descend(config, {"ProcessImage"});
-  image_ = line_of(image);
-  inputs_.element = line_of(descend(image, {"Inputs"}));
-  outputs_.element = line_of(descend(image, {"Outputs"}));
+  if (image != nullptr) image = pieces.whole(*image);
+  image_ = line_or_none(image);
+  inputs_.element = line_or_none(descend(image, {"Inputs"}));
+  outputs_.element = line_or_none(descend(image, {"Outputs"}));
   append_lines(inputs_.parts, descend(image, {"Inputs"}), "Variable");
   append_lines(outputs_.parts, descend(image, {"Outputs"}), "Variable");
 }
 
 EniLocations::Slave EniLocations::read_slave(const Element& element) {
   Slave slave;
-  slave.line = element.GetLineNum();
-  slave.mailbox = line_of(descend(&element, {"Mailbox"}));
-  slave.hot_connect = line_of(descend(&element, {"HotConnect"}));
-  slave.dc = line_of(descend(&element, {"DC"}));
+  slave.line = line_of(element);
+  slave.mailbox = line_or_none(descend(&element, {"Mailbox"}));
+  slave.hot_connect = line_or_none(descend(&element, {"HotConnect"}));
+  slave.dc = line_or_none(descend(&element, {"DC"}));
   append_lines(slave.cmds, descend(&element, {"InitCmds"}), "InitCmd");
   append_lines(slave.coe_cmds, descend(&element, {"Mailbox", "CoE", "InitCmds"}), "InitCmd");
   const Element* data = descend(&element, {"ProcessData"});
   for (int number = 0; number < 16; ++number) {
     if (const Element* manager = descend(data, {fmt::format("Sm{}", number).c_str()})) {
-      slave.managers.push_back(manager->GetLineNum());
+      slave.managers.push_back(line_or_none(manager));
       slave.manager_numbers.push_back(number);
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "check/check_network.h"
+#include "eni/xml/xml_pieces.h"
 
 namespace syncline::eni {
 
@@ -15,11 +16,10 @@ struct EniLocation {
   std::string path;
 };
 
-/// Where the things of a NetworkConfig stand in the file that it was read from: the side table of the reader, made from
-/// the same document.
+/// Where the things of a NetworkConfig stand in the file that it was read from: the side table of the reader.
 class EniLocations {
  public:
-  explicit EniLocations(const tinyxml2::XMLElement& root);
+  explicit EniLocations(XmlPieces& pieces);
   /// The element, or the nearest one around it that is there.
   [[nodiscard]] EniLocation locate(const ConfigPlace& place) const;
 

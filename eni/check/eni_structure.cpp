@@ -50,11 +50,29 @@ std::string path_text(const Step* step) {
 template <FigureName... kNames>
 using Sentence = std::type_identity_t<FindingSentence<words::kEniStructure, kNames...>>;
 
+/// Previous ports name station addresses of the file.
+class PreviousPorts {
+ public:
+  void add(const Element& slave);
+  void check(std::string_view root, std::vector<Finding>& out) const;
+
+ private:
+  struct Told {
+    std::size_t slave = 0, index = 0;  // of the slaves that are no end caps, from 0; of its previous ports, from 1
+    int line = 0;
+    std::string address;
+  };
+  std::unordered_set<std::int64_t> addresses_;
+  std::vector<Told> told_;
+  std::size_t slaves_ = 0;
+};
+
 class StructureCheck {
  public:
-  explicit StructureCheck(std::vector<Finding>& out) : out_(out) {}
+  StructureCheck(XmlPieces& pieces, std::vector<Finding>& out) : pieces_(pieces), out_(out) {}
 
-  void run(const Element& root) {
+  void run() {
+    const Element& root = *pieces_.root();
     const Step step{nullptr, &root, 0};
     if (std::string_view(root.Name()) != "EtherCATConfig") {
       add("ENI-XML-09", step, element(root.Name()));
@@ -63,6 +81,7 @@ class StructureCheck {
     slave_child_ = config != nullptr && config->type != nullptr ? config->type->child("Slave") : nullptr;
     check_type(step, eni_schema());
     report_unknown();
+    ports_.check(root.Name(), out_);
   }
 
  private:
@@ -72,7 +91,7 @@ class StructureCheck {
   }
   static Place place_of(const Step& step) {
     Place place;
-    place.line = step.element->GetLineNum();
+    place.line = line_of(*step.element);
     place.path = path_text(&step);
     for (const Step* s = &step; s != nullptr; s = s->parent) {
       if (s->index != 0 && std::string_view(s->element->Name()) == "Slave")
@@ -109,8 +128,14 @@ class StructureCheck {
     check_counts(step, type, counts);
   }
 
-  void check_child(const Step& step, const EniChild& child) {
-    if (&child == slave_child_ && is_end_cap(*step.element)) return;  // nobody sets it up
+  void check_child(const Step& stub, const EniChild& child) {
+    const Element* whole = pieces_.whole(*stub.element);
+    if (whole == nullptr) return;
+    const Step step{stub.parent, whole, stub.index};
+    if (&child == slave_child_) {
+      if (is_end_cap(*whole)) return;  // nobody sets it up
+      ports_.add(*whole);
+    }
     if (child.type != nullptr) return check_type(step, *child.type);
     if (child.value == EniValue::kText || child.value == EniValue::kAnything) return;
     const std::string text = text_of(*step.element);
@@ -172,7 +197,7 @@ class StructureCheck {
     if (entry.count++ > 0) return;
     attribute ? add("ENI-XML-04/attribute", step, element(name), parent(step))
               : add("ENI-XML-04", step, element(name), parent(step));
-    out_.back().place.line = found.GetLineNum();
+    out_.back().place.line = line_of(found);
     entry.finding = out_.size() - 1;
   }
 
@@ -202,48 +227,46 @@ class StructureCheck {
   struct Unknown {
     std::size_t count = 0, finding = 0;
   };
+  XmlPieces& pieces_;
   std::vector<Finding>& out_;
+  PreviousPorts ports_;
   const EniChild* slave_child_ = nullptr;
   std::map<Extension, Unknown> unknown_;
 };
 
 std::int64_t number_in(const Element* element) { return element ? parse_number(text_of(*element)).value_or(-1) : -1; }
 
-/// Previous ports name station addresses of the file.
-void check_previous_ports(const Element& config, std::vector<Finding>& out) {
-  std::unordered_set<std::int64_t> addresses;
-  std::size_t count = 0;
-  for (const auto* s = first_slave(config); s != nullptr; s = next_slave(*s), ++count) {
-    const Element* info = s->FirstChildElement("Info");
-    const Element* address = info ? info->FirstChildElement("PhysAddr") : nullptr;
-    // Without an address a slave gets the one that tools count from 1001 on.
-    addresses.insert(address ? number_in(address) : 1001 + static_cast<std::int64_t>(count));
+void PreviousPorts::add(const Element& slave) {
+  const Element* info = slave.FirstChildElement("Info");
+  const Element* own = info ? info->FirstChildElement("PhysAddr") : nullptr;
+  // Without an address a slave gets the one that tools count from 1001 on.
+  addresses_.insert(own ? number_in(own) : 1001 + static_cast<std::int64_t>(slaves_));
+  std::size_t index = 0;
+  for (const auto* p = slave.FirstChildElement("PreviousPort"); p != nullptr;
+       p = p->NextSiblingElement("PreviousPort")) {
+    ++index;
+    if (const Element* address = p->FirstChildElement("PhysAddr"))
+      told_.push_back({slaves_, index, line_of(*address), text_of(*address)});
   }
-  std::size_t position = 0;
-  for (const auto* s = first_slave(config); s != nullptr; s = next_slave(*s), ++position) {
-    std::size_t index = 0;
-    for (const auto* p = s->FirstChildElement("PreviousPort"); p != nullptr;
-         p = p->NextSiblingElement("PreviousPort")) {
-      ++index;
-      const Element* address = p->FirstChildElement("PhysAddr");
-      if (address == nullptr || addresses.contains(number_in(address))) continue;
-      Place place(static_cast<int>(position));
-      place.line = address->GetLineNum();
-      place.path = fmt::format("/{}/Config/Slave[{}]/PreviousPort[{}]", config.Parent()->Value(), position + 1, index);
-      out.push_back(make_finding<words::kEniStructure, "address">("ENI-REF-01", std::move(place),
-                                                                  fig::text<"address">(shown(text_of(*address)))));
-    }
+  ++slaves_;
+}
+
+void PreviousPorts::check(std::string_view root, std::vector<Finding>& out) const {
+  for (const Told& told : told_) {
+    if (addresses_.contains(parse_number(told.address).value_or(-1))) continue;
+    Place place(static_cast<int>(told.slave));
+    place.line = told.line;
+    place.path = fmt::format("/{}/Config/Slave[{}]/PreviousPort[{}]", root, told.slave + 1, told.index);
+    out.push_back(make_finding<words::kEniStructure, "address">("ENI-REF-01", std::move(place),
+                                                                fig::text<"address">(shown(told.address))));
   }
 }
 
 }  // namespace
 
-std::vector<Finding> check_structure(const Element& root) {
+std::vector<Finding> check_structure(XmlPieces& pieces) {
   std::vector<Finding> out;
-  StructureCheck(out).run(root);
-  if (const Element* config = root.FirstChildElement("Config")) {
-    check_previous_ports(*config, out);
-  }
+  StructureCheck(pieces, out).run();
   return out;
 }
 

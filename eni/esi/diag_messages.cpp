@@ -8,8 +8,10 @@
 #include <optional>
 #include <unordered_set>
 
+#include "eni/esi/esi_device.h"
 #include "eni/esi/esi_side_files.h"
-#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_pieces.h"
+#include "eni/xml/xml_text.h"
 #include "reasons/because.h"
 
 namespace syncline::eni {
@@ -17,7 +19,8 @@ namespace {
 
 class MessagesReader {
  public:
-  MessagesReader(const Identity& identity, SideFiles* side_files) : identity_(identity), side_files_(side_files) {}
+  MessagesReader(const Identity& identity, XmlPieces& pieces, SideFiles* side_files)
+      : identity_(identity), pieces_(pieces), side_files_(side_files) {}
 
   /// False: the device is not in the file.
   bool read(const Node& root) {
@@ -26,7 +29,7 @@ class MessagesReader {
       if (const Node device = device_of(info)) {
         take_profiles(device);
         const Node modules = info.child("Descriptions").child("Modules");
-        for (const Node& module : modules.children("Module")) take_profiles(module);
+        for (const Node& module : modules.children("Module")) take_profiles(pieces_.whole(module));
         return true;
       }
     }
@@ -35,9 +38,11 @@ class MessagesReader {
   std::vector<DiagMessageText> take() { return std::move(texts_); }
 
  private:
-  [[nodiscard]] Node device_of(const Node& info) const {
+  [[nodiscard]] Node device_of(const Node& info) {
     if (info.child("Vendor").child_number<std::uint32_t>("Id") != identity_.vendor_id) return {};
-    for (const Node& device : info.child("Descriptions").child("Devices").children("Device")) {
+    for (const Node& stub : info.child("Descriptions").child("Devices").children("Device")) {
+      const Node device = pieces_.whole(stub);
+      if (!device) return {};
       Reading part = device.reading().of_part();  // another device's number that is none is not our trouble
       const Node type = device.with(part).child("Type");
       if (type.number<std::uint32_t>("ProductCode").value_or(0) == identity_.product_code &&
@@ -74,20 +79,25 @@ class MessagesReader {
   }
 
   const Identity& identity_;
+  XmlPieces& pieces_;
   SideFiles* side_files_;
   std::vector<DiagMessageText> texts_;
   std::unordered_set<std::uint16_t> known_;
 };
 
-Result<std::vector<DiagMessageText>> read_messages(const XmlDocument& document, const std::string& file_name,
+Result<std::vector<DiagMessageText>> read_messages(std::string_view text, const std::string& file_name,
                                                    const Identity& identity, const EsiReadOptions& options,
                                                    bool with_side_files) {
+  auto pieces = XmlPieces::parse(text, file_name, is_esi_piece);
+  if (!pieces) return tl::unexpected(pieces.error());
   FileWarnings tolerated;  // whoever reads the whole device tells of them
   Reading reading(file_name, tolerated, options.language);
   std::optional<SideFiles> side_files;
   if (with_side_files) side_files.emplace(std::filesystem::path(file_name).parent_path(), reading);
-  MessagesReader reader(identity, side_files ? &*side_files : nullptr);
-  if (reader.read({document->RootElement(), reading})) return reader.take();
+  MessagesReader reader(identity, *pieces, side_files ? &*side_files : nullptr);
+  const bool found = reader.read({pieces->root(), reading});
+  if (pieces->error()) return tl::unexpected(*pieces->error());
+  if (found) return reader.take();
   return fail(ErrorCode::kUnknownDevice, file_name, because("{device} is not in the file", to_string(identity)));
 }
 
@@ -95,16 +105,14 @@ Result<std::vector<DiagMessageText>> read_messages(const XmlDocument& document, 
 
 Result<std::vector<DiagMessageText>> read_diag_messages(const std::string& esi_path, const Identity& identity,
                                                         const EsiReadOptions& options) {
-  const auto document = load_xml(esi_path);
-  if (!document) return tl::unexpected(document.error());
-  return read_messages(*document, esi_path, identity, options, true);
+  const auto text = read_file(esi_path);
+  if (!text) return tl::unexpected(text.error());
+  return read_messages(*text, esi_path, identity, options, true);
 }
 
 Result<std::vector<DiagMessageText>> parse_diag_messages(std::string_view text, const std::string& file_name,
                                                          const Identity& identity, const EsiReadOptions& options) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return tl::unexpected(document.error());
-  return read_messages(*document, file_name, identity, options, false);
+  return read_messages(text, file_name, identity, options, false);
 }
 
 const DiagMessageText* find_text(const std::vector<DiagMessageText>& texts, std::uint16_t text_id) {

@@ -8,6 +8,7 @@
 
 #include "config/device_description.h"
 #include "eni/esi/esi_reader.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_reader.h"
 
 /// The parts of an ESI Device element, one function each. Errors and warnings go to the node's Reading.
@@ -70,7 +71,11 @@ void read_dictionary(const Node& dictionary, ReadProfiles& profiles);
 [[nodiscard]] std::vector<DeviceGroup> read_groups(const Node& descriptions);
 [[nodiscard]] SlotsDescription read_slots(const Node& slots);
 /// Module elements; one that cannot be read is left out with a warning.
-[[nodiscard]] std::vector<ModuleDescription> read_modules(const Node& modules, SideFiles* side_files);
+/// With `pieces` where they are parsed one by one.
+[[nodiscard]] std::vector<ModuleDescription> read_modules(const Node& modules, SideFiles* side_files,
+                                                          XmlPieces* pieces = nullptr);
+/// Device and Module elements of an ESI file, each of which can be read by itself.
+[[nodiscard]] bool is_esi_piece(std::string_view element, std::string_view parent);
 /// Those that a slot takes, by ident or class, in their order.
 [[nodiscard]] std::vector<ModuleDescription> modules_for(const SlotsDescription& slots, std::uint32_t vendor_id,
                                                          const std::vector<ModuleDescription>& modules);

@@ -113,9 +113,11 @@ SlotsDescription read_slots(const Node& node) {
   return slots;
 }
 
-std::vector<ModuleDescription> read_modules(const Node& modules, SideFiles* side_files) {
+std::vector<ModuleDescription> read_modules(const Node& modules, SideFiles* side_files, XmlPieces* pieces) {
   std::vector<ModuleDescription> read;
-  for (const Node& node : modules.children("Module")) {
+  for (const Node& stub : modules.children("Module")) {
+    const Node node = pieces != nullptr ? pieces->whole(stub) : stub;
+    if (!node) break;
     Reading part = node.reading().of_part();
     auto module = read_module(node.with(part), side_files);
     if (part.ok()) {

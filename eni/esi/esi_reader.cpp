@@ -31,7 +31,8 @@ std::string subject_of(const Node& device) {
 /// Reads a document and those that it refers to into one EsiFile.
 class EsiDocument {
  public:
-  EsiDocument(EsiFile& file, SideFiles* side_files) : file_(file), side_files_(side_files) {}
+  EsiDocument(EsiFile& file, XmlPieces& pieces, SideFiles* side_files)
+      : file_(file), pieces_(pieces), side_files_(side_files) {}
 
   void read(const Node& root) {
     if (root.name() == "EtherCATInfo") {
@@ -40,7 +41,7 @@ class EsiDocument {
       for (const Node& info : root.children("EtherCATInfo")) read_info(info);
     } else if (root.name() == "EtherCATModule") {
       read_references(root);
-      add_modules(modules_of(root));
+      add_modules(modules_of(root), &pieces_);
     } else {
       root.fail(ErrorCode::kNotThatKindOfFile,
                 because("an ESI file with the root <EtherCATInfo>, not <{root}>", root.name()));
@@ -51,13 +52,15 @@ class EsiDocument {
   void read_info(const Node& info) {
     read_references(info);
     const Node descriptions = info.required("Descriptions");
-    add_modules(modules_of(descriptions));
+    add_modules(modules_of(descriptions), &pieces_);
     EsiSurroundings surroundings{.vendor = read_vendor(info),
                                  .groups = read_groups(descriptions),
                                  .modules = file_.modules,
                                  .pdo_templates = read_pdo_templates(descriptions),
                                  .side_files = side_files_};
-    for (const Node& node : descriptions.child("Devices").children("Device")) add_device(node, surroundings);
+    for (const Node& stub : descriptions.child("Devices").children("Device")) {
+      if (const Node node = pieces_.whole(stub)) add_device(node, surroundings);
+    }
     std::ranges::move(surroundings.groups, std::back_inserter(file_.groups));
   }
 
@@ -82,8 +85,8 @@ class EsiDocument {
     return modules ? modules : parent;
   }
 
-  void add_modules(const Node& modules) {
-    std::ranges::move(read_modules(modules, side_files_), std::back_inserter(file_.modules));
+  void add_modules(const Node& modules, XmlPieces* pieces) {
+    std::ranges::move(read_modules(modules, side_files_, pieces), std::back_inserter(file_.modules));
   }
 
   /// InfoReference: the modules of other files; a file that was visited is not visited again.
@@ -107,10 +110,11 @@ class EsiDocument {
     }
     const Node root = (*file)->root();
     read_references(root);
-    add_modules(modules_of(root.child("Descriptions") ? root.child("Descriptions") : root));
+    add_modules(modules_of(root.child("Descriptions") ? root.child("Descriptions") : root), nullptr);
   }
 
   EsiFile& file_;
+  XmlPieces& pieces_;
   SideFiles* side_files_;
 };
 
@@ -122,37 +126,41 @@ void warn_of_encoding(const TextEncoding& encoding, Reading& reading) {
                            encoding.name == "CP1252" ? "ISO-8859-1 (windows-1252)" : encoding.name));
 }
 
-/// `owner` of the text, if any, gives its memory back as soon as the document stands.
 Result<EsiFile> read_text(std::string_view text, const std::string& file_name, const EsiReadOptions& options,
-                          const std::filesystem::path* folder, std::string* owner = nullptr) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return tl::unexpected(document.error());
-  const TextEncoding encoding = find_encoding(text);
-  if (owner != nullptr) *owner = std::string();
+                          const std::filesystem::path* folder) {
+  auto pieces = XmlPieces::parse(text, file_name, is_esi_piece);
+  if (!pieces) return tl::unexpected(pieces.error());
   EsiFile file;
   Reading reading(file_name, file.warnings, options.language);
-  warn_of_encoding(encoding, reading);
+  warn_of_encoding(find_encoding(text), reading);
   std::optional<SideFiles> side_files;
   if (folder != nullptr) {
     side_files.emplace(*folder, reading);
     (void)side_files->visit(std::filesystem::path(file_name).filename().string());
   }
-  EsiDocument(file, side_files ? &*side_files : nullptr).read({(*document)->RootElement(), reading});
+  EsiDocument(file, *pieces, side_files ? &*side_files : nullptr).read({pieces->root(), reading});
+  if (pieces->error()) return tl::unexpected(*pieces->error());
   if (!reading.ok()) return tl::unexpected(*reading.error());
   return file;
 }
 
 }  // namespace
 
+bool is_esi_piece(std::string_view element, std::string_view parent) {
+  // Modules stand in Modules, in older files right in what is around it.
+  return (element == "Device" && parent == "Devices") ||
+         (element == "Module" && (parent == "Modules" || parent == "Descriptions" || parent == "EtherCATModule"));
+}
+
 Result<EsiFile> parse_esi(std::string_view text, const std::string& file_name, const EsiReadOptions& options) {
   return read_text(text, file_name, options, nullptr);
 }
 
 Result<EsiFile> read_esi(const std::string& path, const EsiReadOptions& options) {
-  auto text = read_file(path);
+  const auto text = read_file(path);
   if (!text) return tl::unexpected(text.error());
   const auto folder = std::filesystem::path(path).parent_path();
-  return read_text(*text, path, options, &folder, &*text);
+  return read_text(*text, path, options, &folder);
 }
 
 }  // namespace syncline::eni

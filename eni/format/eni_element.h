@@ -60,6 +60,7 @@ class EniElement {
   /// xs:hexBinary; "0x" in front and ':' or '-' between bytes are tolerated.
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;
 
+  [[nodiscard]] const Node& node() const { return node_; }
   [[nodiscard]] const tinyxml2::XMLElement* element() const { return node_.element(); }
   /// With the value that cannot be used.
   void report(ErrorCode code, std::string value) const { node_.fail(code, Reason::verbatim(std::move(value))); }

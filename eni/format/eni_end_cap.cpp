@@ -8,11 +8,6 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
-const Element* skip_end_caps(const Element* slave) {
-  while (slave != nullptr && is_end_cap(*slave)) slave = slave->NextSiblingElement("Slave");
-  return slave;
-}
-
 }  // namespace
 
 bool is_end_cap(const Element& slave) {
@@ -27,9 +22,5 @@ bool is_end_cap(const Element& slave) {
   if (data != nullptr && data->FirstChildElement() != nullptr) return false;
   return slave.FirstChildElement("Mailbox") == nullptr && slave.FirstChildElement("HotConnect") == nullptr;
 }
-
-const Element* first_slave(const Element& config) { return skip_end_caps(config.FirstChildElement("Slave")); }
-
-const Element* next_slave(const Element& slave) { return skip_end_caps(slave.NextSiblingElement("Slave")); }
 
 }  // namespace syncline::eni

@@ -9,8 +9,4 @@ namespace syncline::eni {
 /// without address, commands, process data and mailbox. On the bus there is nobody: readers count and check the others.
 [[nodiscard]] bool is_end_cap(const tinyxml2::XMLElement& slave);
 
-/// First Slave that is one, and the next; null at the end.
-[[nodiscard]] const tinyxml2::XMLElement* first_slave(const tinyxml2::XMLElement& config);
-[[nodiscard]] const tinyxml2::XMLElement* next_slave(const tinyxml2::XMLElement& slave);
-
 }  // namespace syncline::eni

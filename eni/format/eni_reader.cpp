@@ -5,6 +5,7 @@
 
 #include "eni/format/eni_end_cap.h"
 #include "eni/format/eni_file.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "reasons/because.h"
@@ -54,20 +55,24 @@ std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
   return selected->number_of<std::uint16_t>("PhysAddr");
 }
 
-Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading) {
+Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading, XmlPieces& pieces) {
+  const auto whole = [&pieces](const EniElement& part) { return EniElement(pieces.whole(part.node())); };
   const EniElement config_element = root.required("Config");
   NetworkConfig config;
   config.master = read_master(config_element.required("Master"));
   std::vector<std::uint16_t> previous_addresses;
-  for (const EniElement& slave : config_element.children("Slave")) {
+  for (const EniElement& stub : config_element.children("Slave")) {
+    const EniElement slave = whole(stub);
+    if (!slave) break;
     if (is_end_cap(*slave.element())) continue;
     config.slaves.push_back(read_slave(slave, static_cast<std::uint16_t>(config.slaves.size())));
     previous_addresses.push_back(read_previous(slave, config.slaves.back()));
   }
   for (const EniElement& cyclic : config_element.children("Cyclic")) {
-    config.cyclic.push_back(read_cyclic(cyclic));
+    config.cyclic.push_back(read_cyclic(whole(cyclic)));
   }
-  config.image = read_process_image(config_element.child("ProcessImage"));
+  config.image = read_process_image(whole(config_element.child("ProcessImage")));
+  if (pieces.error()) return fail(*pieces.error());
   if (reading.error()) {
     return fail(*reading.error());
   }
@@ -76,6 +81,10 @@ Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading
 }
 
 }  // namespace
+
+bool is_eni_piece(std::string_view element, std::string_view parent) {
+  return parent == "Config" && (element == "Slave" || element == "Cyclic" || element == "ProcessImage");
+}
 
 MasterConfig read_master(const EniElement& master) {
   MasterConfig config;
@@ -101,12 +110,9 @@ MasterConfig read_master(const EniElement& master) {
 }
 
 Result<NetworkConfig> parse_eni(std::string_view text, const std::string& file_name) {
-  const auto document = parse_xml(text, file_name);
-  return document ? read_eni_document((*document)->RootElement(), file_name) : fail(document.error());
-}
-
-Result<NetworkConfig> read_eni_document(const tinyxml2::XMLElement* root, const std::string& file_name) {
-  const std::string_view root_name = root ? root->Name() : "";
+  auto pieces = XmlPieces::parse(text, file_name, is_eni_piece);
+  if (!pieces) return fail(pieces.error());
+  const std::string_view root_name = pieces->root()->Name();
   // "Encrypted..." is an OEM export whose content is plain in the field.
   if (root_name != "EtherCATConfig" && root_name != "EncryptedEtherCATConfig") {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
@@ -114,13 +120,13 @@ Result<NetworkConfig> read_eni_document(const tinyxml2::XMLElement* root, const 
                       .file = file_name});
   }
   Reading reading(file_name);
-  const EniElement element(Node(root, reading));
+  const EniElement element(Node(pieces->root(), reading));
   if (root_name == "EncryptedEtherCATConfig" && !element.child("Config")) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .detail = because("an ENI file that others can read: its maker has encrypted it"),
                       .file = file_name});
   }
-  return read_config(element, reading);
+  return read_config(element, reading, *pieces);
 }
 
 Result<NetworkConfig> read_eni(const std::string& path) {

@@ -10,8 +10,8 @@
 /// leave an error in the context.
 namespace syncline::eni {
 
-/// The whole, of a document that has been parsed; errors as parse_eni() gives them. `root` may be null.
-[[nodiscard]] Result<NetworkConfig> read_eni_document(const tinyxml2::XMLElement* root, const std::string& file_name);
+/// Slave, Cyclic and ProcessImage, each of which can be read by itself.
+[[nodiscard]] bool is_eni_piece(std::string_view element, std::string_view parent);
 [[nodiscard]] MasterConfig read_master(const EniElement& master);
 [[nodiscard]] std::optional<MailboxConfig> read_mailbox(const EniElement& element);
 [[nodiscard]] SlaveConfig read_slave(const EniElement& slave, std::uint16_t position);

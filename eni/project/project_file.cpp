@@ -5,8 +5,10 @@
 #include <map>
 #include <span>
 
+#include "eni/format/eni_reader.h"
 #include "eni/project/project_fields.h"
 #include "eni/project/view_fields.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_text.h"
 #include "reasons/because.h"
 #include "settings/sync_settings.h"
@@ -163,10 +165,11 @@ std::string write_machine(const Machine& machine) { return write(machine.name, m
 std::string write_project(const Project& project) { return write({}, std::span(&project, 1)); }
 
 Result<Machine> parse_machine(std::string_view text, const std::string& file_name) {
-  const auto document = parse_xml(text, file_name);
-  if (!document) return tl::unexpected(document.error());
+  // An ENI, which is told apart from a project by its root, may be large.
+  const auto pieces = XmlPieces::parse(text, file_name, is_eni_piece);
+  if (!pieces) return tl::unexpected(pieces.error());
   Reading reading(file_name);
-  const Node root((*document)->RootElement(), reading);
+  const Node root(pieces->root(), reading);
   const auto other_kind = [&](Reason detail) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
                       .subject = std::string(root.name()),

@@ -178,14 +178,17 @@ void Node::bad_value(std::string_view element, std::string_view attribute, std::
   reading_->fail(ErrorCode::kXmlBadValue, line(), std::move(subject), because(problem, shown));
 }
 
-Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_name) {
-  std::string converted;
-  const auto decoded = decode_text(text, converted, file_name);
-  if (!decoded) return tl::unexpected(decoded.error());
-  const std::string_view utf8 = *decoded;
-  if (auto status = check_xml_limits(utf8, file_name); !status) return tl::unexpected(status.error());
+void set_first_line(tinyxml2::XMLDocument& document, int line) {
+  document.SetUserData(reinterpret_cast<void*>(static_cast<std::intptr_t>(line - 1)));
+}
+
+int line_of(const tinyxml2::XMLElement& element) {
+  return element.GetLineNum() + static_cast<int>(reinterpret_cast<std::intptr_t>(element.GetDocument()->GetUserData()));
+}
+
+Result<XmlDocument> parse_utf8(std::string_view text, const std::string& file_name) {
   auto document = std::make_unique<tinyxml2::XMLDocument>();
-  const auto status = document->Parse(utf8.data(), utf8.size());
+  const auto status = document->Parse(text.data(), text.size());
   if (status != tinyxml2::XML_SUCCESS) {
     const auto element = element_of(*document);
     return fail(Error{.code = ErrorCode::kXmlMalformed,
@@ -200,6 +203,14 @@ Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_nam
         .code = ErrorCode::kXmlMalformed, .detail = because("there is no element"), .file = file_name, .line = 1});
   }
   return document;
+}
+
+Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_name) {
+  std::string converted;
+  const auto utf8 = decode_text(text, converted, file_name);
+  if (!utf8) return tl::unexpected(utf8.error());
+  if (auto status = check_xml_limits(*utf8, file_name); !status) return tl::unexpected(status.error());
+  return parse_utf8(*utf8, file_name);
 }
 
 Result<XmlDocument> load_xml(const std::string& path) {

@@ -54,6 +54,10 @@ class Reading {
   int language_ = kEnglish;
 };
 
+/// Of the file: a document may be a part of one, which begins in another line than 1.
+[[nodiscard]] int line_of(const tinyxml2::XMLElement& element);
+void set_first_line(tinyxml2::XMLDocument& document, int line);
+
 /// One element, or none: reading from none gives empty values, so that optional branches need no test.
 class Node {
  public:
@@ -62,7 +66,7 @@ class Node {
 
   explicit operator bool() const { return element_ != nullptr; }
   [[nodiscard]] std::string_view name() const { return element_ ? element_->Name() : std::string_view{}; }
-  [[nodiscard]] int line() const { return element_ ? element_->GetLineNum() : 0; }
+  [[nodiscard]] int line() const { return element_ ? line_of(*element_) : 0; }
   [[nodiscard]] Reading& reading() const { return *reading_; }
   [[nodiscard]] const tinyxml2::XMLElement* element() const { return element_; }
   /// The same element with its errors going elsewhere.
@@ -142,6 +146,8 @@ class Node {
 using XmlDocument = std::unique_ptr<tinyxml2::XMLDocument>;
 /// kXmlMalformed with line and reason, kFileLimit (xml_limits.h). `file_name` is for messages.
 [[nodiscard]] Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_name);
+/// The same of a text that is UTF-8 and within the limits.
+[[nodiscard]] Result<XmlDocument> parse_utf8(std::string_view text, const std::string& file_name);
 [[nodiscard]] Result<XmlDocument> load_xml(const std::string& path);
 
 }  // namespace syncline::eni

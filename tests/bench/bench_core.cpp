@@ -198,8 +198,8 @@ void bench_samples(RatioReport& report) {
 int main() {
   syncline::bench::RatioReport report;
   syncline::bench::bench_simulator(report);
-  syncline::bench::bench_virtual_hundred(report, false, 125);
-  syncline::bench::bench_virtual_hundred(report, true, 75);
+  syncline::bench::bench_virtual_hundred(report, false, 140);
+  syncline::bench::bench_virtual_hundred(report, true, 80);
   syncline::bench::bench_memory(report);
   syncline::bench::bench_virtual_time(report);
   syncline::bench::bench_samples(report);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The catalogue of ESI files against parsing the same files and nothing else.
+// The catalogue of ESI files against parsing the same files and nothing else, and the memory that reading takes.
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <tinyxml2.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,11 +14,14 @@
 #include "eni/catalogue/catalogue_query.h"
 #include "eni/catalogue/catalogue_store.h"
 #include "eni/catalogue/catalogue_update.h"
+#include "eni/catalogue/esi_cards.h"
 #include "eni/catalogue/esi_catalogue.h"
+#include "eni/esi/esi_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 #include "sqlite/sqlite_database.h"
 #include "tests/support/sample_folder.h"
+#include "tests/support/source_dir.h"
 
 namespace syncline::bench {
 namespace {
@@ -97,6 +103,66 @@ void bench_index(RatioReport& report) {
   report.add("warm start, nothing changed", median(warm), "cold index", median(cold), 0.02);
 }
 
+// ---- memory ----------------------------------------------------------------------------------------
+
+/// The devices of our own files over and over, without the white space that makes a file large and a tree no larger.
+std::string large_esi() {
+  constexpr std::size_t kSize = 32U << 20;
+  std::string devices;
+  for (const auto& file : esi_files(test::source_dir() + "/resources/esi")) {
+    const auto text = eni::read_file(file).value_or("");
+    const auto begin = text.find("<Device "), end = text.rfind("</Device>");
+    if (begin == std::string::npos || end == std::string::npos) continue;
+    for (std::size_t at = begin; at < end + 9;) {
+      devices.push_back(text[at++]);
+      if (devices.back() == '>' || text[at] == '\n') at = std::min(text.find_first_not_of(" \r\n\t", at), text.size());
+    }
+  }
+  std::string out = "<EtherCATInfo><Vendor><Id>1</Id><Name>V</Name></Vendor><Descriptions><Groups/><Devices>";
+  while (!devices.empty() && out.size() < kSize) out += devices;
+  return out + "</Devices></Descriptions></EtherCATInfo>";
+}
+
+/// Bytes by which a process of its own grows at most while it does that; 0 where it failed.
+double grown_bytes(const std::function<bool()>& action) {
+  int ends[2];
+  if (::pipe(ends) != 0) return 0;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    rusage before{}, after{};
+    ::getrusage(RUSAGE_SELF, &before);
+    const bool done = action();
+    ::getrusage(RUSAGE_SELF, &after);
+    const double grown = done ? static_cast<double>(after.ru_maxrss - before.ru_maxrss) * 1024 : 0;
+    const bool told = ::write(ends[1], &grown, sizeof grown) == sizeof grown;
+    ::_exit(told ? 0 : 1);
+  }
+  double grown = 0;
+  ::close(ends[1]);
+  const bool told = child > 0 && ::read(ends[0], &grown, sizeof grown) == sizeof grown;
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return told ? grown : 0;
+}
+
+/// Beside the text itself, which is there once.
+void bench_memory(RatioReport& report) {
+  const std::string text = large_esi();
+  const auto size = static_cast<double>(text.size());
+  const double cards = grown_bytes([&] { return eni::read_cards(text, "large.xml").has_value(); });
+  const double devices = grown_bytes([&] {
+    const auto file = eni::parse_esi(text, "large.xml");
+    return file && !file->devices.empty();
+  });
+  if (cards == 0 || devices == 0) return report.add_failure("memory", "the large file was not read");
+  constexpr double kMega = 1U << 20;
+  report.add_count(fmt::format("memory to index {:.0f} MB of ESI", size / kMega), cards / kMega, "MB", size / kMega,
+                   "MB", 1);
+  report.add_count(fmt::format("memory to read {:.0f} MB of ESI", size / kMega), devices / kMega, "MB", size / kMega,
+                   "MB", 8);
+}
+
 // ---- a large catalogue -----------------------------------------------------------------------------
 
 constexpr std::uint32_t kFiles = 500, kProducts = 20, kRevisions = 5;  // 50,000 devices
@@ -166,6 +232,7 @@ void bench_lookup(RatioReport& report) {
 
 int main() {
   syncline::bench::RatioReport report;
+  syncline::bench::bench_memory(report);  // while there is no memory left over from anything else
   syncline::bench::bench_index(report);
   syncline::bench::bench_lookup(report);
   return report.finish("Catalogue of ESI files");

@@ -249,6 +249,10 @@
         <translation>Ein Command Specifier, der nicht 1 ist</translation>
     </message>
     <message>
+        <source>A command that no slave can carry out</source>
+        <translation>Ein Kommando, das kein Slave ausführen kann</translation>
+    </message>
+    <message>
         <source>A command to a clock register has the wrong length</source>
         <translation>Ein Kommando an ein Uhrenregister hat die falsche Länge</translation>
     </message>
@@ -1285,6 +1289,10 @@
         <translation>BitStart oder die Offsets des Kommandos berichtigen</translation>
     </message>
     <message>
+        <source>Correct Cmd and Ado, or remove Validate</source>
+        <translation>Cmd und Ado berichtigen oder Validate entfernen</translation>
+    </message>
+    <message>
         <source>Correct CycleTime</source>
         <translation>CycleTime berichtigen</translation>
     </message>
@@ -1423,6 +1431,10 @@
     <message>
         <source>Data link layer of the mailbox</source>
         <translation>Data Link Layer der Mailbox</translation>
+    </message>
+    <message>
+        <source>Data types of many variables</source>
+        <translation>Datentypen vieler Variablen</translation>
     </message>
     <message>
         <source>Delete it or choose another one.</source>
@@ -1893,6 +1905,10 @@
         <translation>Sie lässt sich nicht setzen: {reason}.</translation>
     </message>
     <message>
+        <source>It fails or changes nothing, and the transition ends there</source>
+        <translation>Es schlägt fehl oder ändert nichts, und der Übergang endet dort</translation>
+    </message>
+    <message>
         <source>It fails unless the first answer fits; other masters take 0 for a default of their own</source>
         <translation>Sie scheitert, wenn nicht schon die erste Antwort passt; andere Master nehmen 0 als ihre eigene Vorgabe</translation>
     </message>
@@ -2109,6 +2125,10 @@
         <translation>Bringen Sie die Uhr in Ordnung; weder die Firmware des Slaves noch seine Verschiebung ist der Grund.</translation>
     </message>
     <message>
+        <source>Names of many variables</source>
+        <translation>Namen vieler Variablen</translation>
+    </message>
+    <message>
         <source>Read it from another copy; what is shown beside it is as it was written.</source>
         <translation>Aus einer anderen Kopie lesen; was daneben gezeigt wird, ist wie geschrieben.</translation>
     </message>
@@ -2159,6 +2179,10 @@
     <message>
         <source>Slaves followed with delays that were not theirs</source>
         <translation>Slaves folgten mit Verzögerungen, die nicht ihre waren</translation>
+    </message>
+    <message>
+        <source>SyncManager of PDO {pdo}</source>
+        <translation>SyncManager des PDO {pdo}</translation>
     </message>
     <message>
         <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
@@ -4949,6 +4973,10 @@
         <translation>Daten zu kurz</translation>
     </message>
     <message>
+        <source>data type of variable "{variable}"</source>
+        <translation>Datentyp der Variablen "{variable}"</translation>
+    </message>
+    <message>
         <source>data type or length does not match</source>
         <translation>Datentyp oder Länge passt nicht</translation>
     </message>
@@ -5125,6 +5153,10 @@
         <translation>Init-Kommandos</translation>
     </message>
     <message>
+        <source>init commands of a transition come in another order</source>
+        <translation>Init-Kommandos eines Übergangs kommen in anderer Reihenfolge</translation>
+    </message>
+    <message>
         <source>inputs</source>
         <translation>Eingänge</translation>
     </message>
@@ -5211,6 +5243,10 @@
     <message>
         <source>it compares data of the EEPROM for which no valid command asks</source>
         <translation>es vergleicht Daten des EEPROMs, nach denen kein gültiges Kommando fragt</translation>
+    </message>
+    <message>
+        <source>it expects the {field} in word {word} of the EEPROM, which stands in word {own}</source>
+        <translation>es erwartet {field} in Wort {word} des EEPROM, steht aber in Wort {own}</translation>
     </message>
     <message>
         <source>it hangs on {slave}, which does not stand before it</source>
@@ -5367,6 +5403,10 @@
     <message>
         <source>modules and options of the device</source>
         <translation>Module und Optionen des Geräts</translation>
+    </message>
+    <message>
+        <source>name of the variable at bit {bit}</source>
+        <translation>Name der Variablen bei Bit {bit}</translation>
     </message>
     <message>
         <source>network adapter {adapter} is DOWN, gone or without carrier: waiting for it</source>
@@ -6245,6 +6285,10 @@
         <translation>{command} geht an alle Slaves</translation>
     </message>
     <message>
+        <source>{command} goes to logical addresses, which are those of the process data</source>
+        <translation>{command} geht an logische Adressen, die der Prozessdaten</translation>
+    </message>
+    <message>
         <source>{command} has no Cnt; the FMMUs make it {computed}</source>
         <translation>{command} hat kein Cnt; nach den FMMUs ist es {computed}</translation>
     </message>
@@ -6265,6 +6309,10 @@
         <translation>{command} wird in {state} nicht gesendet</translation>
     </message>
     <message>
+        <source>{command} reads nothing that Validate could be compared with</source>
+        <translation>{command} liest nichts, womit Validate verglichen werden könnte</translation>
+    </message>
+    <message>
         <source>{command} stands before {distributor}</source>
         <translation>{command} steht vor {distributor}</translation>
     </message>
@@ -6283,6 +6331,14 @@
     <message>
         <source>{command} takes the time of {slave}, the reference clock is {reference}</source>
         <translation>{command} nimmt die Zeit von {slave}, die Referenzuhr ist {reference}</translation>
+    </message>
+    <message>
+        <source>{command}: a master can only read the register {register}</source>
+        <translation>{command}: ein Master kann das Register {register} nur lesen</translation>
+    </message>
+    <message>
+        <source>{command}: no ESC has a register there</source>
+        <translation>{command}: dort hat kein ESC ein Register</translation>
     </message>
     <message>
         <source>{copies:# slave-to-slave copy|# slave-to-slave copies} cannot be kept: a project has no place for that.</source>
@@ -6351,6 +6407,14 @@
     <message>
         <source>{count:# frame was|# frames were} lost when {slave} went away or came back.</source>
         <translation>{count:# Frame ging|# Frames gingen} verloren, als {slave} ging oder wiederkam.</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another data type|# variables have other data types}</source>
+        <translation>{count:# Variable hat einen anderen Datentyp|# Variablen haben andere Datentypen}</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another name|# variables have other names}</source>
+        <translation>{count:# Variable hat einen anderen Namen|# Variablen haben andere Namen}</translation>
     </message>
     <message>
         <source>{count:# variable of the inputs lies|# variables of the inputs lie} elsewhere</source>

@@ -249,6 +249,10 @@
         <translation>命令说明符 (Ccs) 不为 1</translation>
     </message>
     <message>
+        <source>A command that no slave can carry out</source>
+        <translation>任何从站都无法执行的命令</translation>
+    </message>
+    <message>
         <source>A command to a clock register has the wrong length</source>
         <translation>写时钟寄存器的命令长度错误</translation>
     </message>
@@ -1285,6 +1289,10 @@
         <translation>更正 BitStart，或更正命令的偏移</translation>
     </message>
     <message>
+        <source>Correct Cmd and Ado, or remove Validate</source>
+        <translation>更正 Cmd 和 Ado，或删除 Validate</translation>
+    </message>
+    <message>
         <source>Correct CycleTime</source>
         <translation>更正 CycleTime</translation>
     </message>
@@ -1423,6 +1431,10 @@
     <message>
         <source>Data link layer of the mailbox</source>
         <translation>邮箱的数据链路层</translation>
+    </message>
+    <message>
+        <source>Data types of many variables</source>
+        <translation>许多变量的数据类型</translation>
     </message>
     <message>
         <source>Delete it or choose another one.</source>
@@ -1893,6 +1905,10 @@
         <translation>无法设置：{reason}。</translation>
     </message>
     <message>
+        <source>It fails or changes nothing, and the transition ends there</source>
+        <translation>命令失败或不起作用，转换到此结束</translation>
+    </message>
+    <message>
         <source>It fails unless the first answer fits; other masters take 0 for a default of their own</source>
         <translation>除非第一次响应就符合，否则命令失败；其他主站把 0 当作各自的默认值</translation>
     </message>
@@ -2109,6 +2125,10 @@
         <translation>请修复时钟；原因既不是从站固件，也不是其偏移。</translation>
     </message>
     <message>
+        <source>Names of many variables</source>
+        <translation>许多变量的名称</translation>
+    </message>
+    <message>
         <source>Read it from another copy; what is shown beside it is as it was written.</source>
         <translation>请从另一份副本读取；其余显示的内容与写入时一致。</translation>
     </message>
@@ -2159,6 +2179,10 @@
     <message>
         <source>Slaves followed with delays that were not theirs</source>
         <translation>从站曾使用不属于自己的延迟跟随</translation>
+    </message>
+    <message>
+        <source>SyncManager of PDO {pdo}</source>
+        <translation>PDO {pdo} 的 SyncManager</translation>
     </message>
     <message>
         <source>The capture breaks off behind {frames:# frame|# frames} ({reason}): what came before is imported.</source>
@@ -4949,6 +4973,10 @@
         <translation>数据过短</translation>
     </message>
     <message>
+        <source>data type of variable "{variable}"</source>
+        <translation>变量“{variable}”的数据类型</translation>
+    </message>
+    <message>
         <source>data type or length does not match</source>
         <translation>数据类型或长度不匹配</translation>
     </message>
@@ -5125,6 +5153,10 @@
         <translation>初始化命令</translation>
     </message>
     <message>
+        <source>init commands of a transition come in another order</source>
+        <translation>某一转换的初始化命令顺序不同</translation>
+    </message>
+    <message>
         <source>inputs</source>
         <translation>输入</translation>
     </message>
@@ -5211,6 +5243,10 @@
     <message>
         <source>it compares data of the EEPROM for which no valid command asks</source>
         <translation>它比较 EEPROM 的数据，但没有有效的命令请求这些数据</translation>
+    </message>
+    <message>
+        <source>it expects the {field} in word {word} of the EEPROM, which stands in word {own}</source>
+        <translation>它在 EEPROM 的字 {word} 中期望 {field}，而该值位于字 {own}</translation>
     </message>
     <message>
         <source>it hangs on {slave}, which does not stand before it</source>
@@ -5367,6 +5403,10 @@
     <message>
         <source>modules and options of the device</source>
         <translation>设备的模块和选件</translation>
+    </message>
+    <message>
+        <source>name of the variable at bit {bit}</source>
+        <translation>第 {bit} 位处变量的名称</translation>
     </message>
     <message>
         <source>network adapter {adapter} is DOWN, gone or without carrier: waiting for it</source>
@@ -6245,6 +6285,10 @@
         <translation>{command} 发往所有从站</translation>
     </message>
     <message>
+        <source>{command} goes to logical addresses, which are those of the process data</source>
+        <translation>{command} 指向逻辑地址，即过程数据的地址</translation>
+    </message>
+    <message>
         <source>{command} has no Cnt; the FMMUs make it {computed}</source>
         <translation>{command} 没有 Cnt；按 FMMU 计算应为 {computed}</translation>
     </message>
@@ -6265,6 +6309,10 @@
         <translation>{command} 在 {state} 中没有发送</translation>
     </message>
     <message>
+        <source>{command} reads nothing that Validate could be compared with</source>
+        <translation>{command} 不读取可与 Validate 比较的任何内容</translation>
+    </message>
+    <message>
         <source>{command} stands before {distributor}</source>
         <translation>{command} 位于 {distributor} 之前</translation>
     </message>
@@ -6283,6 +6331,14 @@
     <message>
         <source>{command} takes the time of {slave}, the reference clock is {reference}</source>
         <translation>{command} 取用{slave} 的时间，而参考时钟是{reference}</translation>
+    </message>
+    <message>
+        <source>{command}: a master can only read the register {register}</source>
+        <translation>{command}：主站只能读取寄存器 {register}</translation>
+    </message>
+    <message>
+        <source>{command}: no ESC has a register there</source>
+        <translation>{command}：任何 ESC 在该处都没有寄存器</translation>
     </message>
     <message>
         <source>{copies:# slave-to-slave copy|# slave-to-slave copies} cannot be kept: a project has no place for that.</source>
@@ -6351,6 +6407,14 @@
     <message>
         <source>{count:# frame was|# frames were} lost when {slave} went away or came back.</source>
         <translation>{slave} 离开或恢复时丢失了 {count} 帧。</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another data type|# variables have other data types}</source>
+        <translation>{count} 个变量的数据类型不同</translation>
+    </message>
+    <message>
+        <source>{count:# variable has another name|# variables have other names}</source>
+        <translation>{count} 个变量的名称不同</translation>
     </message>
     <message>
         <source>{count:# variable of the inputs lies|# variables of the inputs lie} elsewhere</source>

@@ -58,8 +58,10 @@ void MailboxWatch::add_to(PendingFrame& frame, Nanoseconds now) {
 /// In turn, so that a full frame only delays them.
 void MailboxWatch::add_polls(PendingFrame& frame, Nanoseconds now) {
   polled_begin_ = next_poll_;
+  auto place = polled_begin_;
   for (std::size_t n = 0; n < watched_.size() && polled_ < kPollsPerCycle; ++n) {
-    auto& watched = watched_[(polled_begin_ + n) % watched_.size()];
+    auto& watched = watched_[place];
+    place = behind(place);
     watched.poll.answered = false;
     const bool due =
         watched.poll_period > 0 && now >= watched.next_poll && !watched.full && mailbox_.ready_for(watched.slave);
@@ -67,7 +69,7 @@ void MailboxWatch::add_polls(PendingFrame& frame, Nanoseconds now) {
     watched.status[0] = 0;
     if (!frame.add(watched.poll)) return;
     watched.next_poll = now + watched.poll_period;
-    next_poll_ = (polled_begin_ + n + 1) % watched_.size();
+    next_poll_ = place;
     ++polled_;
   }
 }
@@ -84,12 +86,12 @@ bool MailboxWatch::full(const Watched& slave) const {
 }
 
 void MailboxWatch::begin() {
-  for (std::size_t n = 0; n < watched_.size(); ++n) {
-    const auto place = (next_ + n) % watched_.size();
+  auto place = next_;
+  for (std::size_t n = 0; n < watched_.size(); ++n, place = behind(place)) {
     auto& watched = watched_[place];
     const bool ask = watched.has_history && !watched.news && (watched.history_due || watched.newest_due);
     if ((!ask && !full(watched)) || !mailbox_.ready_for(watched.slave)) continue;
-    next_ = (place + 1) % watched_.size();
+    next_ = behind(place);
     if (full(watched)) {
       watched.full = false;
       mailbox_.fetch(watched.slave);

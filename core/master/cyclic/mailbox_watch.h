@@ -51,6 +51,8 @@ class MailboxWatch {
   };
   void add_polls(PendingFrame& frame, Nanoseconds now);
   void begin();
+  /// In turn: the first one is behind the last.
+  [[nodiscard]] std::size_t behind(std::size_t place) const { return place + 1 == watched_.size() ? 0 : place + 1; }
   void schedule_history(Nanoseconds now);
   [[nodiscard]] bool full(const Watched& slave) const;
   [[nodiscard]] Watched* find(std::size_t slave);

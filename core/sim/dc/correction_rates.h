@@ -22,7 +22,7 @@ class CorrectionRates {
   }
 
  private:
-  static constexpr std::uint32_t kKnown = 8;
+  static constexpr std::uint32_t kKnown = 32;  // a loop that has settled moves over more than a dozen
   struct Known {
     std::uint16_t start = 0;  // none: it is never so small
     std::int32_t diff = 0;

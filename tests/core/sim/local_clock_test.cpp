@@ -7,7 +7,10 @@
 
 #include <algorithm>
 
+#include "sim/dc/correction_rates.h"
+#include "sim/dc/time_control_loop.h"
 #include "support/clock.h"
+#include "support/random.h"
 
 namespace syncline::test {
 namespace {
@@ -76,6 +79,22 @@ TEST(SimLocalClock, TwoHundredYearsPassAtOnce) {
   const auto gained = static_cast<double>(clock.exact(time)) - static_cast<double>(time - kStart);
   EXPECT_GT(gained, 0);
   EXPECT_LT(gained, 40e-6 * static_cast<double>(time - kStart));
+}
+
+/// What is remembered is what would be found anew, whatever was asked before.
+TEST(SimLocalClock, KnowsTheRatesOfTheLoop) {
+  sim::TimeControlLoop loop;
+  sim::CorrectionRates rates;
+  Random random(7);
+  for (int i = 0; i < 5'000; ++i) {
+    if (random.next() % 500 == 0) {
+      loop.set_speed_counter_start(static_cast<std::uint16_t>(0x0080 + random.next() % 0x3F00));
+      loop.set_filter_depth_speed_counter(static_cast<std::uint8_t>(random.next() % 13));
+    }
+    (void)loop.observe(static_cast<std::int32_t>(random.next() % 2'001) - 1'000);
+    ASSERT_EQ(rates.of(loop), sim::LocalClock::rate_of(loop.correction())) << i;
+    ASSERT_EQ(rates.of(loop), sim::LocalClock::rate_of(loop.correction())) << "the second time, " << i;
+  }
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ std::vector<RuleCase> state_cases() {
        }},
       {"ENI-ORD-07",
        [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kStationAddress).data[0] ^= 0x40; }},
-      {"ENI-ORD-09", [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kSiiData, false).ado += 1000; }},
+      {"ENI-ORD-09", [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kSiiData, false).ado += 8; }},
+      {"ENI-ORD-10", [](NetworkConfig& c) { command(c, kInput, Transition::kIP, reg::kSiiConfiguration).ado -= 1; }},
       {"ENI-ORD-08",
        [](NetworkConfig& c) {
          std::erase_if(c.master.init_cmds, [](const InitCmd& cmd) { return cmd.ado == reg::kFmmu; });

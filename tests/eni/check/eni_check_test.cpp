@@ -82,6 +82,34 @@ TEST(EniCheck, EachRuleOfTheStructureFindsWhatItIsForAndNothingElse) {
   }
 }
 
+/// One wrong digit in a command makes one that nobody can carry out, or that asks for something else.
+TEST(EniCheck, CommandsWithoutSenseAreFound) {
+  const auto code_of = [](auto&& change) {
+    NetworkConfig config = checked_machine();
+    change(config);
+    return codes(eni::write_eni(config));
+  };
+  using testing::Contains;
+  const auto al_status = [](NetworkConfig& c) -> InitCmd& {
+    return command(c, kInput, Transition::kPS, reg::kAlStatus, false);
+  };
+  EXPECT_THAT(code_of([&](NetworkConfig& c) { al_status(c).command = Command::kFpwr; }), Contains("ENI-ORD-10"));
+  EXPECT_THAT(code_of([&](NetworkConfig& c) {
+                c.slaves[kInput].init_cmds.push_back(write(c.slaves[kInput], Transition::kIP, reg::kAlStatus, {1, 0}));
+              }),
+              Contains("ENI-ORD-10"));
+  EXPECT_THAT(
+      code_of([](NetworkConfig& c) { command(c, kInput, Transition::kPS, reg::kAlControl).command = Command::kLrd; }),
+      Contains("ENI-ORD-10"));
+  // 0x0108 instead of 0x0008.
+  EXPECT_THAT(code_of([](NetworkConfig& c) {
+                for (InitCmd& cmd : c.slaves[kInput].init_cmds) {
+                  if (cmd.ado == reg::kSiiControl && cmd.data.size() > 3 && cmd.data[2] == 8) cmd.data[3] = 1;
+                }
+              }),
+              Contains("ENI-REF-10"));
+}
+
 TEST(EniCheck, EachRuleHasACaseAndTexts) {
   std::set<std::string> tested;
   for (const RuleCase& rule : all_cases()) tested.insert(rule.code);
