@@ -351,7 +351,7 @@
         </message>
         <message>
             <source>Export Ta&amp;bles and Code</source>
-            <translation>Tabellen und Ta&amp;bellen und Code exportierenamp;Code exportieren</translation>
+            <translation>&amp;Tabellen und Code exportieren</translation>
         </message>
         <message>
             <source>Export</source>
