@@ -1629,6 +1629,72 @@
         </message>
 </context>
     <context>
+    <name>BathtubPlot</name>
+        <message>
+            <source>From one SYNC0 to the next: how probable it is that the outputs come later than a moment (the line that falls to the right), and earlier (the one that falls to the left). Dashed is what comes out if the rarest arrivals go on as they begin; shaded is what the slave needs for calculating and copying.</source>
+            <translation>Von einem SYNC0 zum nächsten: wie wahrscheinlich es ist, dass die Ausgänge später als ein Zeitpunkt kommen (die Linie, die nach rechts fällt), und früher (die, die nach links fällt). Gestrichelt ist, was herauskommt, wenn die seltensten Ankünfte so weitergehen, wie sie beginnen; schattiert ist, was der Slave zum Rechnen und Kopieren braucht.</translation>
+        </message>
+    </context>
+    <context>
+    <name>CycleView</name>
+        <message>
+            <source>What is shown of the arrivals</source>
+            <translation>Was von den Ankünften gezeigt wird</translation>
+        </message>
+        <message>
+            <source>How probable late and early arrivals are</source>
+            <translation>Wie wahrscheinlich späte und frühe Ankünfte sind</translation>
+        </message>
+        <message>
+            <source>Arrivals</source>
+            <translation>Ankünfte</translation>
+        </message>
+        <message>
+            <source>Bathtub</source>
+            <translation>Badewanne</translation>
+        </message>
+        <message>
+            <source>How often outputs came when</source>
+            <translation>Wie oft Ausgänge wann kamen</translation>
+        </message>
+        <message>
+            <source>How probable it is that outputs come too late or too early</source>
+            <translation>Wie wahrscheinlich es ist, dass Ausgänge zu spät oder zu früh kommen</translation>
+        </message>
+        <message>
+            <source>%1 (extrapolated) in all but %2</source>
+            <translation>%1 (extrapoliert) in allen bis auf %2</translation>
+        </message>
+        <message>
+            <source>%1 in all but %2</source>
+            <translation>%1 in allen bis auf %2</translation>
+        </message>
+        <message>
+            <source>%1 arrivals: too few for a probability</source>
+            <translation>%1 Ankünfte: zu wenige für eine Wahrscheinlichkeit</translation>
+        </message>
+        <message>
+            <source>room before SYNC0: %1</source>
+            <translation>Abstand vor SYNC0: %1</translation>
+        </message>
+        <message>
+            <source>behind the one before: %1</source>
+            <translation>hinter dem davor: %1</translation>
+        </message>
+        <message>
+            <source>calculating and copying (%1) always has its time, as far as can be told</source>
+            <translation>Rechnen und Kopieren (%1) hat immer seine Zeit, soweit sich das sagen lässt</translation>
+        </message>
+        <message>
+            <source>too late for calculating and copying (%1): %2 at most, extrapolated</source>
+            <translation>zu spät zum Rechnen und Kopieren (%1): höchstens %2, extrapoliert</translation>
+        </message>
+        <message>
+            <source>too late for calculating and copying (%1): %2 at most</source>
+            <translation>zu spät zum Rechnen und Kopieren (%1): höchstens %2</translation>
+        </message>
+    </context>
+    <context>
     <name>JoinedText</name>
         <message>
             <source>%1, %2</source>
@@ -1675,6 +1741,45 @@
         <message>
             <source>reference clock</source>
             <translation>Referenzuhr</translation>
+        </message>
+    </context>
+    <context>
+    <name>MaskChooser</name>
+        <message>
+            <source>Mask</source>
+            <translation>Maske</translation>
+        </message>
+        <message>
+            <source>Own mask</source>
+            <translation>Eigene Maske</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>Grenze</translation>
+        </message>
+        <message>
+            <source>1/25 of the cycle</source>
+            <translation>1/25 des Zyklus</translation>
+        </message>
+        <message>
+            <source>The most that the figure can be while every value is within the limit of the signal: the sync window, or that of the DCM error</source>
+            <translation>Das Höchste, was der Kennwert erreichen kann, solange jeder Wert in der Grenze des Signals liegt: dem Sync-Fenster oder der des DCM-Fehlers</translation>
+        </message>
+        <message>
+            <source>The most that the figure can be while every value is within a twenty-fifth of the cycle</source>
+            <translation>Das Höchste, was der Kennwert erreichen kann, solange jeder Wert in einem Fünfundzwanzigstel des Zyklus liegt</translation>
+        </message>
+        <message>
+            <source>What you type: observation time and value, points parted by semicolons</source>
+            <translation>Was Sie eintippen: Beobachtungszeit und Wert, Punkte durch Semikolons getrennt</translation>
+        </message>
+        <message>
+            <source>Observation time and value: &quot;1ms 100ns; 1s 250ns&quot;. Between points the mask is straight on both logarithmic axes, outside of them nothing is asked. A value alone is asked at every time.</source>
+            <translation>Beobachtungszeit und Wert: „1ms 100ns; 1s 250ns“. Zwischen den Punkten ist die Maske auf beiden logarithmischen Achsen gerade, außerhalb wird nichts verlangt. Ein Wert allein gilt für jede Zeit.</translation>
+        </message>
+        <message>
+            <source>Nobody understands &quot;%1&quot; in the mask.</source>
+            <translation>„%1“ in der Maske versteht niemand.</translation>
         </message>
     </context>
     <context>
@@ -1759,6 +1864,14 @@
             <source>The largest magnitudes over the range shown; the top is the limit</source>
             <translation>Die größten Beträge über den gezeigten Bereich; oben ist der Grenzwert</translation>
         </message>
+        <message>
+            <source>%1; too few readings, or too alike, to say how sure that is</source>
+            <translation>%1; zu wenige oder zu ähnliche Ablesungen, um zu sagen, wie sicher das ist</translation>
+        </message>
+        <message>
+            <source>%1; with 95 % certainty the true mean lies in it</source>
+            <translation>%1; mit 95 % Sicherheit liegt der wahre Mittelwert darin</translation>
+        </message>
     </context>
     <context>
     <name>SlavesView</name>
@@ -1805,6 +1918,56 @@
         <message>
             <source>%1: now %2, at most %3</source>
             <translation>%1: jetzt %2, höchstens %3</translation>
+        </message>
+    </context>
+    <context>
+    <name>StabilityView</name>
+        <message>
+            <source>1/25 of the cycle</source>
+            <translation>1/25 des Zyklus</translation>
+        </message>
+        <message>
+            <source>own mask</source>
+            <translation>eigene Maske</translation>
+        </message>
+        <message>
+            <source>There is no mask yet.</source>
+            <translation>Es gibt noch keine Maske.</translation>
+        </message>
+        <message>
+            <source>The mask asks nothing at the observation times that are shown.</source>
+            <translation>Die Maske verlangt bei den gezeigten Beobachtungszeiten nichts.</translation>
+        </message>
+        <message>
+            <source>Keeps the mask; closest to it at τ %1: %2 of %3.</source>
+            <translation>Hält die Maske ein; am nächsten bei τ %1: %2 von %3.</translation>
+        </message>
+        <message>
+            <source>Beyond the mask at %1 of %2 observation times, from τ %3 on; furthest at %4: %5 where %6 is allowed.</source>
+            <translation>Jenseits der Maske bei %1 von %2 Beobachtungszeiten, ab τ %3; am weitesten bei %4: %5, wo %6 erlaubt sind.</translation>
+        </message>
+    </context>
+    <context>
+    <name>StepText</name>
+        <message>
+            <source>overshoot %1 %</source>
+            <translation>Überschwingen %1 %</translation>
+        </message>
+        <message>
+            <source>settled after %1</source>
+            <translation>eingeschwungen nach %1</translation>
+        </message>
+        <message>
+            <source>not settled</source>
+            <translation>nicht eingeschwungen</translation>
+        </message>
+        <message>
+            <source>step %1: %2</source>
+            <translation>Sprung %1: %2</translation>
+        </message>
+        <message>
+            <source> (its controller without noise: %1)</source>
+            <translation> (sein Regler ohne Rauschen: %1)</translation>
         </message>
     </context>
     <context>
@@ -11659,4 +11822,11 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Rechnen + Kopieren</translation>
         </message>
 </context>
+    <context>
+    <name>TracePanel</name>
+        <message>
+            <source>Mean 95 %</source>
+            <translation>Mittel 95 %</translation>
+        </message>
+    </context>
 </TS>

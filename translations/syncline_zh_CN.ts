@@ -1627,6 +1627,72 @@
         </message>
 </context>
     <context>
+    <name>BathtubPlot</name>
+        <message>
+            <source>From one SYNC0 to the next: how probable it is that the outputs come later than a moment (the line that falls to the right), and earlier (the one that falls to the left). Dashed is what comes out if the rarest arrivals go on as they begin; shaded is what the slave needs for calculating and copying.</source>
+            <translation>从一个 SYNC0 到下一个：输出晚于某一时刻到达的概率（向右下降的线），以及早于该时刻的概率（向左下降的线）。虚线表示最罕见的到达按其开始的趋势继续时的结果；阴影为从站计算和复制所需的时间。</translation>
+        </message>
+    </context>
+    <context>
+    <name>CycleView</name>
+        <message>
+            <source>What is shown of the arrivals</source>
+            <translation>显示到达的哪一方面</translation>
+        </message>
+        <message>
+            <source>How probable late and early arrivals are</source>
+            <translation>过晚和过早到达的概率</translation>
+        </message>
+        <message>
+            <source>Arrivals</source>
+            <translation>到达</translation>
+        </message>
+        <message>
+            <source>Bathtub</source>
+            <translation>浴盆曲线</translation>
+        </message>
+        <message>
+            <source>How often outputs came when</source>
+            <translation>输出在何时到达的次数</translation>
+        </message>
+        <message>
+            <source>How probable it is that outputs come too late or too early</source>
+            <translation>输出到达过晚或过早的概率</translation>
+        </message>
+        <message>
+            <source>%1 (extrapolated) in all but %2</source>
+            <translation>除 %2 外均有 %1（外推）</translation>
+        </message>
+        <message>
+            <source>%1 in all but %2</source>
+            <translation>除 %2 外均有 %1</translation>
+        </message>
+        <message>
+            <source>%1 arrivals: too few for a probability</source>
+            <translation>%1 次到达：太少，无法给出概率</translation>
+        </message>
+        <message>
+            <source>room before SYNC0: %1</source>
+            <translation>距 SYNC0 的余量：%1</translation>
+        </message>
+        <message>
+            <source>behind the one before: %1</source>
+            <translation>距前一个 SYNC0：%1</translation>
+        </message>
+        <message>
+            <source>calculating and copying (%1) always has its time, as far as can be told</source>
+            <translation>就目前所知，计算和复制（%1）始终有足够的时间</translation>
+        </message>
+        <message>
+            <source>too late for calculating and copying (%1): %2 at most, extrapolated</source>
+            <translation>来不及计算和复制（%1）：最多 %2，外推</translation>
+        </message>
+        <message>
+            <source>too late for calculating and copying (%1): %2 at most</source>
+            <translation>来不及计算和复制（%1）：最多 %2</translation>
+        </message>
+    </context>
+    <context>
     <name>JoinedText</name>
         <message>
             <source>%1, %2</source>
@@ -1673,6 +1739,45 @@
         <message>
             <source>reference clock</source>
             <translation>参考时钟</translation>
+        </message>
+    </context>
+    <context>
+    <name>MaskChooser</name>
+        <message>
+            <source>Mask</source>
+            <translation>模板</translation>
+        </message>
+        <message>
+            <source>Own mask</source>
+            <translation>自定义模板</translation>
+        </message>
+        <message>
+            <source>Limit</source>
+            <translation>限值</translation>
+        </message>
+        <message>
+            <source>1/25 of the cycle</source>
+            <translation>周期的 1/25</translation>
+        </message>
+        <message>
+            <source>The most that the figure can be while every value is within the limit of the signal: the sync window, or that of the DCM error</source>
+            <translation>只要每个值都在信号的限值（同步窗口或 DCM 误差限值）之内，该指标可能达到的最大值</translation>
+        </message>
+        <message>
+            <source>The most that the figure can be while every value is within a twenty-fifth of the cycle</source>
+            <translation>只要每个值都在周期的二十五分之一之内，该指标可能达到的最大值</translation>
+        </message>
+        <message>
+            <source>What you type: observation time and value, points parted by semicolons</source>
+            <translation>由您输入：观测时间和数值，各点以分号分隔</translation>
+        </message>
+        <message>
+            <source>Observation time and value: &quot;1ms 100ns; 1s 250ns&quot;. Between points the mask is straight on both logarithmic axes, outside of them nothing is asked. A value alone is asked at every time.</source>
+            <translation>观测时间和数值：“1ms 100ns; 1s 250ns”。各点之间，模板在两个对数轴上为直线；点范围之外不作要求。单独一个数值适用于所有时间。</translation>
+        </message>
+        <message>
+            <source>Nobody understands &quot;%1&quot; in the mask.</source>
+            <translation>模板中的“%1”无法理解。</translation>
         </message>
     </context>
     <context>
@@ -1757,6 +1862,14 @@
             <source>The largest magnitudes over the range shown; the top is the limit</source>
             <translation>所示范围内的最大绝对值；顶端为限值</translation>
         </message>
+        <message>
+            <source>%1; too few readings, or too alike, to say how sure that is</source>
+            <translation>%1；读数太少或彼此过于相似，无法说明其可靠程度</translation>
+        </message>
+        <message>
+            <source>%1; with 95 % certainty the true mean lies in it</source>
+            <translation>%1；真实均值以 95 % 的把握位于其中</translation>
+        </message>
     </context>
     <context>
     <name>SlavesView</name>
@@ -1803,6 +1916,56 @@
         <message>
             <source>%1: now %2, at most %3</source>
             <translation>%1：当前 %2，最大 %3</translation>
+        </message>
+    </context>
+    <context>
+    <name>StabilityView</name>
+        <message>
+            <source>1/25 of the cycle</source>
+            <translation>周期的 1/25</translation>
+        </message>
+        <message>
+            <source>own mask</source>
+            <translation>自定义模板</translation>
+        </message>
+        <message>
+            <source>There is no mask yet.</source>
+            <translation>尚无模板。</translation>
+        </message>
+        <message>
+            <source>The mask asks nothing at the observation times that are shown.</source>
+            <translation>模板对所示的观测时间没有要求。</translation>
+        </message>
+        <message>
+            <source>Keeps the mask; closest to it at τ %1: %2 of %3.</source>
+            <translation>符合模板；最接近处在 τ %1：%2，允许 %3。</translation>
+        </message>
+        <message>
+            <source>Beyond the mask at %1 of %2 observation times, from τ %3 on; furthest at %4: %5 where %6 is allowed.</source>
+            <translation>在 %2 个观测时间中有 %1 个超出模板，从 τ %3 开始；超出最多处在 %4：%5，允许 %6。</translation>
+        </message>
+    </context>
+    <context>
+    <name>StepText</name>
+        <message>
+            <source>overshoot %1 %</source>
+            <translation>超调 %1 %</translation>
+        </message>
+        <message>
+            <source>settled after %1</source>
+            <translation>%1 后稳定</translation>
+        </message>
+        <message>
+            <source>not settled</source>
+            <translation>未稳定</translation>
+        </message>
+        <message>
+            <source>step %1: %2</source>
+            <translation>阶跃 %1：%2</translation>
+        </message>
+        <message>
+            <source> (its controller without noise: %1)</source>
+            <translation>（其控制器在无噪声时：%1）</translation>
         </message>
     </context>
     <context>
@@ -11600,4 +11763,11 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>计算 + 复制</translation>
         </message>
 </context>
+    <context>
+    <name>TracePanel</name>
+        <message>
+            <source>Mean 95 %</source>
+            <translation>均值 95 %</translation>
+        </message>
+    </context>
 </TS>

@@ -10,6 +10,7 @@
 
 #include "app/cli/counted.h"
 #include "app/cli/event_text.h"
+#include "app/cli/interval_json.h"
 #include "app/cli/milliseconds.h"
 #include "app/cli/terminal_reason.h"
 #include "record/recording_reader.h"
@@ -109,7 +110,8 @@ Json figure_json(const RangeFigure& figure, Signal signal, const RunLimits& limi
           {"max", reading_or_null(figure.largest)},
           {"max_s", figure.largest ? Json(seconds(figure.largest->time - begin)) : Json(nullptr)},
           {"limit", limit > 0 ? figure_number(limit) : Json(nullptr)},
-          {"margin", margin ? to_three_digits(*margin) : Json(nullptr)}};
+          {"margin", margin ? to_three_digits(*margin) : Json(nullptr)},
+          {"mean_95", interval_json(statistics.mean_interval(), info(signal).unit == "ppm")}};
 }
 
 Json lamp_json(const SyncLamp& lamp, const SyncOverview& overview) {
@@ -190,11 +192,13 @@ void append_figure(std::string& text, std::string_view name, std::string_view un
                    double limit, Nanoseconds begin) {
   const auto& statistics = figure.statistics;
   const auto quantile = figure.quantile(kQuantile);
+  const auto half = statistics.mean_half_width();
   const auto or_dash = [](bool any, const std::string& number) { return any ? number : std::string("-"); };
   const bool any = statistics.count() > 0;
-  fmt::format_to(std::back_inserter(text), "{:<40} {:>5} {:>10} {:>12} {:>12} {:>12} {:>12}", name, unit,
+  fmt::format_to(std::back_inserter(text), "{:<40} {:>5} {:>10} {:>12} {:>9} {:>12} {:>12} {:>12}", name, unit,
                  statistics.count(), or_dash(any, fmt::format("{:.3f}", statistics.mean())),
-                 or_dash(any, fmt::format("{:.3f}", statistics.rms())), quantile ? fmt::format("{}", *quantile) : "-",
+                 half ? fmt::format("{:.3f}", *half) : "-", or_dash(any, fmt::format("{:.3f}", statistics.rms())),
+                 quantile ? fmt::format("{}", *quantile) : "-",
                  or_dash(any, any ? number_text(figure.largest->value) : ""));
   if (any) fmt::format_to(std::back_inserter(text), "  at {:.6f} s", seconds(figure.largest->time - begin));
   if (const auto margin = figure.margin(limit)) {
@@ -233,8 +237,8 @@ std::string figures_text(const Told& told, const FiguresOptions& options) {
                  counted(told.figures.cycles(), "cycle"), of_count(told.figures.lost_frames(), "frame"),
                  of_count(told.figures.wkc_errors(), "WKC error"), of_count(told.figures.skipped_cycles(), "cycle"));
   text += lamp_words("slaves", overview.slaves, overview) + lamp_words("master", overview.master, overview);
-  fmt::format_to(out(text), "{:<40} {:>5} {:>10} {:>12} {:>12} {:>12} {:>12}\n", "SIGNAL", "UNIT", "COUNT", "MEAN",
-                 "RMS", "P99.99", "LARGEST");
+  fmt::format_to(out(text), "{:<40} {:>5} {:>10} {:>12} {:>9} {:>12} {:>12} {:>12}\n", "SIGNAL", "UNIT", "COUNT",
+                 "MEAN", "±95 %", "RMS", "P99.99", "LARGEST");
   for (const auto& of : told.figures.signals()) {
     if (!is_wanted(options, of)) continue;
     append_figure(text, info(of.signal).name, info(of.signal).unit, of.figure, judged_by(record.limits(), of.signal),

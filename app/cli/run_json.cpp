@@ -9,6 +9,7 @@
 
 #include "app/cli/counted.h"
 #include "app/cli/evidence_json.h"
+#include "app/cli/interval_json.h"
 #include "channels/sync_standing.h"
 #include "channels/values/sync_obstacle_text.h"
 #include "protocol/dcm_error.h"
@@ -24,6 +25,20 @@ Json or_null(const std::optional<T>& value) {
 /// Three digits are more than any of these figures is worth, and keep the text stable.
 Json rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
 Json rounded(const std::optional<double>& value) { return value ? rounded(*value) : Json(nullptr); }
+
+/// The mean of `shown` samples may be of some cycles more than that of `statistics`.
+Json mean_interval(double shown, const Statistics& statistics) {
+  auto interval = statistics.mean_interval();
+  if (!interval) return nullptr;
+  const double moved = shown - statistics.mean();
+  return interval_json(Interval{interval->low + moved, interval->high + moved});
+}
+
+Json drift_interval(const DcmStatus& dcm) {
+  if (!dcm.drift_half_width_ppm) return nullptr;
+  return interval_json(Interval{dcm.drift_ppm - *dcm.drift_half_width_ppm, dcm.drift_ppm + *dcm.drift_half_width_ppm},
+                       true);
+}
 
 /// Where nobody knows which of the two counters it is, both.
 std::string sm2_text(const Sm2MissedStatus& status) {
@@ -64,7 +79,9 @@ Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"sm2_other", slave.sm2_missed ? sm2_other(*slave.sm2_missed) : Json(nullptr)},
           {"propagation_delay_ns", or_null(slave.propagation_delay_ns)},
           {"present", slave.present},
-          {"evidence", evidence_json(slave, now)}};
+          {"evidence", evidence_json(slave, now)},
+          {"deviation_mean_ns", slave.deviation.count() > 0 ? rounded(slave.deviation.mean()) : Json(nullptr)},
+          {"deviation_mean_95_ns", interval_json(slave.deviation.mean_interval())}};
 }
 
 Json age_ms(Nanoseconds age) { return age < 0 ? Json(nullptr) : rounded(static_cast<double>(age) / 1e6); }
@@ -86,7 +103,8 @@ Json dc_json(const RunReport& report) {
           {"deviation_ns", {{"now", or_null(dc.deviation_ns)}, {"max", or_null(report.deviation_max_ns)}}}};
 }
 
-Json dcm_json(const DcmStatus& dcm) {
+Json dcm_json(const RunReport& report) {
+  const auto& dcm = report.dcm;
   return {{"mode", dcm_mode_name(dcm.mode)},
           {"in_sync", or_null(master_in_sync(dcm))},
           {"in_sync_after_ms", rounded(dcm.in_sync_after_ms)},
@@ -95,7 +113,10 @@ Json dcm_json(const DcmStatus& dcm) {
                            ? Json(nullptr)
                            : Json(dc::obstacle_text(dcm.obstacle))},
           {"error_ns",
-           {{"mean", rounded(dcm.error_mean_ns)}, {"rms", rounded(dcm.error_rms_ns)}, {"max", dcm.error_max_ns}}},
+           {{"mean", rounded(dcm.error_mean_ns)},
+            {"rms", rounded(dcm.error_rms_ns)},
+            {"max", dcm.error_max_ns},
+            {"mean_95", mean_interval(dcm.error_mean_ns, report.dcm_error)}}},
           {"frame_error_ns", {{"now", dcm.frame_error_ns}, {"max", dcm.frame_error_max_ns}}},
           {"late_allowed_ns", dcm.late_allowed_ns},
           {"late_sends", dcm.late_sends},
@@ -104,7 +125,8 @@ Json dcm_json(const DcmStatus& dcm) {
           {"set_value_ns", dcm.set_value_ns},
           {"adjust_permil", rounded(dcm.adjust_permil)},
           {"control_off", dcm.control_off},
-          {"bus_shift_configured", dcm.bus_shift_configured}};
+          {"bus_shift_configured", dcm.bus_shift_configured},
+          {"drift_95_ppm", drift_interval(dcm)}};
 }
 
 std::string or_dash(const std::optional<std::int32_t>& value) { return value ? fmt::format("{}", *value) : "-"; }
@@ -127,7 +149,7 @@ Json to_json(const RunReport& report) {
           {"cycles", report.cycles},
           {"slaves", slaves},
           {"dc", dc_json(report)},
-          {"dcm", dcm_json(report.dcm)},
+          {"dcm", dcm_json(report)},
           {"wkc_errors", report.wkc_errors},
           {"lost_frames", report.lost_frames},
           {"late_frames", report.late_frames},
@@ -159,10 +181,10 @@ std::string to_text(const RunReport& report) {
   fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_state_text(dcm.state));
   if (dcm.mode != DcmMode::kOff) {
     if (dcm.in_sync_after_ms) fmt::format_to(out, " {}", ms_text(dcm.in_sync_after_ms));
-    fmt::format_to(out,
-                   ", error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm",
-                   dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.frame_error_max_ns, dcm.late_allowed_ns,
-                   dcm.drift_ppm);
+    fmt::format_to(
+        out, ", error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm{}",
+        dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.frame_error_max_ns, dcm.late_allowed_ns,
+        dcm.drift_ppm, dcm.drift_half_width_ppm ? fmt::format(" ±{:.3f}", *dcm.drift_half_width_ppm) : "");
     if (dcm.state == SyncState::kOutOfSync) fmt::format_to(out, " ({})", dc::obstacle_text(dcm.obstacle));
   }
   if (dcm.control_off)

@@ -33,6 +33,7 @@
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/mask_chooser.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/session/first_pictures.h"
@@ -187,6 +188,10 @@ void takeBodies(Camera& camera, ui::MainWindow& window, const QString& theme) {
            [strip] { return strip->slaves()->complete(); });
   takeBody(camera, window, Body::kCycle, theme + QStringLiteral("-cycle"),
            [strip] { return strip->cycle()->plot()->picture().figures.count > 0; });
+  strip->cycle()->setFigure(ui::CycleView::Figure::kBathtub);
+  takeBody(camera, window, Body::kCycle, theme + QStringLiteral("-bathtub"),
+           [strip] { return strip->cycle()->bathtub()->picture().bathtub.count > 0; });
+  strip->cycle()->setFigure(ui::CycleView::Figure::kArrivals);
   takeBody(camera, window, Body::kFree, theme + QStringLiteral("-own-plots"), [] { return true; });
 }
 
@@ -209,6 +214,10 @@ void takeStability(Camera& camera, ui::MainWindow& window, const QString& theme)
   take(Figure::kTdev, "-stability-tdev");
   take(Figure::kMtie, "-stability-mtie");
   take(Figure::kSpectrum, "-stability-spectrum");
+  view->mask()->setKind(ui::MaskChooser::Kind::kOwn);
+  view->mask()->setOwn(QStringLiteral("5ms 20ns; 1s 60ns"));
+  take(Figure::kMtie, "-stability-mask");
+  view->mask()->setKind(ui::MaskChooser::Kind::kLimit);
   window.resize(1024, 640);
   QApplication::processEvents();
   take(Figure::kMtie, "-stability-small");

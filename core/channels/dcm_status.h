@@ -17,6 +17,7 @@ struct DcmStatus {
   SyncState state = SyncState::kNotReady;
   std::int32_t error_ns = 0, error_filtered_ns = 0;
   double drift_ppm = 0;
+  std::optional<double> drift_half_width_ppm;  // half of its 95 % interval; nothing while too little is known for one
   double error_mean_ns = 0, error_rms_ns = 0;  // since in sync
   std::int32_t error_max_ns = 0;
   std::int32_t frame_error_ns = 0;      // error of the frame: that of the schedule, and how late it was sent

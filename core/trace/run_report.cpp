@@ -43,6 +43,9 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
     if (sample.round_trip_ns > 0 && sample.master_state >= static_cast<std::uint8_t>(AlState::kSafeop))
       round_trip_ = std::min(round_trip_.value_or(sample.round_trip_ns), Nanoseconds{sample.round_trip_ns});
     note_settled(sample);
+    master_settled_ = master_settled_ || sample.master_sync == SyncState::kInSync;
+    constexpr auto kMeasured = CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    if (master_settled_ && (sample.flags & kMeasured) == kMeasured) dcm_error_.add(sample.dcm_error_ns);
     if (sample.master_state == static_cast<std::uint8_t>(AlState::kOp))
       lateness_histogram_.add(sample.wake_lateness_ns);
     if (sample.slave_position < 0 || static_cast<std::size_t>(sample.slave_position) >= readings_.size()) continue;
@@ -51,7 +54,9 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
     if ((sample.flags & CycleSample::kSlaveFollows) == 0) continue;
     readings.latest = sample.slave_deviation_ns;
     readings.latest_time = sample.send_time;
-    if (settled_) readings.max = std::max(readings.max.value_or(0), std::abs(sample.slave_deviation_ns));
+    if (!settled_) continue;
+    readings.max = std::max(readings.max.value_or(0), std::abs(sample.slave_deviation_ns));
+    readings.settled.add(sample.slave_deviation_ns);
   }
 }
 
@@ -93,6 +98,7 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
   report.skipped_cycles = snapshot.skipped_cycles;
   report.dc = snapshot.dc;
   report.dcm = snapshot.dcm;
+  report.dcm_error = dcm_error_;
   report.lateness = lateness_;
   report.lateness_histogram = lateness_histogram_;
   report.host = snapshot.host;
@@ -102,6 +108,7 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
     auto slave = configured_[i];
     if (i < snapshot.slaves.size() && snapshot.slaves[i].deviation_valid) slave.deviation_ns = readings_[i].latest;
     slave.deviation_max_ns = readings_[i].max;
+    slave.deviation = readings_[i].settled;
     if (slave.deviation_max_ns) {
       report.deviation_max_ns = std::max(report.deviation_max_ns.value_or(0), *slave.deviation_max_ns);
     }

@@ -33,6 +33,7 @@ struct RunReport {
     std::optional<std::int32_t> deviation_ns;      // latest reading
     Nanoseconds deviation_time = 0;                // host clock of that; 0: none
     std::optional<std::int32_t> deviation_max_ns;  // largest magnitude after settling, in sync or not
+    Statistics deviation;                          // ns, of every reading after settling
     std::optional<Sm2MissedStatus> sm2_missed;
     std::optional<std::uint32_t> propagation_delay_ns;
     SlaveEvidence evidence;
@@ -56,6 +57,7 @@ struct RunReport {
   std::optional<std::int32_t> deviation_max_ns;  // over all slaves that follow, after settling
   DcmStatus dcm;
   bool sync_window_enabled = false;  // configured
+  Statistics dcm_error;              // ns, of the cycles that read the reference clock since the master came in sync
   Statistics lateness;               // ns, every cycle
   Histogram lateness_histogram;      // in OP
   RunHistory history;
@@ -77,6 +79,7 @@ class RunRecorder {
     std::optional<std::int32_t> latest;
     Nanoseconds latest_time = 0;
     std::optional<std::int32_t> max;
+    Statistics settled;
   };
   void note_settled(const CycleSample& sample);
   [[nodiscard]] static RunReport::Slave configured(const NetworkConfig& config, std::size_t position);
@@ -86,10 +89,10 @@ class RunRecorder {
   Nanoseconds wire_time_ = 0, first_wire_time_ = 0;
   std::optional<Nanoseconds> round_trip_;
   std::vector<SlaveReadings> readings_;
-  Statistics lateness_;
+  Statistics dcm_error_, lateness_;
   Histogram lateness_histogram_;
   HistoryRecorder history_;
-  bool settled_ = false;
+  bool settled_ = false, master_settled_ = false;
 };
 
 }  // namespace syncline

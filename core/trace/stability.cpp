@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "trace/mtie.h"
+
 namespace syncline {
 namespace {
 
@@ -40,61 +42,64 @@ class LaneSum {
   double lanes_[kLanes] = {};
 };
 
+/// Sums of one observation time of m intervals over a stretch, in one pass: memory is what a long one costs.
+///
+/// First differences are x(i+m) - x(i), second ones those of these; an average over m has the sum over a window of m
+/// second differences, which is moved on by one sample each time.
 template <class Value>
 void add_differences(std::span<const Value> x, std::size_t m, StabilitySums& sums) {
   const auto n = x.size();
   if (n <= m) return;
   const auto* a = x.data();
   const auto at = [a](std::size_t i) { return static_cast<double>(a[i]); };
-  LaneSum first;
-  LaneSum second;
-  const std::size_t both = n > 2 * m ? n - 2 * m : 0;
+  const std::size_t seconds = n > 2 * m ? n - 2 * m : 0;
+  const std::size_t moves = n > 3 * m ? n - 3 * m : 0;
+  LaneSum first, second, averaged;
+  double window = 0;
+  if (n >= 3 * m) {
+    for (std::size_t i = 0; i < m; ++i) window += (at(i + 2 * m) - at(i + m)) - (at(i + m) - at(i));
+    averaged.add(0, window * window);
+    sums.averaged_terms += moves + 1;
+  }
   std::size_t i = 0;
-  for (; i + kLanes <= both; i += kLanes) {
+  for (; i + kLanes <= moves; i += kLanes) {
+    double step[kLanes];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const double one = at(i + lane + m) - at(i + lane);
-      const double two = (at(i + lane + 2 * m) - at(i + lane + m)) - one;
+      const double begin = at(i + lane), one_later = at(i + lane + m), two_later = at(i + lane + 2 * m);
+      const double one = one_later - begin, next = two_later - one_later, two = next - one;
       first.add(lane, one * one);
       second.add(lane, two * two);
+      step[lane] = ((at(i + lane + 3 * m) - two_later) - next) - two;
     }
+    // The window need not wait for four additions in a row.
+    const double pair = step[0] + step[1];
+    const double places[kLanes] = {window + step[0], window + pair, window + (pair + step[2]),
+                                   window + (pair + (step[2] + step[3]))};
+    for (std::size_t lane = 0; lane < kLanes; ++lane) averaged.add(lane, places[lane] * places[lane]);
+    window = places[kLanes - 1];
   }
   for (; i < n - m; ++i) {
     const double one = at(i + m) - at(i);
     first.add(i % kLanes, one * one);
-    if (i >= both) continue;
-    const double two = (at(i + 2 * m) - at(i + m)) - one;
+    if (i >= seconds) continue;
+    const double next = at(i + 2 * m) - at(i + m);
+    const double two = next - one;
     second.add(i % kLanes, two * two);
+    if (i >= moves) continue;
+    window += ((at(i + 3 * m) - at(i + 2 * m)) - next) - two;
+    averaged.add(i % kLanes, window * window);
   }
   sums.first += first.total();
   sums.first_terms += n - m;
   sums.windows += (n - 1) / m;
   sums.second += second.total();
-  sums.second_terms += both;
+  sums.second_terms += seconds;
+  sums.averaged += averaged.total();
   for (i = 0; i + 2 * m < n; i += m) {
     const double two = at(i + 2 * m) - 2 * at(i + m) + at(i);
     sums.plain += two * two;
     ++sums.plain_terms;
   }
-}
-
-/// The sum over a window of m second differences, moved on by one sample each time.
-template <class Value>
-void add_averages(std::span<const Value> x, std::size_t m, StabilitySums& sums) {
-  const auto n = x.size();
-  if (n < 3 * m) return;
-  const auto* a = x.data();
-  const auto at = [a](std::size_t i) { return static_cast<double>(a[i]); };
-  double window = 0;
-  for (std::size_t i = 0; i < m; ++i) window += (at(i + 2 * m) - at(i + m)) - (at(i + m) - at(i));
-  LaneSum squares;
-  squares.add(0, window * window);
-  const std::size_t moves = n - 3 * m;
-  for (std::size_t i = 0; i < moves; ++i) {
-    window += (at(i + 3 * m) - at(i)) - 3 * (at(i + 2 * m) - at(i + m));
-    squares.add(i % kLanes, window * window);
-  }
-  sums.averaged += squares.total();
-  sums.averaged_terms += moves + 1;
 }
 
 StabilityPoint point_of(const StabilitySums& sums, std::size_t m, double interval, double unit, double mtie) {
@@ -115,57 +120,6 @@ StabilityPoint point_of(const StabilitySums& sums, std::size_t m, double interva
   return point;
 }
 
-/// Largest and smallest value in windows that double: those of one length are made of two of half of it.
-template <class Value>
-class DoublingWindows {
- public:
-  explicit DoublingWindows(std::span<const Value> x) : high_(x.begin(), x.end()), low_(x.begin(), x.end()) {}
-
-  /// Windows of length + 1 samples, which is `length` intervals; nothing when the stretch is too short.
-  [[nodiscard]] std::optional<double> largest_span() const {
-    if (high_.size() < 2) return std::nullopt;
-    Value result = 0;
-    for (std::size_t i = 0; i + 1 < high_.size(); ++i)
-      result = std::max(result, std::max(high_[i], high_[i + 1]) - std::min(low_[i], low_[i + 1]));
-    return static_cast<double>(result);
-  }
-  /// From windows of `length` samples to twice as many; false when there are none.
-  bool widen(std::size_t length) {
-    if (high_.size() <= length) {
-      high_.clear();
-      low_.clear();
-      return false;
-    }
-    const auto left = high_.size() - length;
-    auto* high = high_.data();
-    auto* low = low_.data();
-    for (std::size_t i = 0; i < left; ++i) high[i] = std::max(high[i], high[i + length]);
-    for (std::size_t i = 0; i < left; ++i) low[i] = std::min(low[i], low[i + length]);
-    high_.resize(left);
-    low_.resize(left);
-    return true;
-  }
-
- private:
-  std::vector<Value> high_, low_;
-};
-
-template <class Value>
-std::vector<double> mtie_octaves(Stretches<Value> stretches, std::size_t octaves, const std::atomic<bool>* stop) {
-  std::vector<double> result(octaves, kNothing);
-  for (const auto& stretch : stretches) {
-    DoublingWindows<Value> windows(stretch);
-    std::size_t length = 1;
-    for (std::size_t octave = 0; octave < octaves && !is_set(stop); ++octave, length *= 2) {
-      const auto span = windows.largest_span();
-      if (!span) break;
-      if (!(result[octave] >= *span)) result[octave] = *span;
-      if (!windows.widen(length)) break;
-    }
-  }
-  return result;
-}
-
 template <class Value>
 std::vector<StabilityPoint> octaves_of(Stretches<Value> stretches, double interval, double unit,
                                        const std::atomic<bool>* stop) {
@@ -180,7 +134,6 @@ std::vector<StabilityPoint> octaves_of(Stretches<Value> stretches, double interv
     StabilitySums sums;
     for (const auto& stretch : stretches) {
       add_differences(stretch, m, sums);
-      add_averages(stretch, m, sums);
     }
     points.push_back(point_of(sums, m, interval, unit, mtie[octave]));
   }
@@ -223,7 +176,6 @@ StabilityPoint stability_at(Stretches<double> stretches, std::size_t m, double i
   m = std::max<std::size_t>(m, 1);
   for (const auto& stretch : stretches) {
     add_differences(stretch, m, sums);
-    add_averages(stretch, m, sums);
     const double span = mtie_of(stretch, m);
     if (!(mtie >= span) && !std::isnan(span)) mtie = span;
   }

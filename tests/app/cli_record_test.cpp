@@ -151,6 +151,9 @@ TEST_F(CliRecord, FiguresAreThoseOfItsCycles) {
   EXPECT_EQ(error["unit"], "ns");
   EXPECT_EQ(error["count"], count);
   EXPECT_NEAR(error["mean"], sum / count, 0.001);
+  ASSERT_EQ(error["mean_95"].size(), 2U);
+  EXPECT_LT(error["mean_95"][0], error["mean"]);
+  EXPECT_GT(error["mean_95"][1], error["mean"]);
   EXPECT_EQ(error["max"], largest);
   EXPECT_GE(error["max_s"], 3.0);
   EXPECT_LT(error["max_s"], 4.0);

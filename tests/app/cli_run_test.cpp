@@ -73,6 +73,16 @@ TEST_P(CliRunMode, DemonstrationMachineReachesOpInSync) {
   EXPECT_LT(report["dc"]["deviation_ns"]["max"], 100);
   EXPECT_EQ(report["dcm"]["mode"], GetParam() + "-shift");
   EXPECT_EQ(report["dcm"]["in_sync"], true);
+  const auto holds = [](const auto& interval, double value) {
+    return interval.size() == 2 && interval[0].template get<double>() <= value &&
+           value <= interval[1].template get<double>();
+  };
+  EXPECT_TRUE(holds(report["dcm"]["drift_95_ppm"], report["dcm"]["drift_ppm"])) << report["dcm"];
+  EXPECT_LT(report["dcm"]["drift_95_ppm"][1].get<double>() - report["dcm"]["drift_95_ppm"][0].get<double>(), 1);
+  EXPECT_TRUE(holds(report["dcm"]["error_ns"]["mean_95"], report["dcm"]["error_ns"]["mean"])) << report["dcm"];
+  const auto& drive = report["slaves"][3];
+  EXPECT_TRUE(holds(drive["deviation_mean_95_ns"], drive["deviation_mean_ns"])) << drive;
+  EXPECT_TRUE(report["slaves"][0]["deviation_mean_ns"].is_null()) << "it is the reference clock";
   for (const auto& slave : report["slaves"]) {
     EXPECT_EQ(slave["state"], "OP") << slave;
     if (!slave["deviation_ns"].is_null()) {

@@ -11,9 +11,11 @@
 #include <QApplication>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <memory>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include "bench/ratio_report.h"
@@ -22,6 +24,8 @@
 #include "record/recent_run.h"
 #include "record/recording_writer.h"
 #include "record/run_record.h"
+#include "support/clock.h"
+#include "support/real_time.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
@@ -135,6 +139,7 @@ class Dashboard {
   void tick(SampleRing& ring) {
     samples_.clear();
     ring.pop(samples_);
+    if (samples_.empty()) return;
     record_.add(samples_);
     recent_.add(samples_);
     if (++ticks_ % 3 == 0) record_.add(snapshot(samples_.back().send_time));
@@ -302,6 +307,79 @@ void bench_push(RatioReport& report) {
              10);
 }
 
+/// A cyclic thread on the real clock: how late it woke, each cycle.
+class RealProducer {
+ public:
+  RealProducer(SampleRing& ring, Producer& producer)
+      : thread_([this, &ring, &producer](const std::stop_token& stop) {
+          const RealTimeScope real_time;
+          RealClock clock;
+          auto next = clock.now();
+          while (!stop.stop_requested()) {
+            clock.sleep_until(next += kCycle);
+            const auto late = clock.now() - next;
+            (void)ring.push(producer.next());
+            // A cycle that came too late for the next one leaves it out, as the master does.
+            if (late > kCycle) next += late / kCycle * kCycle;
+            if (late_.size() < late_.capacity()) late_.push_back(late);
+          }
+        }) {}
+  /// Ends it; p99.9 in ns.
+  double finish() {
+    thread_.request_stop();
+    thread_.join();
+    const auto place = late_.begin() + static_cast<std::ptrdiff_t>(late_.size() * 999 / 1000);
+    std::nth_element(late_.begin(), place, late_.end());
+    return static_cast<double>(*place);
+  }
+
+ private:
+  static std::vector<Nanoseconds> room() {
+    std::vector<Nanoseconds> result;
+    result.reserve(1U << 20);
+    return result;
+  }
+  std::vector<Nanoseconds> late_ = room();
+  std::jthread thread_;
+};
+
+/// Whether plots make the cyclic thread later: with and without them in turn, the median of five pairs.
+void bench_producer(RatioReport& report) {
+  constexpr int kPairs = 5, kTicks = 90;
+  const auto next_tick = [](Nanoseconds& time) {
+    time += kTick;
+    const auto left = time - RealClock().now();
+    if (left > 0) std::this_thread::sleep_for(std::chrono::nanoseconds(left));
+  };
+  std::vector<double> headless, shown;
+  Dashboard dashboard;
+  Producer samples;
+  for (int pair = 0; pair < kPairs; ++pair) {
+    for (const bool plots : {false, true}) {
+      SampleRing ring;
+      RealProducer producer(ring, samples);
+      std::vector<CycleSample> drained;
+      auto time = RealClock().now();
+      for (int tick = 0; tick < kTicks; ++tick) {
+        next_tick(time);
+        if (plots) {
+          dashboard.tick(ring);
+        } else {
+          drained.clear();
+          ring.pop(drained);
+        }
+      }
+      (plots ? shown : headless).push_back(producer.finish());
+    }
+  }
+  const auto median = [](std::vector<double>& of) {
+    std::nth_element(of.begin(), of.begin() + kPairs / 2, of.end());
+    return of[kPairs / 2];
+  };
+  const auto without = median(headless);
+  report.add("cyclic thread late with six plots, p99.9", median(shown), "without a window, p99.9", without, 2);
+}
+
 }  // namespace
 }  // namespace syncline::bench
 
@@ -311,6 +389,7 @@ int main(int argc, char** argv) {
   syncline::ui::theme::apply(syncline::ui::theme::Mode::kLight);
   syncline::bench::RatioReport report;
   syncline::bench::bench_push(report);
+  syncline::bench::bench_producer(report);
   syncline::bench::bench_blocked(report);
   syncline::bench::bench_recording(report);
   syncline::bench::bench_dashboard(report);

@@ -146,6 +146,44 @@ TEST_F(CycleViewTest, TheToolbarChangesBetweenItAndThePlots) {
   EXPECT_TRUE(view().isVisible());
 }
 
+/// One in a hundred comes 200 us later: 400 us of room are left then, and nobody has come later than that.
+TEST_F(CycleViewTest, TheBathtubTellsHowProbableLateArrivalsAre) {
+  view().setFigure(CycleView::Figure::kBathtub);
+  settle();
+  EXPECT_TRUE(view().bathtub()->isVisible());
+  EXPECT_FALSE(view().plot()->isVisible());
+  const auto& bathtub = view().bathtub()->picture().bathtub;
+  EXPECT_EQ(bathtub.count, 9'999U);
+  const auto often = ArrivalBathtub::room(bathtub.late, 0.1);
+  ASSERT_TRUE(often);
+  EXPECT_NEAR(often->room, 600'000, 1);
+  const auto seldom = ArrivalBathtub::room(bathtub.late, 1e-3);
+  ASSERT_TRUE(seldom);
+  EXPECT_NEAR(seldom->room, 400'000, 1);
+  EXPECT_TRUE(seldom->extrapolated);
+  auto words = view().words();
+  words.replace(QChar(0x00A0), u' ');
+  EXPECT_THAT(words.toStdString(),
+              HasSubstr("room before SYNC0: +400.000 \u00B5s (extrapolated) in all but 10\u207B\u00B3"));
+  EXPECT_THAT(words.toStdString(), HasSubstr("calculating and copying (62.500 \u00B5s) always has its time"));
+  EXPECT_THAT(view().csv(), testing::StartsWith("probability,room_to_sync0_ns,room_behind_sync0_ns,extrapolated\n1,"));
+
+  const auto place = view().bathtub()->placeOf(400'000, 1e-3);
+  EXPECT_NEAR(place.x(), view().bathtub()->area().left() + 0.4 * view().bathtub()->area().width(), 1e-6);
+  EXPECT_NEAR(place.y(), view().bathtub()->area().top() + view().bathtub()->area().height() / 3, 1e-6);
+  QImage image(view().bathtub()->size(), QImage::Format_RGB32);
+  view().bathtub()->render(&image);
+  const auto wall = view().bathtub()->placeOf(600'000, 1e-6).toPoint();
+  bool drawn = false;
+  for (int y = wall.y() - 12; y < wall.y() + 12; ++y) {
+    for (int x = wall.x() - 2; x <= wall.x() + 2; ++x) drawn = drawn || QColor(image.pixel(x, y)).saturation() > 60;
+  }
+  EXPECT_TRUE(drawn) << "the wall is dashed, and there";
+  view().setFigure(CycleView::Figure::kArrivals);
+  settle();
+  EXPECT_THAT(said(), HasSubstr("margin at least"));
+}
+
 TEST_F(CycleViewTest, WithoutSync0ItSaysSo) {
   NetworkConfig config;
   config.slaves.resize(2);

@@ -365,7 +365,7 @@ TEST_F(FreeViewTest, FiguresAreALineForEachCurve) {
   strip.cursors()->set(CursorSet::kA, kBegin + kSecond);
   strip.cursors()->set(CursorSet::kB, kBegin + kSecond + 9 * kMillisecond);
   text = strip.figures().replace(QChar(0x00A0), u' ').toStdString();
-  EXPECT_THAT(text, HasSubstr("DCM error\t+200 ns\t-200 ns\t-400 ns\t-200 ns\t+200 ns\t0 ns\t10\n"));
+  EXPECT_THAT(text, HasSubstr("DCM error\t+200 ns\t-200 ns\t-400 ns\t-200 ns\t+200 ns\t0 ns\t10\t\n"));
   EXPECT_THAT(text, HasSubstr("Drift\t+12.50 ppm"));
 }
 

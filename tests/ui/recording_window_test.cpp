@@ -170,7 +170,7 @@ TEST_F(RecordingWindow, ALogOfTheMasterSynchronisationIsShownLikeARecording) {
   EXPECT_TRUE(window_.findChild<OverviewPanel*>()->isVisible());
   EXPECT_THAT(text("recordingBarText").toStdString(), testing::HasSubstr("an imported run on other.csv"));
   const auto* error = window_.findChild<FigureCard*>(QStringLiteral("overviewDcm"));
-  EXPECT_EQ(error->figureText(0), signedTimeText(25));
+  EXPECT_TRUE(error->figureText(0).startsWith(signedTimeText(25))) << "with how sure that is";
   const auto* deviation = window_.findChild<FigureCard*>(QStringLiteral("overviewDeviation"));
   EXPECT_EQ(deviation->figureText(0), noText());
   EXPECT_EQ(window_.findChild<Pill*>(QStringLiteral("overviewMaster"))->text().toStdString(), "At the end: In sync");

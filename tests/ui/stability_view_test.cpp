@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -21,6 +22,7 @@
 #include "support/speak.h"
 #include "support/ui_test_support.h"
 #include "ui/panels/live_strip.h"
+#include "ui/panels/mask_chooser.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/widgets/value_label.h"
 
@@ -156,6 +158,50 @@ TEST_F(StabilityViewTest, MtieIsHeldAgainstTheSyncWindow) {
   EXPECT_EQ(view().plot()->limit().value, 63) << "a magnitude has no other side";
   showFigure(StabilityView::Figure::kAdev);
   EXPECT_EQ(view().plot()->limit().value, 0);
+}
+
+TEST_F(StabilityViewTest, AMaskIsHeldAgainstTheFigureAndItsViolationsAreMarkedAndSaid) {
+  showFigure(StabilityView::Figure::kMtie);
+  view().mask()->setKind(MaskChooser::Kind::kOwn);
+  settle();
+  EXPECT_THAT(words(), HasSubstr("There is no mask yet."));
+  view().mask()->setOwn(QStringLiteral("10ms 150ns; 100ms 250ns"));
+  settle();
+  // White noise of -100..100 ns spans nearly 200 ns in ten milliseconds.
+  EXPECT_THAT(words(), HasSubstr("Beyond the mask at "));
+  EXPECT_THAT(words(), HasSubstr(" observation times, from \u03C4 16.0 ms on; furthest at 16.0 ms: "));
+  const auto& stops = curve().stops;
+  for (const auto& stop : stops) {
+    const double allowed = 150 * std::pow(stop.at.x() / 0.01, std::log10(250.0 / 150));
+    const bool asked = stop.at.x() >= 0.01 && stop.at.x() <= 0.1;
+    EXPECT_EQ(stop.bad, asked && stop.at.y() > allowed) << stop.at.x();
+  }
+  EXPECT_TRUE(std::ranges::any_of(stops, &LogLogPlot::Stop::bad));
+  const auto& line = view().plot()->limit().line;
+  ASSERT_GE(line.size(), 2U);
+  EXPECT_DOUBLE_EQ(line.front().x(), 0.01);
+  EXPECT_DOUBLE_EQ(line.back().y(), 250);
+  view().mask()->setOwn(QStringLiteral("1us"));
+  settle();
+  EXPECT_THAT(words(), HasSubstr("Keeps the mask; closest to it at \u03C4"));
+  EXPECT_TRUE(std::ranges::none_of(curve().stops, &LogLogPlot::Stop::bad));
+  view().mask()->setOwn(QStringLiteral("1s 5 apples"));
+  settle();
+  EXPECT_THAT(words(), HasSubstr("Nobody understands \"1s 5 apples\" in the mask."));
+  EXPECT_TRUE(view().plot()->limit().line.empty());
+}
+
+TEST_F(StabilityViewTest, ATwentyFifthOfTheCycleIsAMaskOfEachFigure) {
+  view().mask()->setKind(MaskChooser::Kind::kCycle);
+  for (const auto figure : {StabilityView::Figure::kAdev, StabilityView::Figure::kTdev, StabilityView::Figure::kMtie}) {
+    showFigure(figure);
+    EXPECT_THAT(words(), HasSubstr("Keeps the mask"));
+    EXPECT_GE(view().plot()->limit().line.size(), 2U);
+  }
+  EXPECT_EQ(view().plot()->limit().line.front().y(), 2 * 40'000) << "twice 1 ms / 25";
+  showFigure(StabilityView::Figure::kSpectrum);
+  EXPECT_FALSE(view().mask()->isEnabled());
+  EXPECT_THAT(words(), Not(HasSubstr("mask")));
 }
 
 TEST_F(StabilityViewTest, SaysThatNoLimitIsSet) {

@@ -62,6 +62,16 @@ QString SlaveFiguresModel::textOf(int row, int column) const {
   return share ? shareText(*share) : noText();
 }
 
+/// Of a mean, how sure it is: a column for it would say the same of nearly all.
+QString SlaveFiguresModel::tipOf(int row, int column) const {
+  const auto text = textOf(row, column);
+  const auto& statistics = rows_[static_cast<std::size_t>(row)].figures.statistics;
+  if (column != kMean || statistics.count() == 0) return text;
+  const auto half = statistics.mean_half_width();
+  if (!half) return tr("%1; too few readings, or too alike, to say how sure that is").arg(text);
+  return tr("%1; with 95 % certainty the true mean lies in it").arg(withSpreadText(text, half));
+}
+
 double SlaveFiguresModel::numberOf(int row, int column) const {
   const auto& figures = rows_[static_cast<std::size_t>(row)].figures;
   const auto& statistics = figures.statistics;
@@ -102,7 +112,7 @@ QVariant SlaveFiguresModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return textOf(index.row(), index.column());
     case Qt::ToolTipRole:
-      return index.column() == kSlave ? textOf(index.row(), kSlave) : QString();
+      return index.column() == kSlave || index.column() == kMean ? tipOf(index.row(), index.column()) : QString();
     case kSortRole:
       return numberOf(index.row(), index.column());
     case kCourseRole:

@@ -36,6 +36,7 @@ class SlaveFiguresModel final : public QAbstractTableModel {
 
  private:
   [[nodiscard]] QString textOf(int row, int column) const;
+  [[nodiscard]] QString tipOf(int row, int column) const;
   [[nodiscard]] double numberOf(int row, int column) const;
   [[nodiscard]] QColor colorOf(int row, int column) const;
 

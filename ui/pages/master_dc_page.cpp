@@ -155,7 +155,7 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
   frame_error_->setText(
       dcm ? tr("%1 / %2").arg(timeText(snapshot.dcm.frame_error_max_ns), timeText(snapshot.dcm.late_allowed_ns))
           : none);
-  drift_->setText(dcm ? ppmText(snapshot.dcm.drift_ppm) : none);
+  drift_->setText(dcm ? withSpreadPpmText(snapshot.dcm.drift_ppm, snapshot.dcm.drift_half_width_ppm) : none);
   locked_after_->setText(dcm ? afterText(snapshot.dcm.in_sync_after_ms) : none);
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <QComboBox>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -35,7 +37,9 @@ CycleView::CycleView(const TimeView* view, QWidget* parent)
       view_(view),
       slaves_(named(new ChoiceEdit, "cycleSlave", tr("Slave whose SYNC0 period is shown"))),
       figures_(named(new ValueLabel, "cycleFigures", tr("Margins and setpoint slips"))),
-      plot_(named(new CyclePlot, "cyclePlot", tr("Arrivals in the SYNC0 period"))) {
+      figure_(named(new QComboBox, "cycleFigure", tr("What is shown of the arrivals"))),
+      plot_(named(new CyclePlot, "cyclePlot", tr("Arrivals in the SYNC0 period"))),
+      bathtub_(named(new BathtubPlot, "bathtubPlot", tr("How probable late and early arrivals are"))) {
   setObjectName(QStringLiteral("cycleView"));
   setAccessibleName(tr("Cycle"));
   figures_->setLeastCharacters(4);
@@ -43,12 +47,24 @@ CycleView::CycleView(const TimeView* view, QWidget* parent)
   auto* head = new QHBoxLayout;
   head->setSpacing(12);
   head->addWidget(slaves_);
+  head->addWidget(figure_);
   head->addWidget(figures_, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
   layout->addLayout(head);
   layout->addWidget(plot_, 1);
+  layout->addWidget(bathtub_, 1);
+  bathtub_->hide();
+  figure_->addItems({tr("Arrivals"), tr("Bathtub")});
+  figure_->setItemData(0, tr("How often outputs came when"), Qt::ToolTipRole);
+  figure_->setItemData(1, tr("How probable it is that outputs come too late or too early"), Qt::ToolTipRole);
+  connect(figure_, &QComboBox::currentIndexChanged, this, [this] {
+    plot_->setVisible(figure() == Figure::kArrivals);
+    bathtub_->setVisible(figure() == Figure::kBathtub);
+    ticks_ = 0;
+    if (isVisible()) refresh();
+  });
   connect(slaves_, &ChoiceEdit::currentIndexChanged, this, [this] {
     ticks_ = 0;
     if (isVisible()) refresh();
@@ -62,6 +78,7 @@ void CycleView::setRecord(const RunRecord* record) {
   const QSignalBlocker quiet(slaves_);
   slaves_->clear();
   plot_->setPicture({});
+  bathtub_->setPicture({});
   figures_->clear();
   if (record == nullptr) return;
   for (std::size_t i = 0; i < record->samples().slave_count(); ++i) {
@@ -83,8 +100,25 @@ void CycleView::refresh() {
   const auto& samples = record_->samples();
   const auto position = static_cast<std::size_t>(slave());
   // Of a picture that stands nothing is counted again.
-  const Shown shown{position, view_->begin(), view_->end(), samples.last_time()};
+  const Shown shown{position, figure(), view_->begin(), view_->end(), samples.last_time()};
   if (std::optional(shown) == std::exchange(shown_, shown)) return;
+  if (figure() == Figure::kArrivals) {
+    showArrivals(position);
+  } else {
+    showBathtub(position);
+  }
+  const auto text = figure() == Figure::kArrivals ? figuresText() : bathtubText();
+  if (text == figures_->text()) return;
+  figures_->setText(text);
+  (figure() == Figure::kArrivals ? static_cast<QWidget*>(plot_) : bathtub_)->setAccessibleDescription(text);
+}
+
+void CycleView::setFigure(Figure figure) { figure_->setCurrentIndex(static_cast<int>(figure)); }
+CycleView::Figure CycleView::figure() const { return static_cast<Figure>(figure_->currentIndex()); }
+QString CycleView::words() const { return figures_->text(); }
+
+void CycleView::showArrivals(std::size_t position) {
+  const auto& samples = record_->samples();
   CyclePlot::Picture picture;
   picture.period = samples.sync0(position).period;
   picture.calc_and_copy = calcAndCopyOf(*record_, position);
@@ -93,10 +127,54 @@ void CycleView::refresh() {
   picture.figures = arrival_figures(samples.series(Signal::kArrivalPhase, position), picture.period, picture.begin,
                                     picture.end, CyclePlot::kBins);
   plot_->setPicture(std::move(picture));
-  const auto text = figuresText();
-  if (text == figures_->text()) return;
-  figures_->setText(text);
-  plot_->setAccessibleDescription(text);
+}
+
+void CycleView::showBathtub(std::size_t position) {
+  const auto& samples = record_->samples();
+  BathtubPlot::Picture picture;
+  picture.period = samples.sync0(position).period;
+  picture.calc_and_copy = calcAndCopyOf(*record_, position);
+  picture.bathtub = arrival_bathtub(samples.series(Signal::kArrivalPhase, position), picture.period, view_->begin(),
+                                    view_->end() + 1);
+  bathtub_->setPicture(std::move(picture));
+}
+
+QString CycleView::bathtubText() const {
+  const auto& picture = bathtub_->picture();
+  const auto& bathtub = picture.bathtub;
+  if (bathtub.count == 0) return tr("no arrivals");
+  const auto rooms = [](const std::vector<ArrivalBathtub::Point>& wall) {
+    QStringList said;
+    for (const int decades : {3, 6, 9}) {
+      const auto room = ArrivalBathtub::room(wall, std::pow(10.0, -decades));
+      if (!room) continue;
+      const auto text = signedTimeText(static_cast<Nanoseconds>(std::floor(room->room)));
+      said << (room->extrapolated ? tr("%1 (extrapolated) in all but %2") : tr("%1 in all but %2"))
+                  .arg(text, decadeText(decades));
+    }
+    return said.join(QStringLiteral(", "));
+  };
+  const auto late = rooms(bathtub.late), early = rooms(bathtub.early);
+  if (late.isEmpty()) return tr("%1 arrivals: too few for a probability").arg(countText(bathtub.count));
+  QStringList said;
+  said << tr("room before SYNC0: %1").arg(late);
+  said << tr("behind the one before: %1").arg(early);
+  if (!picture.calc_and_copy) {
+    said << tr("calculating and copying not known");
+  } else {
+    const auto need = static_cast<double>(*picture.calc_and_copy);
+    const auto seldom = ArrivalBathtub::less_than(bathtub.late, need);
+    const auto time = timeText(*picture.calc_and_copy);
+    if (!seldom) {
+      said << tr("calculating and copying (%1) always has its time, as far as can be told").arg(time);
+    } else {
+      const auto chance = QLocale().toString(seldom->probability, 'g', 1);
+      said << (seldom->extrapolated ? tr("too late for calculating and copying (%1): %2 at most, extrapolated")
+                                    : tr("too late for calculating and copying (%1): %2 at most"))
+                  .arg(time, chance);
+    }
+  }
+  return said.join(QStringLiteral(" \u00B7 "));
 }
 
 QString CycleView::figuresText() const {
@@ -116,7 +194,19 @@ QString CycleView::figuresText() const {
   return said.join(QStringLiteral(" \u00B7 "));
 }
 
+/// Both walls have the same probabilities: they are of the same arrivals.
+std::string CycleView::bathtubCsv() const {
+  std::string text = "probability,room_to_sync0_ns,room_behind_sync0_ns,extrapolated\n";
+  const auto& bathtub = bathtub_->picture().bathtub;
+  for (std::size_t i = 0; i < std::min(bathtub.late.size(), bathtub.early.size()); ++i) {
+    fmt::format_to(std::back_inserter(text), "{:.4g},{:.0f},{:.0f},{}\n", bathtub.late[i].probability,
+                   bathtub.late[i].room, bathtub.early[i].room, bathtub.late[i].extrapolated ? 1 : 0);
+  }
+  return text;
+}
+
 std::string CycleView::csv() const {
+  if (figure() == Figure::kBathtub) return bathtubCsv();
   std::string text = "from_ns,to_ns,arrivals\n";
   const auto& picture = plot_->picture();
   const auto bins = static_cast<Nanoseconds>(picture.figures.bins.size());

@@ -6,8 +6,11 @@
 #include <string>
 
 #include "record/run_record.h"
+#include "ui/plots/bathtub_plot.h"
 #include "ui/plots/cycle_plot.h"
 #include "ui/plots/time_view.h"
+
+class QComboBox;
 
 namespace syncline::ui {
 
@@ -30,21 +33,36 @@ class CycleView final : public QWidget {
   /// By position; -1: of nobody anything is known.
   [[nodiscard]] int slave() const;
   [[nodiscard]] CyclePlot* plot() const { return plot_; }
-  /// The bins: their range since SYNC0 in ns and the count of arrivals; C locale.
+  [[nodiscard]] BathtubPlot* bathtub() const { return bathtub_; }
+  /// How often outputs came when; or how probable it is that they come later or earlier than that.
+  enum class Figure { kArrivals, kBathtub };
+  void setFigure(Figure figure);
+  [[nodiscard]] Figure figure() const;
+  /// What the numbers beside the slave say.
+  [[nodiscard]] QString words() const;
+  /// Of the arrivals the bins: their range since SYNC0 in ns and the count; of the bathtub the room kept to both SYNC0
+  /// by its probability. C locale.
   [[nodiscard]] std::string csv() const;
 
  private:
+  void showArrivals(std::size_t position);
+  void showBathtub(std::size_t position);
   [[nodiscard]] QString figuresText() const;
+  [[nodiscard]] QString bathtubText() const;
+  [[nodiscard]] std::string bathtubCsv() const;
 
   const TimeView* view_;
   const RunRecord* record_ = nullptr;
   ChoiceEdit* slaves_;
   ValueLabel* figures_;
+  QComboBox* figure_;
   CyclePlot* plot_;
+  BathtubPlot* bathtub_;
   unsigned ticks_ = 0;
   /// What the figures are of.
   struct Shown {
     std::size_t slave = 0;
+    Figure figure = Figure::kArrivals;
     Nanoseconds begin = 0, end = 0, last = 0;
     bool operator==(const Shown&) const = default;
   };

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/plots/plot_colors.h"
+#include "ui/text/step_text.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -110,6 +111,7 @@ QString DeviationPanel::summary(Nanoseconds) const {
 }
 
 QString DeviationPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
+QString DeviationPanel::spreadText(double half) const { return timeText(rounded(std::ceil(half))); }
 
 // ---- SM2 misses -------------------------------------------------------------------------------
 
@@ -265,5 +267,7 @@ QString DcmPanel::summary(Nanoseconds time) const {
 }
 
 QString DcmPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
+QString DcmPanel::remark(Nanoseconds begin, Nanoseconds end) const { return stepText(source(), begin, end); }
+QString DcmPanel::spreadText(double half) const { return timeText(rounded(std::ceil(half))); }
 
 }  // namespace syncline::ui

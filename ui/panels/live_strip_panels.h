@@ -26,6 +26,7 @@ class DeviationPanel final : public TracePanel {
   [[nodiscard]] const SeriesItem* primary() const override { return largest_; }
   [[nodiscard]] const SeriesItem* primaryOfOverlay() const override { return other_; }
   [[nodiscard]] QString valueText(double value) const override;
+  [[nodiscard]] QString spreadText(double half) const override;
 
  private:
   SeriesItem* largest_;
@@ -78,6 +79,8 @@ class DcmPanel final : public TracePanel {
   [[nodiscard]] const SeriesItem* primary() const override { return raw_; }
   [[nodiscard]] const SeriesItem* primaryOfOverlay() const override { return other_; }
   [[nodiscard]] QString valueText(double value) const override;
+  [[nodiscard]] QString spreadText(double half) const override;
+  [[nodiscard]] QString remark(Nanoseconds begin, Nanoseconds end) const override;
 
  private:
   void showLimit();

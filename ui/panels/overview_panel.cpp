@@ -108,7 +108,9 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   layout->addWidget(banner_);
   layout->addLayout(cards, 1);
   tick_.setInterval(kOverviewTickMs);
-  connect(&tick_, &QTimer::timeout, this, &OverviewPanel::refresh);
+  connect(&tick_, &QTimer::timeout, this, [this] {
+    if (!window()->isMinimized()) refresh();
+  });
   refresh();
 }
 
@@ -166,9 +168,10 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, c
   const auto last = record_->samples().last_time();
   const bool fresh = hasNow() && figure.now && last - figure.now->time <= record_->samples().longest_gap(signal);
   card.setMain(fresh ? text(static_cast<double>(figure.now->value)) : noText());
-  const bool any = figure.statistics.count() > 0;
-  card.setFigure(kMean, any ? text(figure.statistics.mean()) : noText());
-  card.setFigure(kRms, any ? timeText(wholeNs(figure.statistics.rms())) : noText());
+  const auto& statistics = figure.statistics;
+  const bool any = statistics.count() > 0;
+  card.setFigure(kMean, any ? withSpreadText(text(statistics.mean()), statistics.mean_half_width()) : noText());
+  card.setFigure(kRms, any ? timeText(wholeNs(statistics.rms())) : noText());
   card.setFigure(kQuantile, any ? timeText(figure.magnitudes.percentile(0.9999)) : noText());
   card.setFigure(kMax, figure.largest ? tr("%1 at %2")
                                             .arg(text(static_cast<double>(figure.largest->value)),

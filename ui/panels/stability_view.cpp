@@ -13,9 +13,8 @@
 #include <cmath>
 #include <utility>
 
-#include "trace/stability.h"
+#include "ui/panels/mask_chooser.h"
 #include "ui/plots/plot_colors.h"
-#include "ui/text/joined_text.h"
 #include "ui/text/stability_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
@@ -25,29 +24,11 @@ namespace syncline::ui {
 namespace {
 
 constexpr std::size_t kCopiedATick = 1'000'000;  // samples: some milliseconds
-constexpr double kUnit = 1e-9;                   // of the signals that are times: ns
 constexpr int kWordsWidth = 300;
 
 /// Times that come at even distances, and variables. What comes only when something is late has none.
 bool isEven(const SignalInfo& row) {
   return (row.unit == "ns" && row.id != Signal::kFrameLateBy) || row.id == Signal::kVariable;
-}
-
-bool isVariable(const SignalSource& source) { return source.signal == Signal::kVariable; }
-
-double figureOf(const StabilityPoint& point, StabilityView::Figure figure) {
-  switch (figure) {
-    case StabilityView::Figure::kAdev:
-      return point.adev;
-    case StabilityView::Figure::kTdev:
-      return point.tdev;
-    default:
-      return point.mtie;
-  }
-}
-
-QString paragraph(const QString& html) {
-  return QStringLiteral("<p style=\"margin:2px 0 2px 0\">") + html + QStringLiteral("</p>");
 }
 
 }  // namespace
@@ -63,6 +44,7 @@ StabilityView::StabilityView(const TimeView* view, const CursorSet* cursors, QWi
                          tr("Maximum time interval error: the largest peak-to-peak value in any observation time"),
                          tr("Amplitude of each frequency")};
   for (int i = 0; i < figure_->count(); ++i) figure_->setItemData(i, tips[i], Qt::ToolTipRole);
+  mask_ = new MaskChooser;
   range_ = named(new SampleRange(view, cursors), "stabilityRange", tr("Samples that count"));
   state_ = named(new ValueLabel, "stabilityState", tr("State of the stability"));
   state_->setLeastCharacters(4);
@@ -90,7 +72,11 @@ StabilityView::StabilityView(const TimeView* view, const CursorSet* cursors, QWi
     dirty_ = true;
     refresh();
   };
-  connect(figure_, &QComboBox::currentIndexChanged, this, draw_anew);
+  connect(figure_, &QComboBox::currentIndexChanged, this, [this, draw_anew] {
+    mask_->setEnabled(figure() != Figure::kSpectrum);
+    draw_anew();
+  });
+  connect(mask_, &MaskChooser::changed, this, draw_anew);
   connect(range_, &QComboBox::currentIndexChanged, this, [this] {
     forget();
     refresh();
@@ -104,8 +90,8 @@ StabilityView::StabilityView(const TimeView* view, const CursorSet* cursors, QWi
   connect(&worker_, &StudyWorker::finished, this, &StabilityView::take);
   auto* controls = new QHBoxLayout;
   controls->setSpacing(6);
-  for (QWidget* widget :
-       {static_cast<QWidget*>(signals_), static_cast<QWidget*>(figure_), static_cast<QWidget*>(range_)})
+  for (QWidget* widget : {static_cast<QWidget*>(signals_), static_cast<QWidget*>(figure_), static_cast<QWidget*>(mask_),
+                          static_cast<QWidget*>(range_)})
     controls->addWidget(widget);
   controls->addWidget(state_, 1);
   auto* body = new QHBoxLayout;
@@ -200,7 +186,7 @@ void StabilityView::refresh() {
   startNext(wanted);
   if (job_ && !worker_.isBusy() && gathering_.work(kCopiedATick)) {
     const auto longest = gathering_.longest();
-    worker_.start(gathering_.take(), longest, isVariable(job_->source) ? 1 : kUnit);
+    worker_.start(gathering_.take(), longest, isVariable(job_->source) ? 1 : kNanosecond);
   }
   if (std::exchange(dirty_, false)) draw();
   showState();
@@ -219,26 +205,6 @@ bool StabilityView::complete() const {
   return !job_ && !dirty_ && std::ranges::all_of(studied_, [this](const Studied& studied) {
     return studied.study != nullptr && suits(studied.stretch, wanted_, 0);
   });
-}
-
-/// The most that the figure can be while every value keeps the limit; 0 without one. A magnitude has half the room.
-double StabilityView::bound(const SignalSource& source) const {
-  const double limit = limitOf(record_->limits(), source.signal) * (isMagnitude(source.signal) ? 0.5 : 1);
-  if (limit <= 0 || (figure() != Figure::kMtie && figure() != Figure::kTdev)) return 0;
-  return figureOf(stability_bound(limit, 1, kUnit), figure());
-}
-
-/// "\u00B1127 ns"; of a magnitude without the signs.
-QString StabilityView::limitName(const SignalSource& source) const {
-  const auto text = quantityText(Quantity::kNanoseconds, limitOf(record_->limits(), source.signal));
-  return isMagnitude(source.signal) ? text : u'\u00B1' + text;
-}
-
-LogLogPlot::Limit StabilityView::limit() const {
-  const auto& source = studied_[static_cast<std::size_t>(chosen_)].source;
-  const double most = bound(source);
-  if (most <= 0) return {};
-  return {most, tr("at most %1, limit %2").arg(quantityText(Quantity::kNanoseconds, most), limitName(source))};
 }
 
 bool StabilityView::ofVariables() const { return !sources().empty() && isVariable(sources().front()); }
@@ -263,12 +229,14 @@ LogLogPlot::Axes StabilityView::axes() const {
 LogLogPlot::Curve StabilityView::curveOf(const Studied& studied, int number) const {
   LogLogPlot::Curve curve{nameOf(*record_, studied.source), plot_colors::trace(palette(), number), {}, {}, false};
   if (studied.study == nullptr) return curve;
+  const auto mask = maskOf(studied.source);
   for (const auto& point : studied.study->points) {
-    const double value = figureOf(point, figure());
+    const double value = figure_of(point, maskedFigure());
     if (!(value > 0)) continue;
+    const auto allowed = mask.at(point.tau);
     curve.line.emplace_back(point.tau, value);
-    curve.stops.push_back(
-        {curve.line.back(), tr("%1 windows of \u03C4").arg(countText(point.windows)), point.windows < kGoodWindows});
+    curve.stops.push_back({curve.line.back(), tr("%1 windows of \u03C4").arg(countText(point.windows)),
+                           point.windows < kGoodWindows, allowed && value > *allowed});
   }
   return curve;
 }
@@ -294,55 +262,6 @@ LogLogPlot::Curve StabilityView::spectrumOf(const Studied& studied, int number) 
   return curve;
 }
 
-QString StabilityView::linesTable(const Studied& studied) const {
-  const auto& spectrum = studied.study->spectrum;
-  if (spectrum.step <= 0) return paragraph(tr("Too few samples without a gap for a spectrum."));
-  if (spectrum.peaks.empty()) return paragraph(tr("No line stands out."));
-  const auto known = knownFrequencies(studied);
-  auto html = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"1\">");
-  int number = 0;
-  for (const auto& peak : spectrum.peaks) {
-    const auto cause = causeText(peak, known, *studied.study);
-    html += QStringLiteral(
-                "<tr><td>%1&nbsp;</td><td align=\"right\">%2&nbsp;</td><td align=\"right\">%3&nbsp;&nbsp;"
-                "</td><td>%4</td></tr>")
-                .arg(++number)
-                .arg(quantityText(Quantity::kHertz, peak.frequency), quantityText(quantity(), peak.amplitude),
-                     cause.isEmpty() ? noText() : cause.toHtmlEscaped());
-  }
-  return html + QStringLiteral("</table>") +
-         paragraph(tr("Lines are named by their frequency alone: a hint, no proof."));
-}
-
-QStringList StabilityView::sentences(const Studied& studied) const {
-  const auto& study = *studied.study;
-  QStringList said;
-  if (figure() != Figure::kSpectrum || study.used == 0) said << verdictText(study, quantity());
-  const double limit = limitOf(record_->limits(), studied.source.signal);
-  if (figure() == Figure::kMtie && limit > 0)
-    said << limitText(study, bound(studied.source), limitName(studied.source));
-  if (figure() == Figure::kMtie && limit <= 0) said << tr("No limit is set that this signal could be held against.");
-  if (isMagnitude(studied.source.signal) && study.used > 0)
-    said << tr("A magnitude, without a sign: a swing about zero shows at half its period.");
-  said << asSentence(sampleText(study));
-  if (figure() == Figure::kSpectrum && study.spectrum.step > 0) {
-    said << tr("%1 windows averaged, one amplitude each %2.")
-                .arg(countText(study.spectrum.windows), quantityText(Quantity::kHertz, study.spectrum.step));
-  } else if (const auto range = tauText(study); !range.isEmpty() && figure() != Figure::kSpectrum) {
-    said << tr("%1; what is hollow rests on few windows of \u03C4.").arg(range);
-  }
-  said.removeAll(QString());
-  return said;
-}
-
-QString StabilityView::wordsOf(const Studied& studied) const {
-  if (studied.study == nullptr) return {};
-  QString html;
-  if (figure() == Figure::kSpectrum) html += linesTable(studied);
-  for (const auto& sentence : sentences(studied)) html += paragraph(sentence.toHtmlEscaped());
-  return html;
-}
-
 void StabilityView::draw() {
   std::vector<LogLogPlot::Curve> curves;
   QStringList names;
@@ -355,7 +274,7 @@ void StabilityView::draw() {
                                                       ? QStringLiteral("<b>%1</b>").arg(name)
                                                       : QStringLiteral("<a href=\"%1\">%2</a>").arg(i).arg(name));
   }
-  auto html = paragraph(names.join(QStringLiteral("&nbsp; ")));
+  auto html = paragraphText(names.join(QStringLiteral("&nbsp; ")));
   if (!studied_.empty()) html += wordsOf(studied_[static_cast<std::size_t>(chosen_)]);
   plot_->setData(axes(), std::move(curves), studied_.empty() ? LogLogPlot::Limit{} : limit(), chosen_);
   if (html == std::exchange(html_, html)) return;

@@ -9,6 +9,7 @@
 
 #include "record/run_record.h"
 #include "trace/signal_study.h"
+#include "trace/stability_mask.h"
 #include "ui/panels/sample_range.h"
 #include "ui/panels/signal_chooser.h"
 #include "ui/plots/log_log_plot.h"
@@ -19,6 +20,7 @@ class QTextBrowser;
 
 namespace syncline::ui {
 
+class MaskChooser;
 class ValueLabel;
 
 /// How signals behave over observation times: Allan deviation, time deviation, MTIE, or the spectrum, of up to four
@@ -36,6 +38,7 @@ class StabilityView final : public QWidget {
   void setSources(std::vector<SignalSource> sources);
   [[nodiscard]] const std::vector<SignalSource>& sources() const { return signals_->sources(); }
   void setFigure(Figure figure);
+  [[nodiscard]] MaskChooser* mask() const { return mask_; }
   /// Goes on with what is wanted and draws what there is; once a tick while it is seen.
   void refresh();
   /// The figures are of all that is wanted.
@@ -74,6 +77,13 @@ class StabilityView final : public QWidget {
   [[nodiscard]] Quantity quantity() const;
   [[nodiscard]] LogLogPlot::Axes axes() const;
   [[nodiscard]] LogLogPlot::Limit limit() const;
+  static constexpr double kNanosecond = 1e-9;  // of the signals that are times, in s
+  [[nodiscard]] static QString paragraphText(const QString& html);
+  [[nodiscard]] static bool isVariable(const SignalSource& source);
+  /// Of the spectrum it is MTIE, which nobody asks for then.
+  [[nodiscard]] StabilityFigure maskedFigure() const;
+  [[nodiscard]] StabilityMask maskOf(const SignalSource& source) const;
+  [[nodiscard]] QString maskText(const Studied& studied) const;
   [[nodiscard]] double bound(const SignalSource& source) const;
   [[nodiscard]] QString limitName(const SignalSource& source) const;
   [[nodiscard]] std::vector<KnownFrequency> knownFrequencies(const Studied& studied) const;
@@ -93,6 +103,7 @@ class StabilityView final : public QWidget {
   QString html_;
   SignalChooser* signals_;
   QComboBox* figure_;
+  MaskChooser* mask_;
   SampleRange* range_;
   ValueLabel* state_;
   LogLogPlot* plot_;

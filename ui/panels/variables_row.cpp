@@ -2,6 +2,7 @@
 #include "ui/panels/variables_row.h"
 
 #include <QHBoxLayout>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -111,6 +112,7 @@ QString VariablePanel::summary(Nanoseconds) const {
 const SeriesItem* VariablePanel::primary() const { return items_.front()->isVisible() ? items_.front() : nullptr; }
 
 QString VariablePanel::valueText(double value) const { return numberText(value); }
+QString VariablePanel::spreadText(double half) const { return QLocale().toString(half, 'g', 2); }
 
 // ---- the row ----------------------------------------------------------------------------------
 

@@ -26,6 +26,7 @@ class VariablePanel final : public TracePanel {
   [[nodiscard]] QString summary(Nanoseconds time) const override;
   [[nodiscard]] const SeriesItem* primary() const override;
   [[nodiscard]] QString valueText(double value) const override;
+  [[nodiscard]] QString spreadText(double half) const override;
 
  private:
   std::vector<SeriesItem*> items_;  // as many as can be watched

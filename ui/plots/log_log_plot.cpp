@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/log_log_plot.h"
 
+#include <qwt_clipper.h>
 #include <qwt_painter.h>
 
 #include <QKeyEvent>
@@ -70,10 +71,15 @@ void LogLogPlot::scaleAxes() {
     x_ = y_ = DecadeAxis(1, 10);
     return;
   }
-  if (limit_.value > 0 && limit_.value < high * kLimitRoom) {
-    high = std::max(high, limit_.value);
-    low = std::min(low, limit_.value);
+  const auto make_room = [&, most = high * kLimitRoom](double value) {
+    if (value >= most) return;
+    high = std::max(high, value);
+    low = std::min(low, value);
+  };
+  for (const auto& point : limit_.line) {
+    if (point.x() >= left && point.x() <= right) make_room(point.y());
   }
+  if (limit_.line.empty() && limit_.value > 0) make_room(limit_.value);
   x_ = DecadeAxis(left, right);
   y_ = DecadeAxis(low, high);
 }
@@ -145,6 +151,10 @@ void LogLogPlot::drawStops(QPainter& painter, const Curve& curve, bool chosen) c
       painter.setPen(QPen(curve.color, 1.2));
       painter.setBrush(stop.weak ? palette().color(QPalette::Base) : curve.color);
       painter.drawEllipse(place, 3, 3);
+      if (!stop.bad) continue;
+      painter.setPen(QPen(plot_colors::limitLine(palette()), 1.6));
+      painter.drawLine(place + QPointF(-5, -5), place + QPointF(5, 5));
+      painter.drawLine(place + QPointF(-5, 5), place + QPointF(5, -5));
     } else if (chosen) {
       painter.setPen(palette().color(QPalette::Text));
       QRectF box(0, 0, 16, painter.fontMetrics().height());
@@ -158,14 +168,37 @@ void LogLogPlot::drawStops(QPainter& painter, const Curve& curve, bool chosen) c
 void LogLogPlot::drawLimit(QPainter& painter) const {
   if (limit_.value <= 0 || curves_.empty()) return;
   const auto all = area();
+  if (!limit_.line.empty()) return drawMask(painter);
   const bool above = limit_.value > y_.high();
   const double y = above ? all.top() : placeOf({x_.low(), limit_.value}).y();
   const auto text = limit_.text + (above ? QStringLiteral(" \u2191") : QString());
   painter.setPen(QPen(plot_colors::limitLine(palette()), 1, Qt::DashLine));
   if (!above) painter.drawLine(QPointF(all.left(), y), QPointF(all.right(), y));
+  drawLimitText(painter, {all.right() - 2, y}, text);
+}
+
+void LogLogPlot::drawMask(QPainter& painter) const {
+  const auto all = area();
+  QPolygonF line;
+  for (const auto& point : limit_.line)
+    line.append({all.left() + x_.place(point.x()) * all.width(), all.bottom() - y_.place(point.y()) * all.height()});
+  painter.setPen(QPen(plot_colors::limitLine(palette()), 1, Qt::DashLine));
+  painter.setBrush(Qt::NoBrush);
+  QwtPainter::drawPolyline(&painter, QwtClipper::clippedPolygonF(all, line));
+  // Its name stands where it ends, inside.
+  const auto end =
+      std::ranges::find_if(line.rbegin(), line.rend(), [&](const QPointF& at) { return at.x() <= all.right(); });
+  const double y = end == line.rend() ? all.top() : std::clamp(end->y(), all.top(), all.bottom());
+  drawLimitText(painter, {all.right() - 2, y}, limit_.text);
+}
+
+/// `right`: its right end, on the line.
+void LogLogPlot::drawLimitText(QPainter& painter, const QPointF& right, const QString& text) const {
+  const auto all = area();
+  const double y = right.y();
   QRectF box(0, 0, painter.fontMetrics().horizontalAdvance(text) + 6, painter.fontMetrics().height());
   const bool below = y - box.height() < all.top();
-  box.moveTopRight({all.right() - 2, below ? y + 1 : y - box.height() - 1});
+  box.moveTopRight({right.x(), below ? y + 1 : y - box.height() - 1});
   auto background = palette().color(QPalette::Base);
   background.setAlpha(215);
   painter.fillRect(box, background);

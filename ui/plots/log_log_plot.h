@@ -23,6 +23,7 @@ class LogLogPlot final : public QWidget {
     QPointF at;
     QString note;       // what there is to say besides both values
     bool weak = false;  // rests on little: hollow
+    bool bad = false;   // beyond the limit: crossed out in its colour
     bool operator==(const Stop&) const = default;
   };
   struct Curve {
@@ -41,6 +42,7 @@ class LogLogPlot final : public QWidget {
   struct Limit {
     double value = 0;  // 0: none
     QString text;
+    std::vector<QPointF> line{};  // by x; empty: the same value everywhere. Else `value` is the highest of it
     bool operator==(const Limit&) const = default;
   };
 
@@ -85,6 +87,8 @@ class LogLogPlot final : public QWidget {
   void drawCurve(QPainter& painter, int number) const;
   void drawStops(QPainter& painter, const Curve& curve, bool chosen) const;
   void drawLimit(QPainter& painter) const;
+  void drawMask(QPainter& painter) const;
+  void drawLimitText(QPainter& painter, const QPointF& right, const QString& text) const;
   void drawReading(QPainter& painter) const;
 
   Axes axes_;

@@ -178,6 +178,8 @@ QString TracePanel::betweenCursors() {
   measured_text_ = measure(*item, begin);
   if (other != nullptr)
     measured_text_ = tr("%1: %2   %3: %4").arg(overlay_.own, measured_text_, overlay_.other, measure(*other, begin));
+  if (const auto more = remark(begin, begin + std::llabs(cursors_->delta()) + 1); !more.isEmpty())
+    measured_text_ += QStringLiteral("   ") + more;
   return measured_text_;
 }
 
@@ -194,13 +196,20 @@ QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
   if (statistics.count() == 0) return text;
   return text + tr("   min %1   max %2   mean %3")
                     .arg(itemText(item, statistics.min()), itemText(item, statistics.max()),
-                         itemText(item, statistics.mean()));
+                         itemText(item, statistics.mean()) + spread(statistics));
+}
+
+QString TracePanel::spread(const Statistics& statistics) const {
+  const auto half = statistics.mean_half_width();
+  const auto text = half ? spreadText(*half) : QString();
+  return text.isEmpty() ? text : QStringLiteral(" \u00B1 ") + text;
 }
 
 QString TracePanel::itemText(const SeriesItem&, double value) const { return valueText(value); }
 
 QStringList TracePanel::figureHeads() {
-  return {tr("Signal"), tr("At A"), tr("At B"), tr("B−A"), tr("Smallest"), tr("Largest"), tr("Mean"), tr("Samples")};
+  return {tr("Signal"),  tr("At A"), tr("At B"),    tr("B−A"),      tr("Smallest"),
+          tr("Largest"), tr("Mean"), tr("Samples"), tr("Mean 95 %")};
 }
 
 QStringList TracePanel::figures() const {
@@ -235,7 +244,8 @@ QStringList TracePanel::figures() const {
                          shown(any, any ? statistics.min() : 0),
                          shown(any, any ? statistics.max() : 0),
                          shown(any, any ? statistics.mean() : 0),
-                         QString::number(statistics.count())}
+                         QString::number(statistics.count()),
+                         spread(statistics).trimmed()}
                  .join(u'\t');
   }
   return lines;

@@ -81,6 +81,10 @@ class TracePanel : public QWidget {
   /// The same of the overlay; null: none.
   [[nodiscard]] virtual const SeriesItem* primaryOfOverlay() const { return nullptr; }
   [[nodiscard]] virtual QString valueText(double value) const = 0;
+  /// Half of an interval, without a sign; empty where the values are none that an estimate is made of.
+  [[nodiscard]] virtual QString spreadText(double /*half*/) const { return {}; }
+  /// What else there is to say between the cursors; in the time of the run.
+  [[nodiscard]] virtual QString remark(Nanoseconds /*begin*/, Nanoseconds /*end*/) const { return {}; }
   /// The same where curves of the panel have several units.
   [[nodiscard]] virtual QString itemText(const SeriesItem& item, double value) const;
   /// What is made only when somebody looks is brought up to date.
@@ -119,6 +123,8 @@ class TracePanel : public QWidget {
   };
   [[nodiscard]] QString betweenCursors();
   [[nodiscard]] QString measure(const SeriesItem& item, Nanoseconds begin) const;
+  /// " ± 3 ns" of a mean; empty without.
+  [[nodiscard]] QString spread(const Statistics& statistics) const;
 
   TimeView* shared_;
   TimeView own_;

@@ -59,6 +59,31 @@ QString ppmText(double ppm) {
   return shown > 0 ? u'+' + text : text;
 }
 
+QString withSpreadText(const QString& estimate, const std::optional<double>& half_width_ns) {
+  if (!half_width_ns) return estimate;
+  const auto half = static_cast<Nanoseconds>(std::ceil(*half_width_ns));
+  return QStringLiteral("%1 \u00B1 %2").arg(estimate, timeText(half));
+}
+
+QString withSpreadPpmText(double ppm, const std::optional<double>& half_width) {
+  if (!half_width) return ppmText(ppm);
+  // Whoever is sure to a thousandth sees it.
+  const int digits = *half_width < 0.01 ? 3 : 2;
+  const double scale = digits == 3 ? 1000 : 100;
+  const auto number = [&](double value) { return QLocale().toString(value, 'f', digits); };
+  const double shown = std::round(ppm * scale) / scale + 0.0;
+  return (shown > 0 ? QStringLiteral("+") : QString()) + QStringLiteral("%1 \u00B1 ").arg(number(shown)) +
+         withUnit(number(std::ceil(*half_width * scale) / scale), QStringLiteral("ppm"));
+}
+
+QString decadeText(int decades_below_one) {
+  if (decades_below_one == 0) return QStringLiteral("1");
+  static constexpr char16_t kDigits[] = u"\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076\u2077\u2078\u2079";
+  QString power;
+  for (const auto digit : QString::number(decades_below_one)) power += kDigits[digit.digitValue()];
+  return QStringLiteral("10\u207B") + power;
+}
+
 QString countText(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
 
 QString numberText(double value) {

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "support/types.h"
@@ -18,6 +19,9 @@ namespace syncline::ui {
 /// A set cycle time without needless zeros: "1 ms", "250 us", "62.5 us".
 [[nodiscard]] QString cycleText(Nanoseconds value);
 [[nodiscard]] QString ppmText(double ppm);
+/// An estimate with half of its 95 % interval: "12 ns ± 3 ns". As it is without one. Never narrower than it is.
+[[nodiscard]] QString withSpreadText(const QString& estimate, const std::optional<double>& half_width_ns);
+[[nodiscard]] QString withSpreadPpmText(double ppm, const std::optional<double>& half_width);
 [[nodiscard]] QString countText(std::uint64_t value);
 /// Without a unit, as plots hold it: whole ones as such, others with seven digits.
 [[nodiscard]] QString numberText(double value);
@@ -25,6 +29,9 @@ namespace syncline::ui {
 [[nodiscard]] QString hexText(std::uint64_t value, int digits);
 /// "14 Bit", "4 Byte".
 [[nodiscard]] QString bitsText(std::uint32_t bits);
+
+/// "10⁻⁶" for 6, "1" for 0.
+[[nodiscard]] QString decadeText(int decades_below_one);
 
 /// A dash, where there is nothing to show.
 [[nodiscard]] QString noText();

@@ -26,6 +26,7 @@ class Off final : public DcmController {
     state_.error = state_.error_filtered = target_.error(observation);
     (void)drift_.observe(observation.send_time, *observation.reference_time);
     state_.drift_ppm = drift_.ppm();
+    state_.drift_half_width_ppm = drift_.half_width_ppm();
     return {};
   }
   [[nodiscard]] const DcmState& state() const override { return state_; }

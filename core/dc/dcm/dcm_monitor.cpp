@@ -76,6 +76,7 @@ void DcmMonitor::report(DcmState& state) const {
   state.error = error_;
   state.error_filtered = static_cast<Nanoseconds>(std::llround(filtered_));
   state.drift_ppm = drift_.ppm();
+  state.drift_half_width_ppm = drift_.half_width_ppm();
   state.in_sync = in_sync();
   state.in_sync_after = after_;
   state.clock_step = step_;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <span>
 
+#include "support/confidence.h"
+
 namespace syncline::dc {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr double kOtherTrendPpm = 5;
 constexpr std::ptrdiff_t kLeastHalf = 4;
 /// A median of fewer says little: with long cycles a block is longer.
 constexpr std::size_t kLeastSamples = 20;
+constexpr double kResolution = 1;  // ns
 
 double median_of(std::span<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -53,7 +56,8 @@ void DriftEstimator::close_block() {
   has_point_ = true;
 }
 
-/// One of the samples as it was, so that it lies on the line also where the block has holes.
+/// At the middle one of the sampling times, so that points are a block apart however the noise fell: two that are close
+/// to each other would say nothing of the rate, and look like a step.
 DriftEstimator::Point DriftEstimator::median_sample() {
   const auto begin = samples_.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(sample_count_);
@@ -74,9 +78,12 @@ DriftEstimator::Point DriftEstimator::median_sample() {
     const double more = rise / static_cast<double>(begin[half].host - first.host) * 1e6;
     if (std::abs(more) > kOtherTrendPpm) trend += more;
   }
+  // Where the trend is still wrong the middle level is that of the middle time, also where the block has holes.
+  const auto host = begin[half].host;
   const auto middle = begin + half;
   std::nth_element(begin, middle, end, [&](const Point& a, const Point& b) { return level(a) < level(b); });
-  return *middle;
+  const double offset = level(*middle) + trend * 1e-6 * static_cast<double>(host - first.host);
+  return {host, first.offset + static_cast<Nanoseconds>(std::llround(offset))};
 }
 
 void DriftEstimator::add_slope(const Slope& slope) {
@@ -97,9 +104,10 @@ void DriftEstimator::add_slope(const Slope& slope) {
                     static_cast<std::ptrdiff_t>(slope_count_ - kRateIsNew));
     slope_count_ = kRateIsNew;
     ppm_ = slopes_[kRateIsNew - 1].ppm;
+    half_width_ppm_.reset();
     return;
   }
-  ppm_ = line_through(median, gate);
+  draw_line(median, gate);
 }
 
 bool DriftEstimator::rate_has_changed(double median, double gate) const {
@@ -114,22 +122,26 @@ bool DriftEstimator::rate_has_changed(double median, double gate) const {
 }
 
 /// Least squares through the points that the slopes connect. A step in one of them is taken for the median rate.
-double DriftEstimator::line_through(double median, double gate) const {
-  double time = 0, level = 0, n = 1;
+void DriftEstimator::draw_line(double median, double gate) {
+  std::array<double, kWindow + 1> times{}, levels{};
+  const auto points = slope_count_ + 1;
   double sum_t = 0, sum_l = 0, sum_tt = 0, sum_tl = 0;
   for (std::size_t i = 0; i < slope_count_; ++i) {
     const auto& slope = slopes_[i];
     const double rest = std::abs(slope.ppm - median) <= gate ? slope.ppm - median : 0;
-    time += slope.span;
-    level += rest * slope.span;
-    n += 1;
-    sum_t += time;
-    sum_l += level;
-    sum_tt += time * time;
-    sum_tl += time * level;
+    times[i + 1] = times[i] + slope.span;
+    levels[i + 1] = levels[i] + rest * slope.span;
+    sum_t += times[i + 1];
+    sum_l += levels[i + 1];
+    sum_tt += times[i + 1] * times[i + 1];
+    sum_tl += times[i + 1] * levels[i + 1];
   }
+  const auto n = static_cast<double>(points);
   const double spread = sum_tt - sum_t * sum_t / n;
-  return spread > 0 ? median + (sum_tl - sum_t * sum_l / n) / spread : median;
+  ppm_ = spread > 0 ? median + (sum_tl - sum_t * sum_l / n) / spread : median;
+  half_width_ppm_ = slope_half_width(std::span(times).first(points), std::span(levels).first(points));
+  // Times are whole nanoseconds, as wrong at both ends of the line as that.
+  if (half_width_ppm_) *half_width_ppm_ += kResolution / times[slope_count_] * 1e6;
 }
 
 }  // namespace syncline::dc

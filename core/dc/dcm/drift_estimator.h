@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "support/types.h"
 
@@ -19,6 +20,9 @@ class DriftEstimator {
   bool observe(Nanoseconds host_time, Nanoseconds reference_time);
   /// Reference clock's rate minus host's; 0 until the second block is complete.
   [[nodiscard]] double ppm() const { return ppm_; }
+  /// Half of the 95 % interval of ppm(): of the mean rate over the blocks that it is made of. Nothing with fewer than
+  /// six points, and where the rate has just become another one.
+  [[nodiscard]] std::optional<double> half_width_ppm() const { return half_width_ppm_; }
   /// Of the last block alone.
   [[nodiscard]] double last_block_ppm() const { return last_ppm_; }
   [[nodiscard]] bool valid() const { return slope_count_ > 0; }
@@ -40,7 +44,7 @@ class DriftEstimator {
   [[nodiscard]] Point median_sample();
   void add_slope(const Slope& slope);
   [[nodiscard]] bool rate_has_changed(double median, double gate) const;
-  [[nodiscard]] double line_through(double median, double gate) const;
+  void draw_line(double median, double gate);
 
   Nanoseconds block_;
   std::array<Point, kSamples> samples_{};
@@ -51,6 +55,7 @@ class DriftEstimator {
   std::array<Slope, kWindow> slopes_{};  // oldest first
   std::size_t slope_count_ = 0;
   double ppm_ = 0, last_ppm_ = 0;
+  std::optional<double> half_width_ppm_;
 };
 
 }  // namespace syncline::dc

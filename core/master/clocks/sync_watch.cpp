@@ -171,6 +171,12 @@ void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t s
   dcm.error_ns = to_32(state.error);
   dcm.error_filtered_ns = to_32(state.error_filtered);
   dcm.drift_ppm = state.drift_ppm + learned_ppm_;
+  // What a register of the clock has told is no measurement of ours.
+  if (learned_ppm_ == 0) {
+    dcm.drift_half_width_ppm = state.drift_half_width_ppm;
+  } else {
+    dcm.drift_half_width_ppm.reset();
+  }
   dcm.adjust_permil = static_cast<double>(state.adjust) * 1e3 / static_cast<double>(run_.config().cycle_time());
   // Where the frame was lost the schedule's error is known from the cycles before.
   const auto schedule_error = observation.reference_time ? state.error : state.error_filtered;
