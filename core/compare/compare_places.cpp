@@ -163,14 +163,30 @@ VariablePairs paired(const std::vector<Variable>& left, const std::vector<Variab
   return out;
 }
 
+/// The variables of one side of the image with their slaves.
+struct Side {
+  const NetworkConfig& config;
+  const Owners& owners;
+
+  /// Without the name of its slave, which is no difference.
+  [[nodiscard]] std::string_view own_name(const Variable& variable) const {
+    std::string_view name = variable.name;
+    const auto owner = owners.of(variable.bit_offset);
+    if (owner && name.starts_with(config.slaves[owner->first].name))
+      name.remove_prefix(config.slaves[owner->first].name.size());
+    return name;
+  }
+};
+
 /// What an application finds a variable by, and what it takes it for. Tools name all in their own way, so that names
 /// count only where most are the same.
-void compare_meaning(const VariablePairs& pairs, DifferenceList& out) {
-  const auto same = static_cast<std::size_t>(
-      std::ranges::count_if(pairs, [](const auto& pair) { return pair.first->name == pair.second->name; }));
+void compare_meaning(const VariablePairs& pairs, const Side& left, const Side& right, DifferenceList& out) {
+  const auto same_name = [&](const auto& pair) { return left.own_name(*pair.first) == right.own_name(*pair.second); };
+  const auto same = static_cast<std::size_t>(std::ranges::count_if(pairs, same_name));
   Moves renamed("difference-variable-names"), retyped("difference-variable-types");
-  for (const auto& [one, other] : pairs) {
-    if (one->name != other->name && 2 * same >= pairs.size())
+  for (const auto& pair : pairs) {
+    const auto& [one, other] = pair;
+    if (!same_name(pair) && 2 * same >= pairs.size())
       renamed.add(what("difference-variable/name", fig::number<"bit">(one->bit_offset)), one->name, other->name);
     if (one->data_type != other->data_type && !one->data_type.empty() && !other->data_type.empty()) {
       retyped.add(what("difference-variable/type", fig::text<"variable">(one->name)), one->data_type, other->data_type);
@@ -209,7 +225,7 @@ void compare_variables(const NetworkConfig& left, const NetworkConfig& right, co
     }
   }
   moved.report(out);
-  compare_meaning(pairs, out);
+  compare_meaning(pairs, {left, left_owners}, {right, right_owners}, out);
 }
 
 /// Where commands put their data in the image, from the start that each tool counts from.

@@ -175,6 +175,18 @@ TEST(CompareConfigs, SpellingDoesNotCount) {
   EXPECT_THAT(words(compare_configs(before, after)), IsEmpty());
 }
 
+/// Its variables carry its name; one that has another name by itself is found by no application.
+TEST(CompareConfigs, ASlaveOfAnotherNameTakesItsVariablesAlong) {
+  const Project before = machine();
+  Project after = before;
+  after.slaves[3].name = "Axis";
+  const auto renamed = config(after);
+  EXPECT_THAT(words(compare_configs(config(before), renamed)), IsEmpty());
+  auto odd = renamed;
+  odd.image.inputs[0].name += "?";
+  EXPECT_THAT(words(compare_configs(config(before), odd)), ElementsAre(HasSubstr("name of the variable")));
+}
+
 TEST(CompareConfigs, OneMoreSlaveInFrontIsOneDifferenceOfTheSlaves) {
   Project before = machine();
   for (auto& slave : before.slaves) slave.name = "unit " + std::to_string(slave.station_address);
