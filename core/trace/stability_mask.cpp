@@ -90,9 +90,9 @@ double figure_of(const StabilityPoint& point, StabilityFigure figure) {
 std::optional<double> StabilityMask::at(double tau) const {
   if (points.empty()) return std::nullopt;
   if (points.size() == 1) return points.front().value;
-  // What is a rounding off the ends lies on them.
-  constexpr double kRounding = 1e-9;
-  if (tau < points.front().tau * (1 - kRounding) || tau > points.back().tau * (1 + kRounding)) return std::nullopt;
+  // Samples come every 4.9998 ms and not every 5: who asks something at 5 ms means them.
+  constexpr double kNearly = 0.01;
+  if (tau < points.front().tau * (1 - kNearly) || tau > points.back().tau * (1 + kNearly)) return std::nullopt;
   auto right = std::ranges::lower_bound(points, tau, {}, &Point::tau);
   if (right == points.begin()) return points.front().value;
   if (right == points.end()) return points.back().value;

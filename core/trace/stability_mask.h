@@ -16,7 +16,8 @@ enum class StabilityFigure : std::uint8_t { kAdev, kTdev, kMtie };
 [[nodiscard]] double figure_of(const StabilityPoint& point, StabilityFigure figure);
 
 /// The most that a figure may be at each observation time: points joined by straight lines on logarithmic axes. Before
-/// the first and behind the last point nothing is asked; a single point asks the same at every time.
+/// the first and behind the last point (by more than a hundredth) nothing is asked; a single point asks the same at
+/// every time.
 struct StabilityMask {
   struct Point {
     double tau = 0;    // s, > 0

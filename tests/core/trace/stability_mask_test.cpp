@@ -15,6 +15,8 @@ TEST(StabilityMask, IsStraightBetweenItsPointsOnLogarithmicAxesAndAsksNothingBey
   EXPECT_DOUBLE_EQ(*mask.at(0.01), 100);
   EXPECT_NEAR(*mask.at(0.1), 316.2278, 1e-3);
   EXPECT_DOUBLE_EQ(*mask.at(1), 1'000);
+  EXPECT_EQ(mask.at(0.009998), 100) << "the time that clocks make of it";
+  EXPECT_EQ(mask.at(1.0002), 1'000);
   EXPECT_FALSE(mask.at(0.009));
   EXPECT_FALSE(mask.at(1.1));
   EXPECT_FALSE(StabilityMask().at(1));
