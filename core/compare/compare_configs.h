@@ -41,10 +41,10 @@ struct ConfigDifference {
 [[nodiscard]] std::string describe(const ConfigDifference& difference);
 
 /// What two configurations make a machine do differently, grouped by slave (network first) and kind. Slaves are paired
-/// by identity, name and order, so that one more slave is one difference. Spelling does not count: names, comments,
-/// PDOs that are not assigned, addresses that only follow from the order, where a tool puts data in the image as a
-/// whole. A command whose change follows from a setting that is reported is not reported again; see compare_networks()
-/// for all.
+/// by identity, name and order, so that one more slave is one difference. Spelling does not count: names (but of
+/// variables, where most are the same), comments, PDOs that are not assigned, addresses that only follow from the
+/// order, where a tool puts data in the image as a whole. A command whose change follows from a setting that is
+/// reported is not reported again; see compare_networks() for all.
 [[nodiscard]] std::vector<ConfigDifference> compare_configs(const NetworkConfig& left, const NetworkConfig& right);
 
 }  // namespace syncline
