@@ -40,7 +40,10 @@ void ProjectDocument::addStack() {
 }
 
 bool ProjectDocument::isModified() const {
-  return regrouped_ || viewed_ || !std::ranges::all_of(stacks_, [](const auto& stack) { return stack->isClean(); });
+  // A stack that goes with its network, or with all of them, tells that it is empty while its neighbours are gone
+  // already.
+  const auto clean = [](const auto& stack) { return stack == nullptr || stack->isClean(); };
+  return regrouped_ || viewed_ || !std::ranges::all_of(stacks_, clean);
 }
 
 QString ProjectDocument::displayName() const { return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName(); }
