@@ -3408,6 +3408,13 @@ Einstellung %2</translation>
         </message>
 </context>
 <context>
+    <name>SaveName</name>
+        <message>
+            <source>%1 is there already. Replace it?</source>
+            <translation>%1 ist schon da. Ersetzen?</translation>
+        </message>
+</context>
+<context>
     <name>SlaveFilesPage</name>
         <message>
             <source>Files</source>

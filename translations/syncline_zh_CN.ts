@@ -3397,6 +3397,13 @@ Setting %2</source>
         </message>
 </context>
 <context>
+    <name>SaveName</name>
+        <message>
+            <source>%1 is there already. Replace it?</source>
+            <translation>%1 已存在。要替换吗？</translation>
+        </message>
+</context>
+<context>
     <name>SlaveFilesPage</name>
         <message>
             <source>Files</source>

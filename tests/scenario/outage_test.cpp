@@ -182,10 +182,8 @@ void Outage::expect_quiet_after(const Case& c, Nanoseconds begin, Nanoseconds en
     auto works = times(test::with(&events::StateChanged::from, AlState::kPreop), end);  // PREOP -> SAFEOP
     works.push_back(end);
     if (good.empty() || of_master) continue;
-    // In DCX the clock that returns is moved by the external one meanwhile, in bus shift by the host, whose jitter
-    // takes it near its substitute by chance (one in a hundred is later than 2 s).
-    const bool moved = c.mode == DcmMode::kBusShift && c.slave == (c.branch ? 1 : 0);
-    const double most = c.mode == DcmMode::kDcx ? 2.6 : moved ? 2.3 : 2.0;
+    // In DCX the clock that returns is moved by the external one meanwhile.
+    const double most = c.mode == DcmMode::kDcx ? 2.6 : 2.0;
     EXPECT_LT(seconds(good.back() - std::ranges::max(works)), most) << c.name() << log();
   }
 }

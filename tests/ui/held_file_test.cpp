@@ -5,13 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QMessageBox>
+#include <QTimer>
 #include <filesystem>
 
 #include "reasons/because.h"
 #include "support/whole_file.h"
 #include "tests/support/temporary_folder.h"
+#include "ui/files/save_name.h"
 #include "ui/session/exporter.h"
 #include "ui/session/opened_recording.h"
 #include "ui/session/project_document.h"
@@ -72,6 +77,26 @@ TEST_F(HeldFiles, OfARecordingAreNotSavedOnto) {
   ASSERT_FALSE(saved);
   EXPECT_THAT(saved.error().detail.text(), HasSubstr("a recording that is shown here"));
   EXPECT_EQ(content("a"), "content");
+}
+
+/// The dialog has asked about the name as it was typed, which is another file.
+TEST_F(HeldFiles, ANameWithoutASuffixReplacesNothingUnasked) {
+  const auto complete = [this](const char* name, int answer) {
+    QTimer::singleShot(0, [answer] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box != nullptr) box->button(static_cast<QMessageBox::StandardButton>(answer))->click();
+    });
+    const auto result = withSuffix(nullptr, QStringLiteral("Save"), path(name), QStringLiteral(".csv"));
+    QApplication::processEvents();
+    return result;
+  };
+  EXPECT_TRUE(write_whole_file(folder_.file("old.csv"), "content"));
+  EXPECT_EQ(complete("new", QMessageBox::No), path("new.csv"));
+  EXPECT_EQ(complete("new.txt", QMessageBox::No), path("new.txt"));
+  EXPECT_EQ(complete("old.csv", QMessageBox::No), path("old.csv")) << "asked by the dialog";
+  EXPECT_EQ(complete("old", QMessageBox::No), QString());
+  EXPECT_EQ(complete("old", QMessageBox::Yes), path("old.csv"));
+  EXPECT_EQ(withSuffix(nullptr, QString(), QString(), QStringLiteral(".csv")), QString());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <QAbstractItemModelTester>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <algorithm>
 #include <memory>
 
 #include "support/ui_test_support.h"
@@ -140,6 +141,17 @@ TEST_F(ModelOfNetworks, KeepsTheStatesOfEachWhicheverIsInWork) {
   model_.setProject(project_);
   EXPECT_EQ(model_.slaveCount(), 3);
   EXPECT_EQ(model_.rowCount(model_.index(0, 0)), 3) << "the other one is as it was";
+}
+
+TEST_F(ModelOfNetworks, TellsOfSlavesOfAnotherMachineThatStandAlike) {
+  auto other = project_;
+  other.slaves[1].name = "Another drive";
+  QSignalSpy changed(&model_, &QAbstractItemModel::dataChanged);
+  model_.setNetworks({QStringLiteral("Feeder"), QStringLiteral("Press")}, {&other, &fewer_}, 0);
+  EXPECT_EQ(model_.indexOf(0, 1).data().toString(), QStringLiteral("Another drive"));
+  EXPECT_TRUE(std::ranges::any_of(changed, [&](const auto& of) {
+    return of[0].toModelIndex() == model_.indexOf(0, 1);
+  })) << "who draws it hears of it";
 }
 
 Message message(Severity severity, const char* text) {

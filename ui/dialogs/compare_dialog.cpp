@@ -26,6 +26,7 @@
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/link_chooser.h"
 #include "ui/files/held_file.h"
+#include "ui/files/save_name.h"
 #include "ui/models/word_filter.h"
 #include "ui/session/project_document.h"
 #include "ui/session/run_difference.h"
@@ -314,11 +315,11 @@ QString CompareDialog::text(QChar separator, bool quoted) const {
 }
 
 void CompareDialog::exportCsv() {
-  auto path = QFileDialog::getSaveFileName(this, tr("Export Differences"), QStringLiteral("differences.csv"),
-                                           tr("Comma-separated values (*.csv)"));
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".csv");
-  exportTo(path);
+  const auto title = tr("Export Differences");
+  const auto path = QFileDialog::getSaveFileName(this, title, QStringLiteral("differences.csv"),
+                                                 tr("Comma-separated values (*.csv)"));
+  if (const auto complete = withSuffix(this, title, path, QStringLiteral(".csv")); !complete.isEmpty())
+    exportTo(complete);
 }
 
 bool CompareDialog::exportTo(const QString& path) {

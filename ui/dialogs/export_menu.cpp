@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
@@ -58,14 +59,10 @@ ExportMenu::ExportMenu(Workspace& workspace, const FileCommands& files, QWidget&
 void ExportMenu::ask(const exports::Format& format, const QString& title) {
   if (!commit_()) return;
   const auto suffix = fromTable(format.suffix);
-  auto path = askSaveName(&window_, QString(title).remove(u'&').remove(u'…'), files_.proposedExport(suffix),
-                          QStringLiteral("*.%1").arg(QFileInfo(suffix).suffix()));
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) {
-    path += suffix;
-    if (!mayWriteOrTell(&window_, tr("Export"), path)) return;
-  }
-  write(format, path);
+  const auto name = QString(title).remove(u'&').remove(u'…');
+  const auto path = QFileDialog::getSaveFileName(&window_, name, files_.proposedExport(suffix),
+                                                 QStringLiteral("*.%1").arg(QFileInfo(suffix).suffix()));
+  if (const auto complete = withSuffix(&window_, name, path, suffix); !complete.isEmpty()) write(format, complete);
 }
 
 bool ExportMenu::write(const exports::Format& format, const QString& path) {

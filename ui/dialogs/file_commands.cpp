@@ -12,6 +12,7 @@
 #include "ui/dialogs/import_commands.h"
 #include "ui/dialogs/questions.h"
 #include "ui/dialogs/recovery_dialog.h"
+#include "ui/files/save_name.h"
 #include "ui/session/exporter.h"
 #include "ui/session/file_kind.h"
 #include "ui/session/workspace.h"
@@ -146,11 +147,11 @@ bool FileCommands::save() {
 }
 
 bool FileCommands::saveAs() {
-  auto path = QFileDialog::getSaveFileName(&window_, tr("Save Project"), proposedName(QStringLiteral(".syncline")),
-                                           tr("Syncline projects (*.syncline)"));
-  if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".syncline");
-  return saveTo(path);
+  const auto title = tr("Save Project"), suffix = QStringLiteral(".syncline");
+  const auto path =
+      QFileDialog::getSaveFileName(&window_, title, proposedName(suffix), tr("Syncline projects (*.syncline)"));
+  const auto complete = withSuffix(&window_, title, path, suffix);
+  return !complete.isEmpty() && saveTo(complete);
 }
 
 bool FileCommands::saveTo(const QString& path) {
@@ -164,10 +165,12 @@ bool FileCommands::saveTo(const QString& path) {
 }
 
 void FileCommands::exportEni() {
-  auto path = QFileDialog::getSaveFileName(&window_, tr("Export ENI"), proposedExport(QStringLiteral(".eni.xml")),
-                                           tr("EtherCAT network information (*.xml)"));
+  const auto title = tr("Export ENI");
+  const auto path = withSuffix(&window_, title,
+                               QFileDialog::getSaveFileName(&window_, title, proposedExport(QStringLiteral(".eni.xml")),
+                                                            tr("EtherCAT network information (*.xml)")),
+                               QStringLiteral(".xml"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".xml");
   // Of the ENI the dialog has asked, of what stands beside it nobody.
   const auto report = reportFile(path);
   if (workspace_.eni().reported() && QFileInfo::exists(report) && !QFileInfo::exists(path) &&

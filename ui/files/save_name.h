@@ -12,7 +12,10 @@ namespace syncline::ui {
 /// user has been told (mayWrite()).
 [[nodiscard]] QString askSaveName(QWidget* parent, const QString& title, const QString& proposed, const QString& filter,
                                   QFileDialog::Options options = {});
-/// The same of a name that was asked for otherwise; false: told.
+/// A name that the user gave without a suffix gets this one (with its point). The dialog has asked about another file
+/// then: of one that is there it is asked here whether it shall be replaced. Empty: it shall not.
+[[nodiscard]] QString withSuffix(QWidget* parent, const QString& title, const QString& path, const QString& suffix);
+/// The same as askSaveName() of a name that was asked for otherwise; false: told.
 [[nodiscard]] bool mayWriteOrTell(QWidget* parent, const QString& title, const QString& path);
 
 }  // namespace syncline::ui

@@ -51,11 +51,15 @@ void NetworkModel::setNetworks(const QStringList& names, const std::vector<const
     if (alike) trees[i].take_states(trees_[i]);
   }
   if (!same) beginResetModel();
-  trees_ = std::move(trees);
+  std::swap(trees_, trees);
   in_work_ = static_cast<std::size_t>(in_work);
   names_ = names;
   if (!same) return endResetModel();
-  for (int i = 0; i < networkCount(); ++i) Q_EMIT dataChanged(indexOf(i, -1), indexOf(i, -1));
+  for (int i = 0; i < networkCount(); ++i) {
+    auto changed = trees_[static_cast<std::size_t>(i)].different_from(trees[static_cast<std::size_t>(i)]);
+    changed.push_back(-1);  // its name is not the tree's
+    tellOf(i, changed);
+  }
 }
 
 void NetworkModel::setShape(Shape shape) {

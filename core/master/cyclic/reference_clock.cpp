@@ -18,8 +18,9 @@ using What = events::ReferenceClockChanged::What;
 using Leader = CyclicFrameSet::Leader;
 
 constexpr int kLeadReadings = 16;
-constexpr std::int64_t kLeadNear = 50;   // ns: what the others do not notice
-constexpr std::int64_t kLimitShare = 2;  // nor this part of the sync window
+constexpr std::int64_t kLeadNear = 50;      // ns: what the others do not notice
+constexpr std::int64_t kLeadBorne = 1'000;  // ns: at the most, where they are out of sync
+constexpr std::int64_t kLimitShare = 4;     // nor this part of the sync window
 constexpr int kNearInARow = 4;
 /// A clock that is not near by then steps the others when it leads again; they bear it.
 constexpr Nanoseconds kLeadPatience = 10 * kSecond;
@@ -146,9 +147,13 @@ void ReferenceClock::add_to(PendingFrame& frame) {
   comparison_.asked = frame.add(comparison_.datagrams[0]) && frame.add(comparison_.datagrams[1]);
 }
 
+/// Slaves that are further away from the substitute than the sync window allows have more to bear already: a substitute
+/// that the host steers moves with its jitter, and they run after it.
 std::int64_t ReferenceClock::near_enough() const {
   const auto& dc = run_.snapshot.dc;
-  return dc.monitored ? std::max<std::int64_t>(kLeadNear, dc.limit_ns / kLimitShare) : kLeadNear;
+  if (!dc.monitored) return kLeadNear;
+  const std::int64_t borne = dc.over_limit > 0 ? dc.deviation_ns.value_or(0) : 0;
+  return std::max({kLeadNear, dc.limit_ns / kLimitShare, std::min(borne, kLeadBorne)});
 }
 
 bool ReferenceClock::is_near() { return *home_ < *leader_ ? compares_near() : follows_near(); }

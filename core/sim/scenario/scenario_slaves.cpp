@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "config/port_kind.h"
 #include "protocol/sii.h"
 #include "sim/esc/esc_types.h"
 #include "sim/scenario/scenario_faults.h"
@@ -75,7 +76,7 @@ void read_delays(Table& table, SimSlaveConfig& slave) {
   const auto number = [&table](std::string_view key, std::uint32_t fallback) {
     return static_cast<std::uint32_t>(table.integer(key, fallback, 0, kMostDelay));
   };
-  const auto usual = slave.delays.value_or(kCableDelays);
+  const auto usual = port_kind(slave.device, slave.entry_port) == PortKind::kEbus ? kEbusDelays : kCableDelays;
   EscDelays delays;
   delays.forwarding = number("forwarding_delay_ns", usual.forwarding);
   delays.processing = table.has("tdiff_ns") ? delays.forwarding + number("tdiff_ns", 0)

@@ -41,6 +41,26 @@ Result<SimConfig> load_beside(const std::string& text) {
   return sim::parse_scenario(text, resource("demo/beside.toml"), scenario_device);
 }
 
+/// Of one slave, as its `keys` say it.
+Result<SimConfig> load_slave(const std::string& device, const std::string& keys) {
+  return sim::parse_scenario("[[slave]]\nesi = \"../esi/" + device + ".xml\"\n" + keys, resource("demo/slave.toml"),
+                             scenario_device);
+}
+
+TEST(ScenarioRules, WhatIsNotSaidOfAnEscsDelaysIsThatOfItsPort) {
+  const auto delays = [](const char* device, const char* keys) {
+    const auto config = load_slave(device, keys);
+    EXPECT_TRUE(config) << keys;
+    const auto& given = config->slaves.front().delays;
+    return given ? std::pair(given->processing, given->forwarding) : std::pair(0U, 0U);
+  };
+  EXPECT_EQ(delays("SL-3002", ""), std::pair(0U, 0U)) << "as the ports have them";
+  EXPECT_EQ(delays("SL-3002", "tdiff_ns = 30\n"), std::pair(165U, 135U)) << "at E-bus";
+  EXPECT_EQ(delays("SL-3002", "forwarding_delay_ns = 100\n"), std::pair(155U, 100U));
+  EXPECT_EQ(delays("SL-SV7", "tdiff_ns = 30\n"), std::pair(290U, 260U)) << "at a cable";
+  EXPECT_EQ(delays("SL-SV7", "processing_delay_ns = 400\n"), std::pair(400U, 260U));
+}
+
 TEST(ScenarioRules, AMachineOfAnotherFileGetsFaults) {
   const auto machine = sim::load_scenario(resource("demo/machine.toml"), scenario_device);
   ASSERT_TRUE(machine);
