@@ -4,27 +4,56 @@
 #include <readerwriterqueue/readerwritercircularbuffer.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include "channels/command.h"
+#include "support/result.h"
+#include "support/types.h"
 
 namespace syncline {
 
-/// Commands in their order, from one thread to one other. Neither waits for the other, and who carries them out does
-/// not allocate to see that there is none.
+/// Of one command that was asked, from 1 in the order of asking.
+using CommandId = std::uint64_t;
+
+/// What became of a command: told once, when all that it does has been done.
+struct CommandAnswer {
+  CommandId id = 0;
+  std::optional<Error> refused{};  // nothing: carried out. Refusals are events, too (events::Failure)
+  Nanoseconds time = 0;            // host clock
+};
+
+/// Commands in their order, from one thread to one other, and what became of those that were asked back. Neither waits
+/// for the other, and who carries them out does not allocate to see that there is none, nor to say that one was done.
 class CommandQueue {
  public:
   static constexpr std::size_t kCapacity = 256;
 
-  CommandQueue() : commands_(kCapacity) {}
-  /// False when kCapacity commands wait already: the master is not listening, and this one is not taken. Producer.
-  bool push(MasterCommand command) { return commands_.try_enqueue(std::move(command)); }
-  std::optional<MasterCommand> pop();                                        // consumer: the thread that runs the cycle
-  [[nodiscard]] bool empty() const { return commands_.size_approx() == 0; }  // consumer
+  CommandQueue() : commands_(kCapacity), answers_(kCapacity) {}
+
+  // ---- producer
+  /// False when kCapacity commands wait already: the master is not listening, and this one is not taken.
+  bool push(MasterCommand command) { return commands_.try_enqueue({0, std::move(command)}); }
+  /// The same, with an answer: its id. Nothing where it was not taken, or kCapacity answers are outstanding.
+  std::optional<CommandId> ask(MasterCommand command);
+  /// The next answer, in the order of asking; nothing as long as the master has none.
+  std::optional<CommandAnswer> take_answer();
+
+  // ---- consumer: the thread that runs the cycle
+  struct Entry {
+    CommandId id = 0;  // 0: nobody wants an answer
+    MasterCommand command;
+  };
+  std::optional<Entry> pop();
+  void answer(CommandId id, std::optional<Error> refused, Nanoseconds now);
+  [[nodiscard]] bool empty() const { return commands_.size_approx() == 0; }
 
  private:
-  moodycamel::BlockingReaderWriterCircularBuffer<MasterCommand> commands_;
+  moodycamel::BlockingReaderWriterCircularBuffer<Entry> commands_;
+  moodycamel::BlockingReaderWriterCircularBuffer<CommandAnswer> answers_;  // cannot overflow: ask() counts
+  CommandId last_ = 0;
+  std::size_t outstanding_ = 0;  // asked and not taken
 };
 
 }  // namespace syncline

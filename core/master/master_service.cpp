@@ -13,7 +13,7 @@
 namespace syncline {
 namespace {
 
-constexpr MacAddress kBroadcastMac{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
+Status offline(const char* what) { return fail(ErrorCode::kConfiguration, what, because("the bus is offline")); }
 
 }  // namespace
 
@@ -23,17 +23,17 @@ struct MasterService::Impl {
         link(make_frame_tap(std::move(own_link), own_clock, channels.frames)),
         exchange(*link, own_clock) {}
 
-  void execute(GoOnlineCommand& command);
-  void execute(const GoOfflineCommand&);
-  void execute(const RequestStateCommand& command);
-  void execute(const ClearStatisticsCommand&);
-  void execute(const ConfigureDcmCommand& command);
-  void execute(const ResetDcmStatusCommand&);
-  void execute(const CompensateDelaysCommand& command);
-  void execute(const ForceOutputCommand& command);
-  void execute(const ReleaseOutputCommand& command);
-  void execute(const ReleaseAllOutputsCommand&);
-  void execute(const WatchCommand& command);
+  Status execute(GoOnlineCommand& command);
+  Status execute(const GoOfflineCommand&);
+  Status execute(const RequestStateCommand& command);
+  Status execute(const ClearStatisticsCommand&);
+  Status execute(const ConfigureDcmCommand& command);
+  Status execute(const ResetDcmStatusCommand&);
+  Status execute(const CompensateDelaysCommand& command);
+  Status execute(const ForceOutputCommand& command);
+  Status execute(const ReleaseOutputCommand& command);
+  Status execute(const ReleaseAllOutputsCommand&);
+  Status execute(const WatchCommand& command);
   bool step();
   void publish_latest();
   void bind_thread(const RealTimeSettings& settings);
@@ -41,6 +41,7 @@ struct MasterService::Impl {
   void go_offline();
   void tell(EventDetails what);
   void tell(const Error& error) { tell(events::Failure{error}); }
+  Status told(Status status);
 
   Clock& clock;
   MasterChannels channels;
@@ -53,6 +54,12 @@ struct MasterService::Impl {
 
 void MasterService::Impl::tell(EventDetails what) { channels.events.push({clock.now(), -1, std::move(what)}); }
 
+/// What is refused is an event for all, and the answer for who asked.
+Status MasterService::Impl::told(Status status) {
+  if (!status) tell(status.error());
+  return status;
+}
+
 /// The thread that executes the command is the one that runs the cycle.
 void MasterService::Impl::bind_thread(const RealTimeSettings& settings) {
   if (clock.is_virtual() || !settings.cpu) return;
@@ -60,21 +67,27 @@ void MasterService::Impl::bind_thread(const RealTimeSettings& settings) {
     tell(events::RealTimeRefused{std::move(refused)});
 }
 
-void MasterService::Impl::execute(GoOnlineCommand& command) {
+Status MasterService::Impl::execute(GoOnlineCommand& command) {
   if (operation) go_offline();
   bind_thread(command.config.real_time);
   operation = std::make_unique<Operation>(std::move(command.config), exchange, clock, channels);
   operation->set_start_time(start_time);
   operation->watch(watch);
-  const auto status = operation->start(command.target);
-  if (!status) tell(status.error());
+  auto status = told(operation->start(command.target));
   const bool cancelled = !status && status.error().code == ErrorCode::kCancelled;
-  if (!status && (cancelled || !operation->cyclic())) return go_offline();
+  if (!status && (cancelled || !operation->cyclic())) {
+    go_offline();
+    return status;
+  }
   // A bus that did not come all the way up stays online, to be looked at.
   tell(events::Online{});
+  return status;
 }
 
-void MasterService::Impl::execute(const GoOfflineCommand&) { go_offline(); }
+Status MasterService::Impl::execute(const GoOfflineCommand&) {
+  go_offline();
+  return {};
+}
 
 void MasterService::Impl::go_offline() {
   if (operation) operation->stop();
@@ -82,48 +95,49 @@ void MasterService::Impl::go_offline() {
   tell(events::Offline{});
 }
 
-void MasterService::Impl::execute(const RequestStateCommand& command) {
-  if (!operation) return tell(Error{ErrorCode::kConfiguration, "state request", because("the bus is offline")});
-  if (auto status = operation->change_to(command.state); !status) tell(status.error());
+Status MasterService::Impl::execute(const RequestStateCommand& command) {
+  if (!operation) return told(offline("state request"));
+  return told(operation->change_to(command.state));
 }
 
-void MasterService::Impl::execute(const ClearStatisticsCommand&) {
+Status MasterService::Impl::execute(const ClearStatisticsCommand&) {
   if (operation) operation->clear_statistics();
+  return {};
 }
 
-void MasterService::Impl::execute(const ConfigureDcmCommand& command) {
-  if (!operation)
-    return tell(Error{ErrorCode::kConfiguration, "master synchronisation", because("the bus is offline")});
-  if (auto status = operation->configure_dcm(command.settings); !status) tell(status.error());
+Status MasterService::Impl::execute(const ConfigureDcmCommand& command) {
+  if (!operation) return told(offline("master synchronisation"));
+  return told(operation->configure_dcm(command.settings));
 }
 
-void MasterService::Impl::execute(const ResetDcmStatusCommand&) {
+Status MasterService::Impl::execute(const ResetDcmStatusCommand&) {
   if (operation) operation->reset_dcm_status();
+  return {};
 }
 
-void MasterService::Impl::execute(const CompensateDelaysCommand& command) {
-  if (!operation)
-    return tell(Error{ErrorCode::kConfiguration, "continuous delay compensation", because("the bus is offline")});
+Status MasterService::Impl::execute(const CompensateDelaysCommand& command) {
+  if (!operation) return told(offline("continuous delay compensation"));
   operation->compensate_delays(command.on);
+  return {};
 }
 
-void MasterService::Impl::execute(const ForceOutputCommand& command) {
-  if (!operation) return tell(Error{ErrorCode::kConfiguration, "outputs", because("the bus is offline")});
-  if (auto status = operation->force(command); !status) tell(status.error());
+Status MasterService::Impl::execute(const ForceOutputCommand& command) {
+  return told(operation ? operation->force(command) : offline("outputs"));
 }
 
-void MasterService::Impl::execute(const ReleaseOutputCommand& command) {
-  if (!operation) return;  // nothing is forced any more
-  if (auto status = operation->release(command); !status) tell(status.error());
+Status MasterService::Impl::execute(const ReleaseOutputCommand& command) {
+  return operation ? told(operation->release(command)) : Status{};  // offline nothing is forced any more
 }
 
-void MasterService::Impl::execute(const ReleaseAllOutputsCommand&) {
+Status MasterService::Impl::execute(const ReleaseAllOutputsCommand&) {
   if (operation) operation->release_all_outputs();
+  return {};
 }
 
-void MasterService::Impl::execute(const WatchCommand& command) {
+Status MasterService::Impl::execute(const WatchCommand& command) {
   watch = command;
   if (operation) operation->watch(watch);
+  return {};
 }
 
 void MasterService::Impl::run_cycle() {
@@ -150,10 +164,11 @@ bool MasterService::online() const { return impl_->operation != nullptr; }
 void MasterService::set_dc_start_time(DcStartTimeCallback callback) { impl_->start_time = std::move(callback); }
 
 bool MasterService::Impl::step() {
-  if (auto command = channels.commands.pop()) {
-    std::visit([this](auto& what) { execute(what); }, *command);
+  if (auto entry = channels.commands.pop()) {
+    auto status = std::visit([this](auto& what) { return execute(what); }, entry->command);
     // Whatever was to be cancelled is over; the next command starts afresh.
     channels.cancel = false;
+    channels.commands.answer(entry->id, status ? std::nullopt : std::optional(std::move(status.error())), clock.now());
     return true;
   }
   if (!operation) {

@@ -299,9 +299,13 @@ TEST_F(Shell, ParametersOfTheControllerAreApplied) {
   set("master.dc.gain_ppt", settings::Value{std::int64_t{5}});
   ASSERT_TRUE(widget("runBar").isVisible());
   ASSERT_TRUE(widget("runBarApply").isEnabled());
+  const auto before = workspace_.runDifference().running();
   static_cast<QPushButton&>(widget("runBarApply")).click();
-  EXPECT_FALSE(widget("runBar").isVisible());
+  EXPECT_TRUE(widget("runBar").isVisible()) << "the machine has not taken it yet";
+  EXPECT_FALSE(widget("runBarApply").isEnabled()) << "nor is it asked twice";
+  EXPECT_EQ(workspace_.runDifference().running(), before);
   workspace_.live().advance(100 * kMillisecond);
+  EXPECT_FALSE(widget("runBar").isVisible());
   EXPECT_EQ(workspace_.live().phase(), LiveSession::Phase::kOnline);
   EXPECT_EQ(workspace_.runDifference().running(), project());
 }

@@ -8,6 +8,7 @@ LiveSession::LiveSession(NetworkRun& run, QObject* parent) : QObject(parent), ru
 void LiveSession::listen() {
   connect(run_, &NetworkRun::phaseChanged, this, &LiveSession::phaseChanged);
   connect(run_, &NetworkRun::recordChanged, this, &LiveSession::recordChanged);
+  connect(run_, &NetworkRun::applyingChanged, this, &LiveSession::applyingChanged);
   connect(run_, &NetworkRun::applied, this, &LiveSession::applied);
   connect(run_, &NetworkRun::snapshotChanged, this, &LiveSession::snapshotChanged);
   connect(run_, &NetworkRun::samplesArrived, this, &LiveSession::samplesArrived);

@@ -31,7 +31,6 @@ class LiveSession final : public QObject {
   void requestState(AlState state) { run_->requestState(state); }
   void clearStatistics() { run_->clearStatistics(); }
   void arm() { run_->arm(); }
-  void configureDcm(const DcmSettings& settings) { run_->configureDcm(settings); }
   [[nodiscard]] const ImageContents* image() { return run_->image(); }
   void forceOutput(std::uint32_t bit_offset, std::uint32_t bit_size, std::uint64_t value) {
     run_->forceOutput(bit_offset, bit_size, value);
@@ -53,6 +52,7 @@ class LiveSession final : public QObject {
  Q_SIGNALS:
   void phaseChanged();
   void recordChanged();
+  void applyingChanged();
   void applied();
   void snapshotChanged();
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);

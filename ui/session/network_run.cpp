@@ -88,14 +88,24 @@ void NetworkRun::arm() {
   if (record_) record_->arm();
 }
 
-void NetworkRun::configureDcm(const DcmSettings& settings) {
-  if (master_) send(ConfigureDcmCommand{settings});
+void NetworkRun::apply(RunOrigin origin) {
+  if (!master_ || applying_) return;
+  const auto id = master_->channels().commands.ask(ConfigureDcmCommand{origin.project.master.dc.dcm});
+  if (!id) return tellDeaf();
+  applying_ = {*id, std::move(origin)};
+  Q_EMIT applyingChanged();
 }
 
-void NetworkRun::apply(RunOrigin origin) {
-  configureDcm(origin.project.master.dc.dcm);
-  origin_ = std::move(origin);
-  Q_EMIT applied();
+void NetworkRun::takeAnswers() {
+  while (const auto answer = master_->channels().commands.take_answer()) {
+    if (!applying_ || applying_->id != answer->id) continue;
+    auto given = std::move(applying_->origin);
+    applying_.reset();
+    Q_EMIT applyingChanged();
+    if (answer->refused) continue;
+    origin_ = std::move(given);
+    Q_EMIT applied();
+  }
 }
 
 const ImageContents* NetworkRun::image() {
@@ -131,9 +141,12 @@ Status NetworkRun::watch(std::vector<VariableName> names) {
   return {};
 }
 
-/// A master that has stopped listening is told like whatever else goes wrong with it.
 void NetworkRun::send(MasterCommand command) {
-  if (master_->channels().commands.push(std::move(command))) return;
+  if (!master_->channels().commands.push(std::move(command))) tellDeaf();
+}
+
+/// A master that has stopped listening is told like whatever else goes wrong with it.
+void NetworkRun::tellDeaf() {
   Q_EMIT eventArrived({snapshot_.time, -1, events::Failure{Error{ErrorCode::kTimeout, "master"}}});
 }
 
@@ -156,6 +169,7 @@ void NetworkRun::drain() {
   const bool fresh = channels.snapshot.read(snapshot_);
   record_->add(samples_);
   if (fresh) record_->add(snapshot_);
+  takeAnswers();
   if (!samples_.empty()) Q_EMIT samplesArrived(samples_);
   if (fresh) Q_EMIT snapshotChanged();
   for (const auto& event : events) {
@@ -180,6 +194,7 @@ void NetworkRun::addNote(const RunNote& note) {
 
 void NetworkRun::close() {
   tick_.stop();
+  applying_.reset();
   master_.reset();
   snapshot_ = Snapshot{};
   setPhase(Phase::kOffline);

@@ -52,10 +52,12 @@ class NetworkRun final : public QObject {
   void arm();
   /// What the user writes at a moment of the run; nothing without one.
   void addNote(const RunNote& note);
-  /// Other parameters for the running master synchronisation; what it refuses comes as an event.
-  void configureDcm(const DcmSettings& settings);
-  /// The same; from now on that is what runs.
+  /// Gives the running master synchronisation the parameters of another origin, which is what runs as soon as the
+  /// master has taken them (applied()). What it refuses comes as an event, and what runs stays. Nothing while one is
+  /// under way.
   void apply(RunOrigin origin);
+  /// Given to the master, who has not answered yet.
+  [[nodiscard]] bool applying() const { return applying_.has_value(); }
 
   /// What stands in the process image now, at most 0.1 s old; null when nothing runs. Valid until the next call.
   [[nodiscard]] const ImageContents* image();
@@ -91,7 +93,8 @@ class NetworkRun final : public QObject {
   void phaseChanged();
   /// Another run has begun: the record before is gone when this returns.
   void recordChanged();
-  /// origin() is another one: it was given to the machine.
+  void applyingChanged();
+  /// origin() is another one: the machine has taken it.
   void applied();
   void snapshotChanged();
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);
@@ -103,10 +106,16 @@ class NetworkRun final : public QObject {
   void drained();
 
  private:
+  struct Applying {
+    CommandId id = 0;
+    RunOrigin origin;
+  };
   void send(MasterCommand command);
+  void tellDeaf();
   void tick();
   void drain();
   void handle(const Event& event);
+  void takeAnswers();
   void close();
   void setPhase(Phase phase);
 
@@ -117,6 +126,7 @@ class NetworkRun final : public QObject {
   bool auto_advance_ = true;
   QString link_;
   RunOrigin origin_;
+  std::optional<Applying> applying_;
   std::unique_ptr<RunRecord> record_;
   std::vector<VariableName> watched_;
   Snapshot snapshot_;

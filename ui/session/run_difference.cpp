@@ -26,6 +26,7 @@ RunDifference::RunDifference(ProjectDocument& document, ConfigurationMonitor& co
                              QObject* parent)
     : QObject(parent), document_(document), configuration_(configuration), live_(live) {
   connect(&live_, &LiveSession::phaseChanged, this, &RunDifference::look);
+  connect(&live_, &LiveSession::applyingChanged, this, &RunDifference::look);
   connect(&live_, &LiveSession::applied, this, &RunDifference::look);
   connect(&configuration_, &ConfigurationMonitor::compiled, this, &RunDifference::look);
 }
@@ -44,7 +45,7 @@ void RunDifference::look() {
     differs_ = config == nullptr || !network.empty() || !run_time.empty();
     std::erase_if(network, [](const ConfigDifference& one) { return one.group != DifferenceGroup::kSlaves; });
     slaves_ = std::move(network);
-    applicable_ = differs_ && onlyParameters(running(), project);
+    applicable_ = differs_ && !live_.run().applying() && onlyParameters(running(), project);
   }
   if (before || differs_) Q_EMIT changed();
 }

@@ -31,7 +31,7 @@ class RunDifference final : public QObject {
   [[nodiscard]] const std::vector<ConfigDifference>& slaves() const { return slaves_; }
   /// The project from which the machine was started, with what was applied since.
   [[nodiscard]] const Project& running() const;
-  /// All of it can be given to the machine while it runs.
+  /// All of it can be given to the machine while it runs, which is not taking it just now.
   [[nodiscard]] bool applicable() const { return applicable_; }
   /// Gives it to the machine; nothing when not applicable().
   void apply();

@@ -142,11 +142,50 @@ TEST(CommandQueue, IsFirstInFirstOut) {
   EXPECT_FALSE(queue.pop());
   queue.push(ClearStatisticsCommand{});
   queue.push(RequestStateCommand{AlState::kOp});
-  EXPECT_TRUE(std::holds_alternative<ClearStatisticsCommand>(*queue.pop()));
+  EXPECT_TRUE(std::holds_alternative<ClearStatisticsCommand>(queue.pop()->command));
   const auto second = queue.pop();
-  ASSERT_TRUE(second && std::holds_alternative<RequestStateCommand>(*second));
-  EXPECT_EQ(std::get<RequestStateCommand>(*second).state, AlState::kOp);
+  ASSERT_TRUE(second && std::holds_alternative<RequestStateCommand>(second->command));
+  EXPECT_EQ(std::get<RequestStateCommand>(second->command).state, AlState::kOp);
   EXPECT_TRUE(queue.empty());
+}
+
+TEST(CommandQueue, AnswersThoseThatWereAsked) {
+  CommandQueue queue;
+  EXPECT_TRUE(queue.push(ClearStatisticsCommand{}));
+  const auto first = queue.ask(RequestStateCommand{AlState::kOp});
+  const auto second = queue.ask(ResetDcmStatusCommand{});
+  ASSERT_TRUE(first && second);
+  EXPECT_NE(*first, *second);
+  EXPECT_FALSE(queue.take_answer());
+  for (Nanoseconds time = 1; const auto entry = queue.pop(); ++time) {
+    const bool state = std::holds_alternative<RequestStateCommand>(entry->command);
+    queue.answer(entry->id, state ? std::optional(Error{ErrorCode::kAlTimeout, "drive", {}}) : std::nullopt, time);
+  }
+  const auto refused = queue.take_answer();
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->id, *first);
+  ASSERT_TRUE(refused->refused);
+  EXPECT_EQ(refused->refused->code, ErrorCode::kAlTimeout);
+  EXPECT_EQ(refused->time, 2);
+  const auto done = queue.take_answer();
+  ASSERT_TRUE(done);
+  EXPECT_EQ(done->id, *second);
+  EXPECT_FALSE(done->refused);
+  EXPECT_FALSE(queue.take_answer()) << "who pushed wants none";
+}
+
+TEST(CommandQueue, NoAnswerIsLostForWhoDoesNotLook) {
+  CommandQueue queue;
+  std::size_t asked = 0;
+  while (queue.ask(ClearStatisticsCommand{})) {
+    ++asked;
+    queue.answer(queue.pop()->id, {}, 0);
+  }
+  EXPECT_EQ(asked, CommandQueue::kCapacity);
+  std::size_t answers = 0;
+  while (queue.take_answer()) ++answers;
+  EXPECT_EQ(answers, asked);
+  EXPECT_TRUE(queue.ask(ClearStatisticsCommand{}));
 }
 
 TEST(CommandQueue, SaysSoWhenNobodyListens) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -358,6 +359,47 @@ TEST_F(OperationTest, GoesDownAndUpAgainOnRequest) {
       EXPECT_EQ(link->slave(i).get<std::uint16_t>(reg::kAlStatus), static_cast<std::uint16_t>(state));
     }
   }
+}
+
+TEST_F(OperationTest, EachCommandIsAnsweredWhenItIsDone) {
+  auto& commands = service->channels().commands;
+  /// What it was refused for, if it was; and what was told of it as an event is the same.
+  const auto ask = [&](MasterCommand command) -> std::optional<Error> {
+    events.clear();
+    const auto id = commands.ask(std::move(command));
+    EXPECT_TRUE(id);
+    EXPECT_FALSE(commands.take_answer()) << "nobody has looked at it";
+    EXPECT_TRUE(service->step());
+    drain();
+    const auto answer = commands.take_answer();
+    EXPECT_TRUE(answer && answer->id == id && answer->time == clock.now());
+    if (!answer) return std::nullopt;
+    EXPECT_EQ(answer->refused, first_error());
+    return answer->refused;
+  };
+  for (const MasterCommand& command :
+       {MasterCommand(RequestStateCommand{AlState::kOp}), MasterCommand(ConfigureDcmCommand{}),
+        MasterCommand(CompensateDelaysCommand{}), MasterCommand(ForceOutputCommand{0, 1, 1})}) {
+    const auto refused = ask(command);
+    ASSERT_TRUE(refused) << command.index();
+    EXPECT_THAT(describe(*refused), testing::HasSubstr("the bus is offline"));
+  }
+  EXPECT_FALSE(ask(GoOnlineCommand{config, AlState::kOp}));
+  EXPECT_EQ(snapshot.state, AlState::kOp) << "answered when it is there";
+  EXPECT_FALSE(ask(ForceOutputCommand{0, 1, 1}));
+  EXPECT_TRUE(ask(ForceOutputCommand{0xFFFF, 1, 1})) << "beyond the image";
+  DcmSettings wild;
+  wild.gain_ppt = DcmSettings::kMaxGain + 1;
+  EXPECT_TRUE(ask(ConfigureDcmCommand{wild}));
+  link->slave(2).refuse = {AlState::kSafeop, 0x001D};
+  EXPECT_TRUE(ask(RequestStateCommand{AlState::kSafeop}));
+  link->slave(2).refuse.reset();
+  for (const MasterCommand& command : {MasterCommand(ClearStatisticsCommand{}), MasterCommand(ResetDcmStatusCommand{}),
+                                       MasterCommand(WatchCommand{}), MasterCommand(ReleaseOutputCommand{0, 1}),
+                                       MasterCommand(ReleaseAllOutputsCommand{}), MasterCommand(GoOfflineCommand{})}) {
+    EXPECT_FALSE(ask(command)) << command.index();
+  }
+  EXPECT_FALSE(service->online());
 }
 
 TEST_F(OperationTest, GoesOfflineInInit) {

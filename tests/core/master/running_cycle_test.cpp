@@ -111,8 +111,9 @@ TEST_F(RunningCycle, NeitherAllocatesNorLocksWhenOutputsAreForced) {
   for (const MasterCommand& command :
        {MasterCommand(ForceOutputCommand{3, 9, 0x155}), MasterCommand(ReleaseOutputCommand{3, 2}),
         MasterCommand(ReleaseAllOutputsCommand{})}) {
-    service->channels().commands.push(command);
+    EXPECT_TRUE(service->channels().commands.ask(command));
     count_for(100 * kMillisecond);
+    EXPECT_TRUE(service->channels().commands.take_answer());
     EXPECT_TRUE(service->channels().image.read(image));
     EXPECT_TRUE(told<events::OutputsForced>());
     events.clear();
