@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "compile/compile.h"
+#include "findings/error_text.h"
 #include "master/master_service.h"
 #include "protocol/sii.h"
 #include "tests/support/event_match.h"
