@@ -99,8 +99,9 @@ enum class FaultKind : std::uint8_t {
                    // given
   kSlaveOff,       // power lost from `at` until `until`
   // The host; on the virtual clock.
-  kHostStall,  // does nothing for `value_ns`
-  kClockSlew,  // its clock runs `ppm` off until it is `value_ns` away from where it would have been
+  kHostStall,     // does nothing for `value_ns`
+  kCalendarStep,  // its calendar clock, which its stamps of frames are of, is set forwards by `value_ns`
+  kClockSlew,     // its clock runs `ppm` off until it is `value_ns` away from where it would have been
   // Clocks.
   kTemperatureRamp,     // a slave's quartz, or without one the host's, moves by `ppm` between `at` and `until`
   kClockStep,           // local clock jumps by `value_ns`

@@ -79,9 +79,6 @@ bool is_running(const std::string& adapter) {
 /// An adapter that is away is looked for so often.
 constexpr Nanoseconds kLookAgain = 50 * kMillisecond;
 
-/// No frame waits for longer in the kernel's ring.
-constexpr Nanoseconds kOldest = kSecond;
-
 }  // namespace
 
 std::string permission_command() {
@@ -99,15 +96,15 @@ struct RawPort::Impl {
   bool sees_own = false;
   Nanoseconds stamp_unit = 1;  // of the fraction in the kernel's stamp
   std::optional<SendSocket> way_out;
-  CalendarStamp stamps;
+  CalendarStamp stamps;  // of what is sent
+  ArrivalStamp arrivals;
   std::optional<Nanoseconds> sent_at;
   bool stamps_sending = false;
   std::optional<Nanoseconds> away{};  // the adapter is; when it was looked for last
 
-  /// The kernel's stamp on the port's clock; now, when somebody has just set the calendar clock.
+  /// The kernel's stamp on the port's clock.
   [[nodiscard]] Nanoseconds arrival_time(const pcap_pkthdr& header) {
-    const auto now = clock.now();
-    return stamps.to_clock(header.ts.tv_sec * kSecond + header.ts.tv_usec * stamp_unit, now - kOldest).value_or(now);
+    return arrivals.to_clock(header.ts.tv_sec * kSecond + header.ts.tv_usec * stamp_unit);
   }
 };
 
@@ -128,9 +125,10 @@ Result<RawPort> RawPort::open(const std::string& adapter, Clock& clock, bool sta
   const bool sees_own = pcap_setdirection(handle.get(), PCAP_D_IN) != 0;
   if (pcap_setnonblock(handle.get(), 1, text) != 0) return fail(ErrorCode::kLinkIo, adapter, Reason::phrase(text));
   const int fd = pcap_get_selectable_fd(handle.get());
-  return RawPort(std::unique_ptr<Impl>(
-      new Impl{std::move(handle), std::move(*info), clock, fd, sees_own, nanoseconds ? 1 : kMicrosecond,
-               SendSocket::open(adapter, stamps_sending), CalendarStamp(clock), std::nullopt, stamps_sending}));
+  return RawPort(
+      std::unique_ptr<Impl>(new Impl{std::move(handle), std::move(*info), clock, fd, sees_own,
+                                     nanoseconds ? 1 : kMicrosecond, SendSocket::open(adapter, stamps_sending),
+                                     CalendarStamp(clock), ArrivalStamp(clock), std::nullopt, stamps_sending}));
 }
 
 RawPort::RawPort(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -13,7 +13,11 @@ SimulatedHost set_up_host(VirtualClock& clock, const SimConfig& config) {
   // Generators of their own, so that the host's jitter does not depend on the number of slaves.
   clock.set_wakeup_jitter(config.host_jitter, config.seed ^ 0x686F'7374'6A69'7474U);
   add_standstills(clock, config);
-  return SimulatedHost::with(config.host_jitter, config.seed ^ 0x7374'616D'7073ULL);
+  auto host = SimulatedHost::with(config.host_jitter, config.seed ^ 0x7374'616D'7073ULL);
+  for (const auto& fault : config.faults) {
+    if (fault.kind == FaultKind::kCalendarStep) host.calendar_steps.push_back({clock.now() + fault.at, fault.value_ns});
+  }
+  return host;
 }
 
 }  // namespace syncline

@@ -8,7 +8,7 @@
 namespace syncline {
 
 /// Gives the clock the wake-ups and standstills of the scenario's host, counted from its present time, which is when
-/// the bus is switched on. Returns how that host sends.
+/// the bus is switched on. Returns how that host sends and stamps.
 [[nodiscard]] SimulatedHost set_up_host(VirtualClock& clock, const SimConfig& config);
 
 /// Its standstills alone.

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "protocol/frame.h"
 #include "reasons/because.h"
 #include "support/byte_order.h"
+#include "support/calendar_stamp.h"
 #include "support/random.h"
 
 namespace syncline {
@@ -22,7 +24,10 @@ class SimulatedLink final : public Link {
         clock_(clock),
         virtual_clock_(dynamic_cast<VirtualClock*>(&clock)),
         stamp_error_(host.stamp_error),
-        random_(host.seed) {}
+        random_(host.seed),
+        calendar_steps_(host.calendar_steps) {
+    if (!calendar_steps_.empty()) stamps_.emplace(clock_, [this] { return calendar_at(clock_.now()); });
+  }
 
   Status send(std::span<const std::uint8_t> frame) override {
     auto& slot = take_slot();
@@ -58,7 +63,7 @@ class SimulatedLink final : public Link {
     auto& slot = in_flight_.front();
     const auto length = std::min(slot.bytes.size(), buffer.size());
     std::copy_n(slot.bytes.begin(), length, buffer.begin());
-    const ReceivedFrame received{length, slot.arrival};
+    const ReceivedFrame received{length, stamped(slot.arrival)};
     spare_.push_back(std::move(slot.bytes));
     in_flight_.pop_front();
     return received;
@@ -73,6 +78,17 @@ class SimulatedLink final : public Link {
     std::vector<std::uint8_t> bytes;
     Nanoseconds arrival = 0;
   };
+
+  [[nodiscard]] Nanoseconds calendar_at(Nanoseconds time) const {
+    auto calendar = time;
+    for (const auto& step : calendar_steps_) calendar += step.at <= time ? step.by : 0;
+    return calendar;
+  }
+
+  /// As RawPort knows the arrival: by a stamp of the calendar clock.
+  [[nodiscard]] Nanoseconds stamped(Nanoseconds arrival) {
+    return stamps_ ? stamps_->to_clock(calendar_at(arrival)) : arrival;
+  }
 
   /// The host is through with sending; the wire carries one frame after the other.
   Nanoseconds wire_start() {
@@ -115,6 +131,8 @@ class SimulatedLink final : public Link {
   VirtualClock* virtual_clock_;
   QuantileCurve stamp_error_;
   Random random_;
+  std::vector<SimulatedHost::CalendarStep> calendar_steps_;
+  std::optional<ArrivalStamp> stamps_{};
   Nanoseconds wire_free_ = 0;
   std::deque<InFlight> in_flight_;
   std::vector<std::vector<std::uint8_t>> spare_;

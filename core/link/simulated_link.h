@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "link/link.h"
 #include "sim/sim_bus.h"
@@ -10,14 +11,21 @@
 
 namespace syncline {
 
-/// How the simulated host sends.
+/// How the simulated host sends, and stamps what comes.
 struct SimulatedHost {
+  /// Its calendar clock, of which the stamps of frames are, is set.
+  struct CalendarStep {
+    Nanoseconds at = 0;  // on the link's clock
+    Nanoseconds by = 0;  // forwards
+  };
+
   /// From the moment that software takes for that of sending until the frame leaves: what the host knows of its send
   /// times is wrong by it. That long it is busy with sending.
   QuantileCurve stamp_error{};
   std::uint64_t seed = 1;
+  std::vector<CalendarStep> calendar_steps{};
   [[nodiscard]] static SimulatedHost with(const JitterProfile& jitter, std::uint64_t seed) {
-    return {jitter.stamp_error, seed};
+    return {jitter.stamp_error, seed, {}};
   }
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "link/simulated_host.h"
+#include "link/simulated_link.h"
 #include "master/master_service.h"
 #include "protocol/frame.h"
 #include "tests/support/simulated_network.h"
@@ -75,6 +77,52 @@ TEST(HostStall, FramesInFlightAreReceivedLate) {
   EXPECT_GT(later->length, 0U);
   EXPECT_LT(later->arrival_time, start + kMillisecond + 50 * kMicrosecond);
   EXPECT_EQ(clock.now(), start + 6 * kMillisecond);
+}
+
+/// What a host of many short stalls sees of its frames, in whose midst its calendar is set or not.
+struct SeenByHost {
+  std::vector<std::array<Nanoseconds, 4>> cycles;
+  std::vector<std::size_t> events;
+  bool operator==(const SeenByHost&) const = default;
+};
+
+SeenByHost seen_by_host(bool set_calendar) {
+  VirtualClock clock;
+  auto network = two_axes();
+  constexpr std::array<Nanoseconds, 5> kBy{3 * kMillisecond, -3 * kMillisecond, 250 * kMillisecond, -250 * kMillisecond,
+                                           5 * kSecond};
+  for (std::size_t i = 0; i < 100; ++i) {
+    const auto at = 4 * kSecond + static_cast<Nanoseconds>(i) * 37'013 * kMicrosecond;
+    network.sim.faults.push_back(stall(at, 300 * kMicrosecond));
+    if (!set_calendar) continue;
+    FaultConfig step;
+    step.kind = FaultKind::kCalendarStep;
+    step.at = at + 150 * kMicrosecond;
+    step.value_ns = kBy[i % kBy.size()];
+    network.sim.faults.push_back(step);
+  }
+  const auto config = network.compiled();
+  auto bus = sim::SimBus::create(network.sim, clock.now());
+  EXPECT_TRUE(bus);
+  const auto host = set_up_host(clock, network.sim);
+  MasterService service(make_simulated_link("sim", std::move(*bus), clock, host), clock);
+  service.channels().commands.push(GoOnlineCommand{config, AlState::kOp});
+  SeenByHost seen;
+  std::vector<CycleSample> samples;
+  for (const auto end = clock.now() + 9 * kSecond; clock.now() < end;) {
+    service.run_for(100 * kMillisecond);
+    service.channels().samples.pop(samples);
+    for (const auto& event : service.channels().events.drain()) seen.events.push_back(event.what.index());
+  }
+  for (const auto& s : samples) seen.cycles.push_back({s.send_time, s.round_trip_ns, s.dcm_error_ns, s.late_by_ns});
+  return seen;
+}
+
+/// Frames that came while the host stood still were stamped by the calendar as it was then.
+TEST(CalendarStep, ChangesNothingOfWhatTheHostSees) {
+  const auto as_it_is = seen_by_host(false);
+  EXPECT_GT(as_it_is.cycles.size(), 7'000U);
+  EXPECT_TRUE(seen_by_host(true) == as_it_is);
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ constexpr std::array kRules{
     FaultRule{"foreign-frames", FaultKind::kForeignFrames, S::kHost, R::kUntil | R::kCount | R::kPeriod, 0},
     FaultRule{"slave-off", FaultKind::kSlaveOff, S::kSlave, R::kUntil, 0},
     FaultRule{"host-stall", FaultKind::kHostStall, S::kHost, R::kValue, R::kValue, R::kNothing, 1, kMinute},
+    FaultRule{"calendar-step", FaultKind::kCalendarStep, S::kHost, R::kValue, R::kValue, R::kNothing, -kHour, kHour},
     FaultRule{"clock-slew", FaultKind::kClockSlew, S::kHost, R::kValue | R::kPpm, R::kValue | R::kPpm, R::kNothing,
               -kHour, kHour},
     FaultRule{"temperature-ramp", FaultKind::kTemperatureRamp, S::kAny, R::kUntil | R::kPpm, R::kUntil | R::kPpm,

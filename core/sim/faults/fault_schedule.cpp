@@ -117,6 +117,7 @@ void FaultSchedule::add_fault(const FaultConfig& fault) {
       return add(
           fault, [&target, slave, begin] { target.set_power(slave, false, begin); },
           [&target, slave, end] { target.set_power(slave, true, end); });
+    case FaultKind::kCalendarStep:
     case FaultKind::kHostStall:  // not the segment's: link/simulated_host
     case FaultKind::kClockSlew:  // sim/dc/rate_changes
     case FaultKind::kTemperatureRamp:

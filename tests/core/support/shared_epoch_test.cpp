@@ -71,21 +71,5 @@ TEST(CalendarShift, IsTheSameWithinTheReadingsOfTwoClocks) {
   for (int i = 0; i < 100; ++i) EXPECT_NEAR(static_cast<double>(calendar_shift() - first), 0, 2'000);
 }
 
-TEST(CalendarStamp, StampsOfTheKernelAreTimesOfOurs) {
-  const RealClock clock;
-  CalendarStamp stamps(clock);
-  const auto before = clock.now();
-  timespec time{};
-  ::clock_gettime(CLOCK_REALTIME, &time);
-  const auto calendar = static_cast<Nanoseconds>(time.tv_sec) * kSecond + time.tv_nsec;
-  const auto after = clock.now();
-  const auto stamp = stamps.to_clock(calendar, before);
-  ASSERT_TRUE(stamp);
-  EXPECT_GE(*stamp, before - 200);
-  EXPECT_LE(*stamp, after + 200);
-  EXPECT_FALSE(stamps.to_clock(calendar - kSecond, before)) << "before the frame was handed over";
-  EXPECT_FALSE(stamps.to_clock(calendar + kSecond, before)) << "in the future";
-}
-
 }  // namespace
 }  // namespace syncline
