@@ -10,6 +10,7 @@ namespace syncline {
 /// SyncManager register image, 8 bytes at 0x0800 + 8 n (ETG.1000.4, table 58).
 struct SyncManager {
   static constexpr std::size_t kSize = 8;
+  static constexpr std::uint16_t kPlaceOfStatus = 5;  // in its registers; before it start, length, control
   static constexpr std::uint8_t kControlMailbox = 0x02;
   static constexpr std::uint8_t kControlEcatWrites = 0x04;
   static constexpr std::uint8_t kControlWatchdog = 0x40;

@@ -153,6 +153,13 @@ Status SlaveVisit::set_up_mailbox(bool bootstrap) {
   std::ranges::copy(send.encode(), managers.begin());
   std::ranges::copy(receive.encode(), managers.begin() + SyncManager::kSize);
   managers_changed_ = true;
+  return set_managers(managers);
+}
+
+/// Enabled, they keep their places whatever is written (ESC data sheet II, 2.31): they are switched off first.
+Status SlaveVisit::set_managers(std::array<std::uint8_t, kMailboxManagers>& managers) {
+  std::array<std::uint8_t, kMailboxManagers> off{};
+  if (auto status = write(reg::kSyncManager, off); !status) return status;
   return write(reg::kSyncManager, managers);
 }
 
@@ -210,7 +217,7 @@ Status SlaveVisit::leave() {
   };
   bus_.set_cancellable(false);
   if (state() != found()) keep_first(lead_to(found()));
-  if (managers_changed_) keep_first(write(reg::kSyncManager, found_managers_));
+  if (managers_changed_) keep_first(set_managers(found_managers_));
   if (station_ != found_station_) {
     auto bytes = le_bytes(found_station_);
     keep_first(write(reg::kStationAddress, bytes));

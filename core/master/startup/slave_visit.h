@@ -53,6 +53,7 @@ class SlaveVisit {
   Status step_to(AlState target);
   Status acknowledge();
   Status set_up_mailbox(bool bootstrap);
+  Status set_managers(std::array<std::uint8_t, kMailboxManagers>& managers);
   Status take_station_address();
   Error refused(AlState target, ErrorCode code);
 

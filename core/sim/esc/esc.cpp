@@ -257,6 +257,10 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   if (hit(reg::kPdiErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kPdiErrorCounter, 0);
   if (hit(reg::kLostLinkCounter, 4)) std::ranges::fill(memory_.at(reg::kLostLinkCounter, 4), std::uint8_t{0});
   if (hit(reg::kSiiConfiguration, 2)) sii_.configuration_written();
+  for (unsigned i = 0; i < options_.sync_manager_count; ++i) {  // what was in one that is switched off is gone
+    if (hit(static_cast<std::uint16_t>(reg::sync_manager(i) + 6), 1) && !sync_manager(i).enabled())
+      set_mailbox_full(i, false);
+  }
   if (listener_ == nullptr) return;
   for (unsigned i = 0; i < options_.sync_manager_count; ++i) {
     if (!hit(static_cast<std::uint16_t>(reg::sync_manager(i) + 6), 1)) continue;
@@ -280,6 +284,14 @@ void Esc::frame_damaged() {
   sm_begun_ = 0;
 }
 
+/// Where a SyncManager is and which way it goes can be written only while it is disabled (ESC data sheet II, 2.31).
+bool Esc::locked_by_sync_manager(std::uint32_t address) const {
+  if (address < reg::kSyncManager || address >= reg::kSyncManager + reg::kSyncManagersSize) return false;
+  const auto place = (address - reg::kSyncManager) % SyncManager::kSize;
+  return place < SyncManager::kPlaceOfStatus &&
+         sync_manager((address - reg::kSyncManager) / SyncManager::kSize).enabled();
+}
+
 void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   // In every cycle: the system time.
   if (write.address >= reg::kSystemTime && write.length <= EscMemory::kWord &&
@@ -287,12 +299,14 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
     short_copy(bytes, memory_.at(write.address, write.length));
     return;
   }
-  if (overlaps(write.address, write.length, reg::kSyncManager, reg::kSyncManagersSize)) buffers_.show();
+  const bool sync_managers = overlaps(write.address, write.length, reg::kSyncManager, reg::kSyncManagersSize);
+  if (sync_managers) buffers_.show();
   const bool sii = overlaps(write.address, write.length, reg::kSiiControl, 0x20);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto address = static_cast<std::uint32_t>(write.address + i);
     // Receive times are what the latch shows, never what was written to start it; the EEPROM may be busy.
     const bool receive_time = address >= reg::kReceiveTimePort0 && address < reg::kSystemTime;
+    if (sync_managers && locked_by_sync_manager(address)) continue;
     if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time && !(sii && sii_.blocks(address))) {
       memory_.set<std::uint8_t>(static_cast<std::uint16_t>(address), bytes[i]);
     }

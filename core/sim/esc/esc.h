@@ -283,6 +283,7 @@ class Esc {
   void end_transfer(unsigned number, bool write);
   void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
   void take_over(const Write& write, std::span<const std::uint8_t> bytes);
+  [[nodiscard]] bool locked_by_sync_manager(std::uint32_t address) const;
   void commit_register(const Write& write, Nanoseconds time);
   /// Forwarding rule for a circulating frame; false: it is destroyed.
   [[nodiscard]] bool mark_circulating(std::span<PassingDatagram> datagrams);

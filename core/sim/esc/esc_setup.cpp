@@ -97,6 +97,11 @@ void Esc::implement_registers() {
   memory_.implement(reg::kUserRam, 0x80, rw);
   memory_.implement(reg::kFmmu, static_cast<std::uint16_t>(16 * options_.fmmu_count), rw);
   memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
+  for (unsigned i = 0; i < options_.sync_manager_count;
+       ++i) {  // status, and what belongs to the PDI (ESC data sheet II, 2.31)
+    memory_.implement(static_cast<std::uint16_t>(reg::sync_manager(i) + 5), 1, r);
+    memory_.implement(static_cast<std::uint16_t>(reg::sync_manager(i) + 7), 1, r);
+  }
 }
 
 void Esc::load_configuration() {

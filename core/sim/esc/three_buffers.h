@@ -58,7 +58,7 @@ class ThreeBuffers {
   }
 
  private:
-  static constexpr std::uint16_t kStatus = 5;
+  static constexpr std::uint16_t kStatus = SyncManager::kPlaceOfStatus;
   static constexpr unsigned kShift = 4;
   static constexpr std::uint8_t kNone = 3;
   struct Buffers {

@@ -7,6 +7,7 @@
 #include "dc/propagation_delay.h"
 #include "protocol/dl_status.h"
 #include "protocol/fmmu.h"
+#include "protocol/sync_manager.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// Rules of the ESC data sheet that a master notices only when something goes wrong.
@@ -17,6 +18,51 @@ using testing::ElementsAre;
 
 void broadcast(SimProbe& probe, std::uint16_t ado, std::vector<std::uint8_t> data) {
   probe.send(Command::kBwr, device_address(0, ado), std::move(data));
+}
+
+// ---- SyncManagers ---------------------------------------------------------------------------------
+
+TEST(SimSyncManager, KeepsItsPlaceWhileItIsEnabled) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  const auto registers = [&probe] { return probe.read(0, reg::sync_manager(2), SyncManager::kSize).data; };
+  probe.set_sync_manager(0, 2, 0x1100, 16, 0x64);
+  EXPECT_EQ(probe.write(0, reg::sync_manager(2), {0x00, 0x14, 20, 0, 0x20}).wkc, 1) << "it counts";
+  auto now = SyncManager::decode(std::span<const std::uint8_t, SyncManager::kSize>(registers()));
+  EXPECT_EQ(now.start, 0x1100) << "and changes nothing";
+  EXPECT_EQ(now.length, 16);
+  EXPECT_EQ(now.control, 0x64);
+  probe.write(0, reg::sync_manager(2), std::vector<std::uint8_t>(SyncManager::kSize));
+  now = SyncManager::decode(std::span<const std::uint8_t, SyncManager::kSize>(registers()));
+  EXPECT_FALSE(now.enabled()) << "which it is switched off by all the same";
+  EXPECT_EQ(now.start, 0x1100);
+  probe.write(0, reg::sync_manager(2), {0x00, 0x14, 20, 0, 0x20});
+  now = SyncManager::decode(std::span<const std::uint8_t, SyncManager::kSize>(registers()));
+  EXPECT_EQ(now.start, 0x1400);
+  EXPECT_EQ(now.length, 20);
+}
+
+TEST(SimSyncManager, StatusAndWhatBelongsToThePdiAreNotWritten) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  const auto status = static_cast<std::uint16_t>(reg::sync_manager(0) + 5);
+  const auto pdi = static_cast<std::uint16_t>(reg::sync_manager(0) + 7);
+  const auto before = probe.read(0, status, 1).data;
+  EXPECT_EQ(probe.write(0, status, {0xFF}).wkc, 0);
+  EXPECT_EQ(probe.read(0, status, 1).data, before);
+  EXPECT_EQ(probe.write(0, pdi, {0x03}).wkc, 0);
+  EXPECT_THAT(probe.read(0, pdi, 1).data, ElementsAre(0));
+}
+
+/// A mailbox that was full when it was switched off is empty when it is switched on again.
+TEST(SimSyncManager, IsEmptyWhenItIsSwitchedOnAgain) {
+  SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));
+  const auto full = [&probe] {
+    return (probe.read(0, reg::sync_manager(0) + 5, 1).data[0] & SyncManager::kStatusMailboxFull) != 0;
+  };
+  probe.set_sync_manager(0, 0, 0x1000, 128, 0x26);  // in INIT nobody empties it
+  probe.write(0, 0x1000, std::vector<std::uint8_t>(128));
+  ASSERT_TRUE(full());
+  probe.set_sync_manager(0, 0, 0x1000, 128, 0x26);
+  EXPECT_FALSE(full());
 }
 
 // ---- distributed clocks ---------------------------------------------------------------------------

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "eni/esi/esi_reader.h"
@@ -140,6 +142,9 @@ class SimProbe {
   std::uint16_t al_code(std::uint16_t position) { return read(position, reg::kAlStatusCode, 2).value<std::uint16_t>(); }
   void set_sync_manager(std::uint16_t position, unsigned number, std::uint16_t start, std::uint16_t length,
                         std::uint8_t control) {
+    // Enabled it keeps what it has.
+    if (!enabled_.emplace(position, number).second)
+      write(position, static_cast<std::uint16_t>(reg::sync_manager(number) + 6), {0});
     std::vector<std::uint8_t> bytes;
     ByteWriter(bytes).u16(start).u16(length).u8(control).u8(0).u8(1).u8(0);
     write(position, reg::sync_manager(number), bytes);
@@ -148,6 +153,9 @@ class SimProbe {
   Nanoseconds now = VirtualClock::kDefaultStart;
   Nanoseconds arrival = 0;
   std::unique_ptr<sim::SimBus> bus;
+
+ private:
+  std::set<std::pair<std::uint16_t, unsigned>> enabled_;  // by position and number
 };
 
 }  // namespace syncline::test
