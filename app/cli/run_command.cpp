@@ -311,12 +311,12 @@ void execute(Context& context, const RunOptions& options) {
     if (options.lateness) context.console.out << lateness.text();
     if (black_box.is_on()) context.console.out << black_box.text();
   }
+  const bool good = is_good(outcome->report, *target);
   if (outcome->left_behind) context.fail_with(*outcome->left_behind);
-  if (!is_good(outcome->report, *target)) context.exit_code = kAnswerIsNo;
-  if (!outcome->error) return;
-  context.fail_with(*outcome->error);
+  if (outcome->error) context.fail_with(*outcome->error);
   // A bus that was operated has given its answer, and the report says it.
-  if (outcome->report.cycles > 0) context.exit_code = kAnswerIsNo;
+  const bool answered = outcome->report.cycles > 0 || !(outcome->left_behind || outcome->error);
+  if (answered && (!good || outcome->left_behind || outcome->error)) context.exit_code = kAnswerIsNo;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "app/cli/interval_json.h"
 #include "channels/sync_standing.h"
 #include "channels/values/sync_obstacle_text.h"
+#include "diagnosis/run_diagnosis.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline::cli {
@@ -198,11 +199,9 @@ std::string to_text(const RunReport& report) {
 }
 
 bool is_good(const RunReport& report, AlState target) {
-  const auto misplaced = [](const RunReport::Slave& slave) {
-    return slave.present && slave.evidence.sync0.misplaced();
-  };
+  const auto findings = diagnose(report);
   return report.state == target && is_synchronised(report.dc, report.dcm) &&
-         std::ranges::none_of(report.slaves, misplaced);
+         std::ranges::none_of(findings, [](const Finding& finding) { return finding.severity == Severity::kError; });
 }
 
 }  // namespace syncline::cli

@@ -129,11 +129,18 @@ void SyncEventAccount::correct(std::int64_t misses) {
 
 void SyncEventAccount::read(std::uint32_t counter) {
   readable_ = true;
+  const bool first = !counter_.known();
   auto told = counter_.read(counter);
-  // What was computed for the time between the last reading and the fall is told after all.
-  const auto confirmed = std::min(told, computed_);
-  computed_ -= confirmed;
-  told -= confirmed;
+  if (first) {
+    // What it has counted so far is what was presumed, as far as that goes; the rest is somebody else's.
+    told = std::min(counter, sum(presumed_));
+    before_first_ += told;
+  } else {
+    // What was computed for the time between the last reading and the fall is told after all.
+    const auto confirmed = std::min(told, computed_);
+    computed_ -= confirmed;
+    told -= confirmed;
+  }
   // Behind the last reading nothing was seen that could explain anything.
   if (!std::exchange(any_since_reading_, false)) {
     unexplained_ += told;
@@ -145,20 +152,41 @@ void SyncEventAccount::read(std::uint32_t counter) {
   at(by_cause_, MissCause::kUnknown) += never;
   unexplained_ = explain_by_doubt(explain(told));
   // What was presumed before the last reading, and neither of the two told: those were good periods.
-  correct(-std::int64_t{sum(carried_)});
+  const auto good = sum(carried_);
+  correct(-std::int64_t{good});
+  take_back_peaks(good);
   carried_ = std::exchange(presumed_, {});
   doubted_ = std::exchange(doubtful_, {});
   counted_down_ = 0;
-  candidate_ = std::max(candidate_, integrator_);
+  // At its limit it may have fallen, which the next look at its state tells.
+  if (limit_ == 0 || std::max(candidate_, earlier_) < limit_) settle_peaks();
+}
+
+bool SyncEventAccount::in_doubt() const { return sum(presumed_) + sum(carried_) > 0; }
+
+/// The error counter has not been as high as it was thought to be while `misses` that were none counted: by three for
+/// each, and by what the good period that each of them was takes off.
+void SyncEventAccount::take_back_peaks(std::uint32_t misses) {
+  const auto lower = [&](std::uint32_t peak) { return peak - std::min(peak, misses * (kMiss + 1)); };
+  const auto before = lower(earlier_);
+  // What both readings have confirmed by now stays.
+  highest_ = std::max(highest_, limit_ > 0 ? std::min(before, limit_ - 1) : before);
+  earlier_ = std::max(lower(candidate_), integrator_);
+  candidate_ = integrator_;
+}
+
+void SyncEventAccount::settle_peaks() {
+  if (in_doubt()) return;
+  highest_ = std::max({highest_, candidate_, earlier_});
+  candidate_ = integrator_;
+  earlier_ = 0;
 }
 
 void SyncEventAccount::confirm_op() {
   if (limit_ > 0) {
-    integrator_ = std::min(integrator_, limit_ - 1);
-    candidate_ = std::min(candidate_, limit_ - 1);
+    for (auto* value : {&integrator_, &candidate_, &earlier_}) *value = std::min(*value, limit_ - 1);
   }
-  highest_ = std::max(highest_, candidate_);
-  candidate_ = integrator_;
+  settle_peaks();
 }
 
 void SyncEventAccount::left_op() {
@@ -167,7 +195,7 @@ void SyncEventAccount::left_op() {
   candidate_ = std::max(candidate_, integrator_);
   at(by_cause_, MissCause::kUnknown) += never;
   computed_ += explain_rest();
-  highest_ = std::max(highest_, candidate_);
+  settle_peaks();
 }
 
 /// What no reading will tell any more is taken as it was presumed; how many.
@@ -179,7 +207,7 @@ std::uint32_t SyncEventAccount::explain_rest() {
 
 void SyncEventAccount::entered_op(const Sync0Grid& grid) {
   grid_ = grid;
-  integrator_ = candidate_ = counted_down_ = 0;
+  integrator_ = candidate_ = earlier_ = counted_down_ = 0;
   counter_.begin_anew();
   evaluated_.reset();
   delivered_.reset();
@@ -188,7 +216,11 @@ void SyncEventAccount::entered_op(const Sync0Grid& grid) {
 }
 
 std::uint32_t SyncEventAccount::missed() const {
-  return counter_.total() + computed_ + (readable_ ? 0 : sum(presumed_));
+  return counter_.total() + before_first_ + computed_ + (readable_ ? 0 : sum(presumed_));
+}
+
+std::uint32_t SyncEventAccount::integrator_highest() const {
+  return readable_ ? highest_ : std::max({highest_, candidate_, earlier_});
 }
 
 MissesByCause SyncEventAccount::by_cause() const {

@@ -37,7 +37,8 @@ class SyncEventAccount {
   /// in the period behind the one before, and there is no error to be counted down. Such a cycle changes nothing that
   /// can be asked for; nothing when they are not.
   [[nodiscard]] std::optional<Nanoseconds> regular_until() const {
-    if ((frames_lost_ | held_up_ | left_out_ | integrator_ | candidate_) != 0) return std::nullopt;
+    if ((frames_lost_ | held_up_ | left_out_ | integrator_) != 0) return std::nullopt;
+    if (candidate_ != 0 && !in_doubt()) return std::nullopt;
     if (!evaluated_ || delivered_ != evaluated_) return std::nullopt;
     return grid_.first + (*evaluated_ + 1) * grid_.period;
   }
@@ -68,7 +69,8 @@ class SyncEventAccount {
   [[nodiscard]] bool at_least() const { return counter_.at_least(); }
   [[nodiscard]] MissesByCause by_cause() const;
   [[nodiscard]] std::uint32_t integrator() const;
-  [[nodiscard]] std::uint32_t integrator_highest() const { return highest_; }
+  /// The most that it has reached. What the slave's next readings may yet take back does not count before they came.
+  [[nodiscard]] std::uint32_t integrator_highest() const;
 
  private:
   static constexpr std::uint32_t kMiss = 3;
@@ -78,6 +80,10 @@ class SyncEventAccount {
   std::uint32_t explain_by_doubt(std::uint32_t debt);
   std::uint32_t explain_rest();
   void correct(std::int64_t misses);
+  /// Misses are presumed that the slave has not told yet.
+  [[nodiscard]] bool in_doubt() const;
+  void settle_peaks();
+  void take_back_peaks(std::uint32_t misses);
 
   Sync0Grid grid_;
   std::uint32_t limit_ = 0;
@@ -94,9 +100,11 @@ class SyncEventAccount {
   std::uint32_t unexplained_ = 0;   // told by the last reading, and not presumed yet
   CounterTotal counter_{16, CounterTotal::End::kWraps};
   bool readable_ = false, any_since_reading_ = false;
-  std::uint32_t computed_ = 0;
+  std::uint32_t computed_ = 0, before_first_ = 0;  // told by the first readings in OP
   MissesByCause by_cause_{};
-  std::uint32_t integrator_ = 0, highest_ = 0, candidate_ = 0;
+  std::uint32_t integrator_ = 0, highest_ = 0;
+  /// Of the error counter, and not known to be true: since the last reading, and between the two before it.
+  std::uint32_t candidate_ = 0, earlier_ = 0;
 };
 
 }  // namespace syncline::dc

@@ -80,6 +80,7 @@ constexpr std::string_view kPhrases[] = {
     "the host left cycles out",
     "frames were held up on their way",
     "frames came behind the SYNC0 they were meant for",
+    "the master was not locked to the reference clock, and frames slid through its SYNC0",
     "not seen by the master; look at its firmware and at frames that are damaged in front of it",
     "its own clock was out of its place",
     "its SYNC0 was started at another place",

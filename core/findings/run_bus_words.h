@@ -14,7 +14,13 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      {{"",
        "{slave} missed {missed:# SM2 event|# SM2 events}, and the master was not locked to the reference clock all the "
-       "time: frames slid through its SYNC0."}}},
+       "time: frames slid through its SYNC0."},
+      {"off",
+       "{slave} missed {missed:# SM2 event|# SM2 events}: the master synchronisation is switched off, and frames slid "
+       "through its SYNC0."},
+      {"late",
+       "{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and nothing held the frames at "
+       "their place before it all the time: they slid through it."}}},
     {"missed-unexplained",
      Severity::kWarning,
      "SM2 events were missed in good cycles",

@@ -187,7 +187,11 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      "Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.",
      "",
-     {{"", "{slave} was {deviation} off its reference clock at {since}, and nobody monitors it."}}},
+     {{"", "{slave} was {deviation} off its reference clock at {since}, and nobody monitors it."},
+      {"reference",
+       "Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: it "
+       "is "
+       "the one that moved, and nobody monitors them."}}},
     {"master-not-locked",
      Severity::kError,
      "The master is not in sync",

@@ -68,6 +68,7 @@ Status Operation::start(AlState target) {
     if (again) esm_.abandon();
     return bring_up(target);
   });
+  snapshot.time = clock_.now();  // also where it ended without a cycle
   run_.channels().snapshot.publish(run_.snapshot);
   return status;
 }

@@ -105,6 +105,7 @@ void HistoryRecorder::add_deviation(const CycleSample& sample) {
   if (size <= limit_ns_) {
     slave.was_near = slave.was_near || history_.reached_op;
   } else if (slave.was_near) {
+    if (slave.off.empty()) slave.first_off_ns = sample.slave_deviation_ns;
     slave.off.note(sample.send_time, 1, size);
   }
 }
@@ -223,6 +224,8 @@ void HistoryRecorder::add(const Event& event) {
 }
 
 void HistoryRecorder::add(const Snapshot& snapshot) {
+  // Also of a bus that was never operated, and where samples were lost.
+  history_.end = std::max(history_.end, snapshot.time);
   // What was missed at its deadline and has come since is late, not lost.
   if (snapshot.late_frames > late_frames_) history_.lost_frames.take_back(snapshot.late_frames - late_frames_);
   late_frames_ = snapshot.late_frames;

@@ -69,7 +69,8 @@ struct RunHistory {
     std::uint32_t mailbox_silences = 0;          // most requests in a row without an answer
     Nanoseconds silent_from = 0, silent_to = 0;  // within these times; host clock
     Spells missed, shift_too_short;              // SM2 events; outputs too late for SYNC0 (0x1C32:0D)
-    Spells off;  // its own deviation over the limit after it had been within; size in ns
+    Spells off;                     // its own deviation over the limit after it had been within; size in ns
+    std::int32_t first_off_ns = 0;  // the first of these, signed
     bool was_near = false;
   };
   /// Somebody left a sync window and, perhaps, came back.
@@ -82,7 +83,7 @@ struct RunHistory {
     std::optional<Nanoseconds> back;
   };
 
-  Nanoseconds begin = 0, end = 0;  // first event, newest sample
+  Nanoseconds begin = 0, end = 0;  // first event, newest sample or snapshot
   Spells link_outages;             // of the master's own adapter; count 1 each, size in ns; the last one may last
   bool link_down = false;
   std::string link;  // its name, once it was away

@@ -52,11 +52,26 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
     auto& readings = readings_[static_cast<std::size_t>(sample.slave_position)];
     // What the reference clock shows, or a slave in front of it, is no deviation from the reference clock.
     if ((sample.flags & CycleSample::kSlaveFollows) == 0) continue;
-    readings.latest = sample.slave_deviation_ns;
-    readings.latest_time = sample.send_time;
+    if (sample.send_time >= readings.latest_time) {
+      readings.latest = sample.slave_deviation_ns;
+      readings.latest_time = sample.send_time;
+    }
     if (!settled_) continue;
     readings.max = std::max(readings.max.value_or(0), std::abs(sample.slave_deviation_ns));
     readings.settled.add(sample.slave_deviation_ns);
+  }
+}
+
+/// A sample tells of one slave's reading; where all were read in one cycle, the snapshot has the others'.
+void RunRecorder::add(const Snapshot& snapshot) {
+  history_.add(snapshot);
+  for (std::size_t i = 0; i < std::min(readings_.size(), snapshot.slaves.size()); ++i) {
+    const auto& status = snapshot.slaves[i];
+    auto& readings = readings_[i];
+    if (!status.follows || !status.deviation_valid || status.deviation_time <= readings.latest_time) continue;
+    readings.latest = status.deviation_ns;
+    readings.latest_time = status.deviation_time;
+    if (settled_) readings.max = std::max(readings.max.value_or(0), std::abs(status.deviation_ns));
   }
 }
 
@@ -106,7 +121,9 @@ RunReport RunRecorder::finish(const Snapshot& snapshot) const {
   report.history = history_.history();
   for (std::size_t i = 0; i < configured_.size(); ++i) {
     auto slave = configured_[i];
-    if (i < snapshot.slaves.size() && snapshot.slaves[i].deviation_valid) slave.deviation_ns = readings_[i].latest;
+    // Who leads by now, or stands in front of who does, has no deviation, whatever it was when it followed.
+    if (i < snapshot.slaves.size() && snapshot.slaves[i].deviation_valid && snapshot.slaves[i].follows)
+      slave.deviation_ns = readings_[i].latest;
     slave.deviation_max_ns = readings_[i].max;
     slave.deviation = readings_[i].settled;
     if (slave.deviation_max_ns) {

@@ -71,7 +71,7 @@ class RunRecorder {
   explicit RunRecorder(const NetworkConfig& config);
   void add(std::span<const CycleSample> samples);
   void add(const Event& event) { history_.add(event); }
-  void add(const Snapshot& snapshot) { history_.add(snapshot); }
+  void add(const Snapshot& snapshot);
   [[nodiscard]] RunReport finish(const Snapshot& snapshot) const;
 
  private:

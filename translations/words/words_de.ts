@@ -5061,6 +5061,10 @@
         <translation>Frames kamen hinter dem SYNC0, für das sie bestimmt waren</translation>
     </message>
     <message>
+        <source>the master was not locked to the reference clock, and frames slid through its SYNC0</source>
+        <translation>der Master war nicht auf die Referenzuhr eingerastet, und Frames glitten durch SYNC0</translation>
+    </message>
+    <message>
         <source>frames were lost</source>
         <translation>Frames gingen verloren</translation>
     </message>
@@ -6681,6 +6685,14 @@
         <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, und der Master war nicht die ganze Zeit auf die Referenzuhr eingerastet: Frames glitten durch SYNC0.</translation>
     </message>
     <message>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}: the master synchronisation is switched off, and frames slid through its SYNC0.</source>
+        <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}: die Master-Synchronisation ist abgeschaltet, und Frames glitten durch SYNC0.</translation>
+    </message>
+    <message>
+        <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and nothing held the frames at their place before it all the time: they slid through it.</source>
+        <translation>{slave} bekam seine Ausgänge {count} zu spät für SYNC0 (0x1C32:0D Shift too short), und nichts hielt die Frames die ganze Zeit an ihrem Platz davor: sie glitten hindurch.</translation>
+    </message>
+    <message>
         <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
         <translation>{slave} {missed:fehlte # SM2-Ereignis|fehlten # SM2-Ereignisse}, {part} davon, weil Frames hinter dem SYNC0 kamen, für das sie bestimmt waren: nominell sind sie {margin} davor da, aber einer von tausend kommt {lateness} zu spät.</translation>
     </message>
@@ -6719,6 +6731,10 @@
     <message>
         <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
         <translation>{slave} wich bei {since} um {deviation} von der Referenzuhr ab, und niemand überwacht das.</translation>
+    </message>
+    <message>
+        <source>Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: it is the one that moved, and nobody monitors them.</source>
+        <translation>Slaves wichen bei {since} um bis zu {deviation} von der Referenzuhr ab, {slave}, zugleich und zur selben Seite: sie hat sich bewegt, und niemand überwacht das.</translation>
     </message>
     <message>
         <source>{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were measured with it: they were off by up to {deviation}.</source>
@@ -8091,6 +8107,10 @@
     <message>
         <source>{slave} {by} ns from the reference clock after {time} s, the sync window allows {limit} ns</source>
         <translation>{slave} {by} ns neben der Referenzuhr nach {time} s, das Sync-Fenster erlaubt {limit} ns</translation>
+    </message>
+    <message>
+        <source>they did not stay within {limit} ns of the reference clock for {settle} ms in {time} s</source>
+        <translation>sie blieben in {time} s nie {settle} ms lang innerhalb von {limit} ns an der Referenzuhr</translation>
     </message>
     <message>
         <source>expected {wanted}, read {read}</source>

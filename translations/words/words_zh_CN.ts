@@ -5061,6 +5061,10 @@
         <translation>帧晚于它们所对应的 SYNC0 到达</translation>
     </message>
     <message>
+        <source>the master was not locked to the reference clock, and frames slid through its SYNC0</source>
+        <translation>主站未锁定到参考时钟，帧滑过了它的 SYNC0</translation>
+    </message>
+    <message>
         <source>frames were lost</source>
         <translation>帧丢失</translation>
     </message>
@@ -6681,6 +6685,14 @@
         <translation>{slave} 错过了 {missed} 个 SM2 事件，且主站并非始终锁定到参考时钟：帧滑过了它的 SYNC0。</translation>
     </message>
     <message>
+        <source>{slave} missed {missed:# SM2 event|# SM2 events}: the master synchronisation is switched off, and frames slid through its SYNC0.</source>
+        <translation>{slave} 错过了 {missed} 个 SM2 事件：主站同步已关闭，帧滑过了它的 SYNC0。</translation>
+    </message>
+    <message>
+        <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and nothing held the frames at their place before it all the time: they slid through it.</source>
+        <translation>{slave} 的输出对 SYNC0 而言到达过晚（{count}，0x1C32:0D 偏移过短），且没有什么始终把帧保持在它之前的位置：帧滑过了 SYNC0。</translation>
+    </message>
+    <message>
         <source>{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late.</source>
         <translation>{slave} 错过了 {missed} 个 SM2 事件，其中 {part} 个是因为帧晚于其所对应的 SYNC0 到达：帧标称在 SYNC0 之前 {margin} 到达，但每一千帧中有一帧晚 {lateness}。</translation>
     </message>
@@ -6719,6 +6731,10 @@
     <message>
         <source>{slave} was {deviation} off its reference clock at {since}, and nobody monitors it.</source>
         <translation>{slave} 在 {since} 时与其参考时钟的偏差为 {deviation}，且无人监视。</translation>
+    </message>
+    <message>
+        <source>Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: it is the one that moved, and nobody monitors them.</source>
+        <translation>从站在 {since} 同时且朝同一方向偏离参考时钟（{slave}）最多 {deviation}：移动的是参考时钟，且无人监视。</translation>
     </message>
     <message>
         <source>{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were measured with it: they were off by up to {deviation}.</source>
@@ -8091,6 +8107,10 @@
     <message>
         <source>{slave} {by} ns from the reference clock after {time} s, the sync window allows {limit} ns</source>
         <translation>{slave} {by} ns（与参考时钟之差，{time} s 后），同步窗口允许 {limit} ns</translation>
+    </message>
+    <message>
+        <source>they did not stay within {limit} ns of the reference clock for {settle} ms in {time} s</source>
+        <translation>{time} s 内它们从未在参考时钟 {limit} ns 范围内保持 {settle} ms</translation>
     </message>
     <message>
         <source>expected {wanted}, read {read}</source>

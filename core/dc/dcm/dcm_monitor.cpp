@@ -18,6 +18,7 @@ DcmMonitor::DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nano
                        Nanoseconds least_set_value)
     : cycle_(cycle_time),
       valid_set_value_(set_value > 0 && set_value >= least_set_value && set_value < cycle_time),
+      controls_(!settings.control_off),
       judge_(settings),
       steps_(settings.in_sync_limit),
       bus_cycle_(cycle_time) {}
@@ -68,7 +69,8 @@ std::uint32_t DcmMonitor::error_code() {
   if (bus_cycle_.wrong()) return kDcmErrorBusCycleWrong;
   drift_too_high_ = drift_.proven() && std::abs(drift_.ppm()) > (drift_too_high_ ? kDriftBelowPpm : kMaxDriftPpm);
   if (running_away_ || drift_too_high_) return kDcmErrorDriftTooHigh;
-  if (judge_.was_in_sync() && !judge_.in_sync()) return kDcmErrorOutOfLimit;
+  // Where nothing is moved the schedule leaves its place, which is no error of the control.
+  if (controls_ && judge_.was_in_sync() && !judge_.in_sync()) return kDcmErrorOutOfLimit;
   return 0;
 }
 

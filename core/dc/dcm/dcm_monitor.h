@@ -35,6 +35,7 @@ class DcmMonitor {
 
   Nanoseconds cycle_;
   bool valid_set_value_;
+  bool controls_;
   SyncJudge judge_;
   DriftEstimator drift_;
   ClockStepDetector steps_;

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <utility>
+#include <vector>
 
 #include "channels/values/sync_obstacle_text.h"
+#include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
 #include "protocol/dcm_error.h"
 
@@ -19,6 +22,39 @@ Figure obstacle_figure(dc::SyncObstacle what) {
   return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
 }
 
+/// Times in which a slave's own readings were over the limit, those left out that are told as something else.
+Spell times_off(const RunReport& report, const RunReport::Slave& slave) {
+  Spell off;
+  for (const auto& spell : report.history.slaves[slave.position].off.list()) {
+    if (was_written_late(report, spell.from)) continue;
+    if (off.count == 0) off.from = spell.from;
+    off.to = spell.to;
+    off.count += spell.count;
+    off.largest = std::max(off.largest, spell.largest);
+  }
+  return off;
+}
+
+/// Where those that were off were so at once and to the same side, or the master saw the reference clock step then: it
+/// is not they who moved. Their readings are taken in turn. Nobody may have come or gone, which changes the way.
+bool was_the_reference(const RunReport& report, const std::vector<std::pair<int, Spell>>& off) {
+  if (off.empty()) return false;
+  const auto& slaves = report.history.slaves;
+  const auto turn = std::max(100 * kMillisecond, static_cast<Nanoseconds>(report.slaves.size()) * report.cycle_time);
+  const auto first = std::ranges::min(off, {}, [](const auto& each) { return each.second.from; }).second.from;
+  const Spell then{first - kSecond, first + turn, 0, 0};
+  const auto moved = [&](const RunHistory::Slave& slave) { return slave.absences.near(then, 0); };
+  if (std::ranges::any_of(slaves, moved)) return false;
+  const bool ahead = slaves[static_cast<std::size_t>(off.front().first)].first_off_ns > 0;
+  const bool alike = std::ranges::all_of(off, [&](const auto& each) {
+    return each.second.from <= first + turn && (slaves[static_cast<std::size_t>(each.first)].first_off_ns > 0) == ahead;
+  });
+  const bool stepped = std::ranges::any_of(report.history.master_losses, [&](const RunHistory::SyncLoss& loss) {
+    return loss.obstacle == dc::SyncObstacle::kClockStep && std::abs(loss.time - first) <= turn;
+  });
+  return alike && (stepped || off.size() >= 2);
+}
+
 void find_unmonitored(const RunReport& report, Findings& findings) {
   if (report.sync_window_enabled) {
     findings.push_back(
@@ -26,24 +62,32 @@ void find_unmonitored(const RunReport& report, Findings& findings) {
   } else {
     findings.push_back({code::kNotMonitored, Severity::kNote});
   }
+  std::vector<std::pair<int, Spell>> all;
   for (const auto& slave : report.slaves) {
     if (slave.position == report.dc.reference_clock) continue;
-    Spell off;
-    for (const auto& spell : report.history.slaves[slave.position].off.list()) {
-      if (was_written_late(report, spell.from)) continue;
-      if (off.count == 0) off.from = spell.from;
-      off.to = spell.to;
-      off.count += spell.count;
-      off.largest = std::max(off.largest, spell.largest);
+    if (const auto off = times_off(report, slave); off.count > 0) all.emplace_back(slave.position, off);
+  }
+  const bool reference = was_the_reference(report, all);
+  if (reference) {
+    // One finding, of the clock that moved.
+    auto& whole = all.front();
+    for (const auto& [slave, off] : all) {
+      whole.second.from = std::min(whole.second.from, off.from);
+      whole.second.to = std::max(whole.second.to, off.to);
+      whole.second.largest = std::max(whole.second.largest, off.largest);
     }
-    if (off.count == 0) continue;
+    whole.first = report.dc.reference_clock;
+    all.resize(1);
+  }
+  for (const auto& [slave, off] : all) {
     findings.push_back({code::kSlaveClockOff,
                         Severity::kWarning,
-                        slave.position,
+                        slave,
                         off.from,
                         off.to,
-                        {slave_figure(report, slave.position), time_figure("deviation", off.largest),
+                        {slave_figure(report, slave), time_figure("deviation", off.largest),
                          moment_figure(report, "since", off.from)}});
+    if (reference) findings.back().facts = sentence_of(*find_finding_words(code::kSlaveClockOff), "reference");
   }
 }
 
@@ -167,7 +211,9 @@ void find_master_sync(const RunReport& report, Findings& findings) {
   std::vector<RunHistory::SyncLoss> losses;
   std::ranges::copy_if(report.history.master_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
     const bool told = loss.back && was_written_late(report, loss.time);
-    return !told && !without_adapter(report, loss);
+    // Where nobody controls, the schedule leaves its place as a matter of course; what steps is told all the same.
+    const bool wanders = !is_controlled(report) && (!loss.back || loss.obstacle == dc::SyncObstacle::kControlError);
+    return !told && !wanders && !without_adapter(report, loss);
   });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
   if (std::abs(dcm.drift_ppm) > kMaxDriftPpm) {

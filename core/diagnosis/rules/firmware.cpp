@@ -50,12 +50,19 @@ void find_late_inputs(const RunReport& report, const RunReport::Slave& slave, Fi
                        times_figure("count", late.count())}});
 }
 
+/// It has answered nothing since: what stood still stands still.
+bool still_hangs(const RunReport& report, const RunHistory::Slave& slave) {
+  constexpr Nanoseconds kAsked = 3 * kSecond;  // of a slave that answers nothing, again and again
+  return slave.mailbox_silences >= kSilences && slave.silent_to >= slave.pdi_watchdog.last() &&
+         slave.silent_to + kAsked >= report.history.end;
+}
+
 void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& history = report.history.slaves[slave.position];
   if (!history.pdi_watchdog.empty()) {
     const auto& hung = history.pdi_watchdog;
     findings.push_back({code::kFirmwareHung,
-                        Severity::kError,
+                        still_hangs(report, history) ? Severity::kError : Severity::kWarning,
                         slave.position,
                         hung.first(),
                         hung.last(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
 
 namespace syncline::diagnosis {
@@ -59,9 +60,13 @@ Finding stalled(const RunReport& report) {
   return finding;
 }
 
-/// Before all are in OP cycles may be left out; it matters to those who are there already and fall by it.
+/// Before all are in OP cycles may be left out; it matters to those who are there already and fall by it, and where the
+/// bus never came further because the clocks did not come in sync.
 bool matters(const RunReport& report) {
   constexpr auto kLeftOut = static_cast<std::size_t>(dc::MissCause::kCyclesLeftOut);
+  const bool waits_for_sync = report.dc.enabled && (report.dc.state != SyncState::kInSync ||
+                                                    (is_controlled(report) && report.dcm.state != SyncState::kInSync));
+  if (!report.history.reached_op && waits_for_sync) return true;
   return report.history.reached_op || std::ranges::any_of(report.slaves, [](const RunReport::Slave& slave) {
            return slave.sm2_missed && slave.sm2_missed->by_cause[kLeftOut] > 0;
          });

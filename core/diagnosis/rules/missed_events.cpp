@@ -53,9 +53,12 @@ bool lost_while_there(const RunReport& report, int slave) {
 
 }  // namespace
 
+bool is_controlled(const RunReport& report) {
+  return report.dcm.mode != DcmMode::kOff && (!report.dcm.control_off || report.dcm.mode == DcmMode::kMasterShiftByApp);
+}
+
 bool was_locked(const RunReport& report) {
-  if (report.dcm.mode == DcmMode::kOff || report.dcm.control_off) return true;
-  return !breaks_lock(report.dcm.obstacle) &&
+  return is_controlled(report) && !breaks_lock(report.dcm.obstacle) &&
          std::ranges::none_of(report.history.master_losses, breaks_lock, &RunHistory::SyncLoss::obstacle);
 }
 
@@ -72,7 +75,7 @@ dc::MissCause main_cause(const Sm2MissedStatus& status) {
   return static_cast<dc::MissCause>(most - status.by_cause.begin());
 }
 
-std::string_view miss_cause_words(dc::MissCause cause) {
+std::string_view miss_cause_words(dc::MissCause cause, bool locked) {
   switch (cause) {
     case dc::MissCause::kFrameLost:
       return "frames were lost";
@@ -81,7 +84,8 @@ std::string_view miss_cause_words(dc::MissCause cause) {
     case dc::MissCause::kFrameHeldUp:
       return "frames were held up on their way";
     case dc::MissCause::kFrameLate:
-      return "frames came behind the SYNC0 they were meant for";
+      return locked ? "frames came behind the SYNC0 they were meant for"
+                    : "the master was not locked to the reference clock, and frames slid through its SYNC0";
     case dc::MissCause::kUnknown:
       break;
   }
@@ -129,6 +133,8 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
          status.limit > 0 ? count_figure("limit", status.limit) : phrase_figure("limit", "no limit"),
          count_figure("computed", status.computed), text_figure("sub", fmt::format("{:02X}", status.sub_index))}};
     std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
+    if (finding.code == code::kMissedUnlocked && !is_controlled(report))
+      finding.facts = sentence_of(*find_finding_words(code::kMissedUnlocked), "off");
     findings.push_back(std::move(finding));
   }
 }

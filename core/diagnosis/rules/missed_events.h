@@ -12,9 +12,12 @@ namespace syncline::diagnosis {
 /// Which cause has most of the missed SM2 events.
 [[nodiscard]] dc::MissCause main_cause(const Sm2MissedStatus& status);
 /// "frames were lost": goes behind a colon or "because".
-[[nodiscard]] std::string_view miss_cause_words(dc::MissCause cause);
+[[nodiscard]] std::string_view miss_cause_words(dc::MissCause cause, bool locked);
 
-/// Whether the schedule held its place in the SYNC grid all the time, whatever the host made of single frames.
+/// Whether anything moves the frames to their place in the SYNC grid, or the reference clock to them.
+[[nodiscard]] bool is_controlled(const RunReport& report);
+/// Whether the schedule held its place in the SYNC grid all the time, whatever the host made of single frames. Nothing
+/// holds it there where nobody controls it.
 [[nodiscard]] bool was_locked(const RunReport& report);
 /// What a later SYNC0 is worth to a slave: "margin" it has, "lateness" of one frame in a thousand, what it "need"s
 /// itself, and by how much "more" the set value would do.

@@ -16,11 +16,14 @@ struct Away {
   std::string_view why;
 };
 
-/// By how much SYNC0 may move, to the nearer side, until outputs come too late for one.
+/// By how much SYNC0 may move, to the nearer side, until outputs come too late for one. Where the frames' own lateness
+/// leaves no room at all, only what moves it further than that makes a difference.
 Nanoseconds room_of(const RunReport& report, const RunReport::Slave& slave) {
   const auto margin = slave.sync0_margin.value_or(0);
   const Nanoseconds need = slave.evidence.calc_and_copy_ns;
-  const auto before = margin - need - usual_worst_lateness(report);
+  const auto lateness = usual_worst_lateness(report);
+  const auto before = margin - need - lateness;
+  if (before <= 0) return std::max<Nanoseconds>(0, lateness);
   return std::max<Nanoseconds>(0, std::min(before, slave.sync0_cycle - margin));
 }
 
@@ -40,7 +43,11 @@ std::vector<Away> times_away(const RunReport& report, const RunReport::Slave& sl
   for (const auto& loss : report.history.slave_losses) {
     if (loss.slave >= 0 && loss.slave != slave.position) continue;
     const bool reference = loss.obstacle == dc::SyncObstacle::kClockStep;
-    add(loss.time, until(loss), loss.size, reference ? kReference : kOwn);
+    // Where nobody was named, it was no further away than its own readings say.
+    const auto own = std::abs(std::int64_t{slave.deviation_max_ns.value_or(0)});
+    const bool somebody = !reference && loss.slave < 0;
+    add(loss.time, until(loss), somebody ? std::min(std::abs(loss.size), own) : loss.size,
+        reference ? kReference : kOwn);
   }
   for (const auto& loss : report.history.master_losses) {
     if (loss.obstacle == dc::SyncObstacle::kClockStep) add(loss.time, until(loss), loss.size, kReference);

@@ -50,6 +50,13 @@ bool adapter_was_away(const RunReport& report, const Spell& spell) {
   return report.history.link_outages.near(spell, kFollows);
 }
 
+DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
+  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
+  return first_damaged_port(report.slaves.size(), [&](std::size_t slave, std::size_t port) {
+    return report.history.slaves[slave].port_errors[port].near(read, kTogether);
+  });
+}
+
 int slave_in_trouble(const RunReport& report, const Spell& spell) {
   constexpr Nanoseconds kNear = 500 * kMillisecond;
   for (std::size_t i = 0; i < report.history.slaves.size(); ++i) {

@@ -66,8 +66,8 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     return finding;
   if (slave.sm2_missed->missed == 0) {
     const bool in_time = usual_worst_lateness(report) < *slave.sync0_margin;
-    const bool by_itself =
-        fall && in_time && cycles_were_good(report, fall->time) && !sync0_had_moved_at(report, slave, fall->time);
+    const bool by_itself = fall && in_time && was_locked(report) && cycles_were_good(report, fall->time) &&
+                           !sync0_had_moved_at(report, slave, fall->time);
     if (by_itself) finding.code = code::kSlaveFellByItself;
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
     return finding;
@@ -80,7 +80,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto moved = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate
                          ? sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)
                          : std::nullopt;
-  finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(cause)));
+  finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(cause, was_locked(report))));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
   if (cause == dc::MissCause::kFrameLate && !moved && was_locked(report)) finding.code = code::kSlaveFellByLateFrames;
@@ -111,7 +111,7 @@ void find_states(const RunReport& report, Findings& findings) {
     if (slave.present) highest = std::max(highest, al_state_of(slave.al_status));
   }
   for (const auto& slave : report.slaves) {
-    if (!slave.present) continue;
+    if (!slave.present || slave.al_status == 0) continue;  // nobody knows
     if ((slave.al_status & kAlErrorFlag) != 0) {
       findings.push_back(fallen(report, slave));
     } else if (al_state_of(slave.al_status) < highest) {

@@ -13,14 +13,36 @@ namespace {
 bool misses_told(const Findings& findings, const RunReport::Slave& slave) {
   return std::ranges::any_of(findings, [&](const Finding& finding) {
     return finding.place.slave == slave.position &&
-           (finding.code == code::kSlaveFellByLateFrames || finding.code == code::kMissedByLateFrames);
+           (finding.code == code::kSlaveFellByLateFrames || finding.code == code::kMissedByLateFrames ||
+            finding.code == code::kMissedUnlocked);
   });
+}
+
+/// It fell by misses where frames slid through its SYNC0: its finding says so.
+bool fell_unlocked(const RunReport& report, const Findings& findings, const RunReport::Slave& slave) {
+  return !was_locked(report) && std::ranges::any_of(findings, [&](const Finding& finding) {
+    return finding.place.slave == slave.position && finding.code == code::kSlaveFellByMisses;
+  });
+}
+
+/// Frames that slide through SYNC0 are too late for it now and then, wherever it is.
+Finding slid(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& outputs = slave.evidence.outputs.shift_too_short;
+  Finding finding{code::kMissedUnlocked, Severity::kWarning, slave.position,
+                  report.history.slaves[slave.position].shift_too_short.first(), outputs.time};
+  finding.figures = {slave_figure(report, slave.position), times_figure("count", outputs.total, outputs.at_least)};
+  finding.facts = sentence_of(*find_finding_words(code::kMissedUnlocked), "late");
+  return finding;
 }
 
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
-  if (outputs.total > 0 && !misses_told(findings, slave) && !sync0_had_moved(report, slave, spells)) {
+  const bool told =
+      misses_told(findings, slave) || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
+  if (outputs.total > 0 && !told && !was_locked(report)) {
+    findings.push_back(slid(report, slave));
+  } else if (outputs.total > 0 && !told) {
     const auto margin = slave.sync0_margin.value_or(0);
     const Nanoseconds need = slave.evidence.calc_and_copy_ns;
     const auto more = advised(need - margin + worst_lateness(report));
@@ -54,7 +76,7 @@ bool is_told(const Findings& findings, const RunReport::Slave& slave) {
 /// The usual lateness does not fit between frame and SYNC0: known before anything is missed, and true also where
 /// something else made the slave miss more.
 void find_too_tight(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
-  const bool locked = report.dcm.mode != DcmMode::kOff && was_locked(report);
+  const bool locked = was_locked(report);
   const auto lateness = usual_worst_lateness(report);
   constexpr std::uint64_t kEnough = 1000;
   if (!slave.sync0_margin || !locked || report.history.frame_lateness.count() < kEnough) return;

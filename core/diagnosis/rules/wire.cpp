@@ -62,14 +62,6 @@ void find_lost_link(const RunReport& report, const RunReport::Slave& slave, std:
                        moment_figure(report, "last", spells.last())}});
 }
 
-/// Where frames were damaged first in or shortly after the spell.
-DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
-  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
-  return first_damaged_port(report.slaves.size(), [&](std::size_t slave, std::size_t port) {
-    return report.history.slaves[slave].port_errors[port].near(read, kTogether);
-  });
-}
-
 struct Losses {
   std::uint64_t count = 0, most = 0;
   Nanoseconds first = 0, last = 0;
@@ -94,10 +86,14 @@ Finding lost(const RunReport& report, std::string_view code, Severity severity, 
 
 /// The last in frame order whose own counter proves that lost frames had brought it its outputs; -1: none does. Only
 /// who was in OP all the time counts every frame, and only a cycle of one frame has all outputs in that which was lost.
+/// Who stands behind it has missed them: where frames are lost here and there, each slave has missed some of them, and
+/// there is no such place.
 int passed_by_lost_frames(const RunReport& report, const Losses& losses) {
-  constexpr std::uint64_t kEnough = 4;  // fewer may have fallen into other times
+  constexpr std::uint64_t kEnough = 4;                    // fewer may have fallen into other times
+  constexpr std::uint64_t kHadThem = 8, kMissedThem = 2;  // an eighth of them at most, and half of them at least
   constexpr auto kFrameLost = static_cast<std::size_t>(dc::MissCause::kFrameLost);
   int last = -1;
+  bool missed_before = false;
   if (losses.count < kEnough || report.wire_time != report.first_wire_time) return last;
   for (const auto& slave : report.slaves) {
     const auto& missed = slave.sm2_missed;
@@ -105,7 +101,15 @@ int passed_by_lost_frames(const RunReport& report, const Losses& losses) {
         slave.sync0_cycle > 0 && missed && missed->known && missed->valid && missed->time + kReadLater >= losses.last;
     const bool in_op = slave.present && al_state_of(slave.al_status) == AlState::kOp;
     if (!counts || !in_op || report.history.slaves[slave.position].fall) continue;
-    if (kEnough * missed->by_cause[kFrameLost] <= losses.count) last = slave.position;
+    const std::uint64_t lost = missed->by_cause[kFrameLost];
+    if (kHadThem * lost <= losses.count) {
+      if (missed_before) return -1;
+      last = slave.position;
+    } else if (kMissedThem * lost < losses.count) {
+      return -1;
+    } else {
+      missed_before = true;
+    }
   }
   return last;
 }

@@ -192,7 +192,7 @@ void SlavesSync::report(Nanoseconds time, CycleSample& sample) {
   dc.followers = static_cast<std::uint16_t>(evidence.followers);
   dc.over_limit = static_cast<std::uint16_t>(evidence.over);
   dc.all_alike = evidence.all_alike();
-  dc.culprit = evidence.over > 0 && !dc.all_alike ? evidence.worst : -1;
+  dc.culprit = dc.monitored && evidence.over > 0 && !dc.all_alike ? evidence.worst : -1;
   dc.deviation_ns.reset();
   if (evidence.worst >= 0) dc.deviation_ns = evidence.worst_ns;
   dc.newest_age_ns = evidence.newest > 0 ? time - evidence.newest : -1;

@@ -50,8 +50,13 @@ Result<Attendance::Differences> Attendance::look(std::uint16_t count) {
   differences.allowed = usable && (complete || config.recovery.start_incomplete);
   if (!differences.allowed) {
     // Who is in its place is there, whatever keeps the bus from being started.
-    for (std::size_t i = 0; i < config.slaves.size(); ++i)
-      run_.snapshot.slaves[i].present = match.position[i].has_value();
+    for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+      auto& slave = run_.snapshot.slaves[i];
+      slave.present = match.position[i].has_value();
+      if (slave.present) continue;
+      slave.al_status = slave.al_status_code = 0;
+      slave.al_status_time = 0;
+    }
     run_.note_slave_change();
     return differences;
   }

@@ -88,6 +88,11 @@ Status ClockSteps::await_slaves() {
     const auto& dc = run_.snapshot.dc;
     const auto by = dc.deviation_ns.value_or(dc.deviation_ored_ns);
     const auto after = kSyncTimeout / kSecond;
+    if (by <= dc.limit_ns) {
+      return fail(ErrorCode::kDcSetup, "the slaves",
+                  because("they did not stay within {limit} ns of the reference clock for {settle} ms in {time} s",
+                          dc.limit_ns, run_.config().dc.sync_window.settle_time_ms, after));
+    }
     if (dc.culprit < 0) {
       return fail(ErrorCode::kDcSetup, "the slaves",
                   because("they are {by} ns from the reference clock after {time} s, the sync window allows {limit} ns",

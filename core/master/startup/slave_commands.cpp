@@ -199,8 +199,11 @@ Status SlaveCommands::read_al_status(std::span<const std::size_t> slaves) {
   std::vector<Datagram> reads;
   reads.reserve(slaves.size());
   for (std::size_t i = 0; i < slaves.size(); ++i) {
-    const auto station = run_.config().slaves[slaves[i]].station_address;
-    reads.push_back({Command::kFprd, device_address(station, reg::kAlStatus), bytes[i]});
+    // Before there is a cycle it may not have got its station address yet, and nobody moves: it is asked at its place.
+    const bool at_place = !bus_.cyclic() && run_.snapshot.slaves[slaves[i]].present;
+    const auto adp = at_place ? Position{positions_[slaves[i]]}.auto_increment_address()
+                              : run_.config().slaves[slaves[i]].station_address;
+    reads.push_back({at_place ? Command::kAprd : Command::kFprd, device_address(adp, reg::kAlStatus), bytes[i]});
   }
   if (reads.empty()) return {};
   if (auto status = bus_.transact(reads); !status) return status;

@@ -104,6 +104,23 @@ TEST(DcmModes, NothingMovesByItselfWhenTheApplicationOrNobodyShallMoveIt) {
   }
 }
 
+/// What nobody moves leaves its place in time, and that is no error of a control that is switched off.
+TEST(DcmModes, AScheduleThatNobodyHoldsReportsNoErrorWhenItLeavesItsPlace) {
+  for (const bool off : {false, true}) {
+    auto settings = settings_for(DcmMode::kMasterShift);
+    settings.control_off = off;
+    auto controller = make_dcm_controller(settings, kMillisecond, 600'000);
+    controller->start(0, 5'400'000, 0);
+    // In its place for 3 s, then away from it at 50 ppm, whatever the controller wants.
+    for (Nanoseconds time = kMillisecond; time < 6 * kSecond; time += kMillisecond) {
+      const auto drifted = std::max<Nanoseconds>(0, time - 3 * kSecond) / 20'000;
+      controller->observe({time, time, 5'400'000 + time + drifted});
+    }
+    EXPECT_FALSE(controller->state().in_sync);
+    EXPECT_EQ(controller->state().error_code, off ? 0 : kDcmErrorOutOfLimit);
+  }
+}
+
 TEST(DcmModes, AStepOfTheClockIsWorkedOffWithinTheLimitAgain) {
   for (const auto mode : kControlled) {
     auto options = with(mode, JitterProfile::quiet());

@@ -130,6 +130,135 @@ TEST(RunDiagnosis, BlamesNoLateFramesForTheFallOfADriveWhoseSync0IsMisplaced) {
   EXPECT_THAT(codes(report), Not(Contains(code::kSlaveFellByLateFrames)));
 }
 
+/// One in a thousand frames is later than there is room: what a clock moves beside that makes no difference.
+TEST(RunDiagnosis, AClockThatMovesByLessThanFramesAreLateExplainsNone) {
+  auto report = healthy();
+  report.slaves[1].sync0_margin = 4 * kMicrosecond;
+  miss(report, 1, dc::MissCause::kUnknown, 4);
+  report.history.slaves[1].missed.note(kStart + 5500 * kMillisecond, 4);
+  report.history.slave_losses.push_back(loss(1, 143));
+  EXPECT_THAT(codes(report), Not(Contains(code::kMissedByMovedClock)));
+}
+
+TEST(RunDiagnosis, NobodysOwnClockWasOutOfPlaceWhoseReadingsWereSmall) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kUnknown, 4);
+  report.history.slaves[1].missed.note(kStart + 5500 * kMillisecond, 4);
+  report.slaves[1].deviation_max_ns = 12;
+  report.history.slave_losses.push_back(loss(-1, 700'000));
+  EXPECT_THAT(codes(report), Not(Contains(code::kMissedByMovedClock))) << "one of the others";
+  report.slaves[1].deviation_max_ns = 700'000;
+  EXPECT_THAT(codes(report), Contains(code::kMissedByMovedClock));
+}
+
+/// Frames of a master that nobody holds at the reference clock slide through every SYNC0.
+TEST(RunDiagnosis, WhereNothingHoldsTheFramesNeitherSlavesNorTheirSync0AreBlamed) {
+  for (const bool off : {true, false}) {
+    auto report = healthy();
+    report.dcm.mode = off ? DcmMode::kOff : DcmMode::kMasterShift;
+    report.dcm.control_off = !off;
+    report.dcm.state = off ? SyncState::kNotMonitored : SyncState::kOutOfSync;
+    report.history.master_losses.push_back({kStart + kSecond, -1, 5000, dc::SyncObstacle::kControlError, {}});
+    EXPECT_THAT(codes(report), IsEmpty()) << "nobody asked for it";
+    miss(report, 1, dc::MissCause::kFrameLate, 4);
+    ASSERT_THAT(codes(report), ElementsAre(code::kMissedUnlocked));
+    EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("the master synchronisation is switched off"));
+    report.slaves[1].al_status = 0x14;
+    report.slaves[1].al_status_code = 0x1A;
+    report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+    EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
+    EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("frames slid through its SYNC0"));
+    report.slaves[1].sm2_missed->missed = 0;
+    report.slaves[1].sm2_missed->by_cause = {};
+    EXPECT_EQ(codes(report).front(), code::kSlaveFell) << "not by itself";
+  }
+}
+
+TEST(RunDiagnosis, ALaterSync0IsNoHelpAgainstFramesThatSlideThroughIt) {
+  auto report = healthy();
+  report.slaves[1].evidence.outputs.shift_too_short.total = 12;
+  report.slaves[1].evidence.outputs.shift_too_short.time = kStart + 6 * kSecond;
+  report.history.slaves[1].shift_too_short.note(kStart + 5 * kSecond, 12);
+  EXPECT_THAT(codes(report), ElementsAre(code::kShiftTooShort));
+  report.history.master_losses.push_back(
+      {kStart + kSecond, -1, 5000, dc::SyncObstacle::kControlError, kStart + 8 * kSecond});
+  EXPECT_THAT(codes(report), ElementsAre(code::kMasterLostLock, code::kMissedUnlocked));
+  EXPECT_THAT(describe(diagnose(report)[1]), Not(HasSubstr("a shift of")));
+}
+
+TEST(RunDiagnosis, AStateThatNobodyHasReadIsNoState) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0;
+  EXPECT_THAT(codes(report), IsEmpty());
+}
+
+TEST(RunDiagnosis, FirmwareThatGoesOnIsAWarningAndOneThatHangsAnError) {
+  auto report = healthy();
+  auto& history = report.history.slaves[1];
+  history.pdi_watchdog.note(kStart + 5 * kSecond, 1);
+  ASSERT_THAT(codes(report), ElementsAre(code::kFirmwareHung));
+  EXPECT_EQ(diagnose(report)[0].severity, Severity::kWarning);
+  history.mailbox_silences = 12;
+  history.silent_from = kStart + 6 * kSecond;
+  history.silent_to = report.history.end - kSecond;
+  EXPECT_EQ(diagnose(report)[0].code, code::kFirmwareHung);
+  EXPECT_EQ(diagnose(report)[0].severity, Severity::kError);
+}
+
+/// Frames that are damaged for a while silence all slaves, and none of them was away.
+TEST(RunDiagnosis, NobodyWasAwayBecauseEveryFrameWasDamaged) {
+  auto report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond + 300 * kMillisecond, 300, 0, kStart + 5 * kSecond);
+  for (auto& slave : report.history.slaves) {
+    slave.absences.note(kStart + 5300 * kMillisecond, 1, 0, kStart + 5100 * kMillisecond);
+  }
+  report.history.slaves[2].port_errors[0].note(kStart + 5400 * kMillisecond, 255);
+  EXPECT_THAT(codes(report), ElementsAre(code::kPortErrors, code::kFramesLostByNoise));
+  report.history.slaves[0].lost_links[0].note(kStart + 5400 * kMillisecond, 1);
+  EXPECT_EQ(codes(report).front(), code::kSlaveWasAbsent) << "the plug of the first slave";
+}
+
+TEST(RunDiagnosis, AStandstillIsToldWhereItKeptTheClocksFromComingInSync) {
+  auto report = healthy();
+  report.history.reached_op = false;
+  report.history.stalls.note(kStart + 5 * kSecond, 20, 21 * kMillisecond);
+  report.dcm.state = SyncState::kBusy;
+  report.dcm.obstacle = dc::SyncObstacle::kCyclesLeftOut;
+  EXPECT_THAT(codes(report), Contains(code::kHostStalled));
+}
+
+TEST(RunDiagnosis, WrongCountersOfTwoCausesHaveTheirOwnTimes) {
+  auto report = healthy();
+  report.history.wrong_counters.note(kStart + 5 * kSecond, 30);
+  report.history.wrong_counters.note(kStart + 15 * kSecond, 7);
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  const auto findings = diagnose(report);
+  ASSERT_THAT(codes(report), ElementsAre(code::kWorkingCounter, code::kWorkingCounterExplained));
+  EXPECT_EQ(findings[0].from, kStart + 15 * kSecond);
+  EXPECT_EQ(findings[1].to, kStart + 5 * kSecond);
+}
+
+/// Where nobody monitors: those that follow are off at once and to the same side.
+TEST(RunDiagnosis, TheReferenceClockIsNamedWhereAllThatFollowItMovedAlike) {
+  auto report = healthy();
+  report.dc.monitored = report.sync_window_enabled = false;
+  const auto off = [&](std::size_t slave, Nanoseconds time, std::int32_t size) {
+    report.history.slaves[slave].first_off_ns = size;
+    report.history.slaves[slave].off.note(kStart + time, 3, std::abs(size));
+  };
+  off(1, 8 * kSecond, 20'000);
+  EXPECT_EQ(diagnose(report)[0].place.slave, 1);
+  off(2, 8 * kSecond + kMillisecond, 19'000);
+  ASSERT_THAT(codes(report), ElementsAre(code::kSlaveClockOff, code::kNotMonitored));
+  EXPECT_EQ(diagnose(report)[0].place.slave, 0);
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("it is the one that moved"));
+  report.history.slaves[2].first_off_ns = -19'000;
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlaveClockOff, code::kSlaveClockOff, code::kNotMonitored));
+  report.history.slaves[2].first_off_ns = 19'000;
+  report.history.slaves[0].absences.note(kStart + 8 * kSecond, 1);
+  EXPECT_THAT(codes(report), Contains(code::kSlaveClockOff).Times(2)) << "who went has changed the frames' way";
+}
+
 /// Drives that had their outputs say where frames are lost, where one frame carries all of them.
 TEST(RunDiagnosis, LooksForLostFramesBehindWhoHadThem) {
   auto report = healthy();
@@ -141,6 +270,24 @@ TEST(RunDiagnosis, LooksForLostFramesBehindWhoHadThem) {
   report.first_wire_time = 10 * kMicrosecond;
   report.wire_time = 30 * kMicrosecond;
   EXPECT_THAT(codes(report), ElementsAre(code::kFramesLost)) << "another frame of the cycle may have been lost";
+}
+
+/// Each drive has missed some of them, the more the further behind it stands: they are lost here and there.
+TEST(RunDiagnosis, NamesNoPlaceWhereFramesAreLostHereAndThere) {
+  constexpr auto kFrameLost = static_cast<std::size_t>(dc::MissCause::kFrameLost);
+  auto report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond, 40);
+  const auto missed = [&](std::size_t slave, std::uint32_t count) {
+    auto& status = *report.slaves[slave].sm2_missed;
+    status.time = kStart + 10 * kSecond;
+    status.missed = status.by_cause[kFrameLost] = count;
+  };
+  missed(1, 8);
+  missed(2, 16);
+  EXPECT_THAT(codes(report), Contains(code::kFramesLost));
+  missed(1, 0);
+  missed(2, 38);
+  EXPECT_THAT(codes(report), Contains(code::kFramesLostBehind)) << "between the two";
 }
 
 /// What they bring into sentences has to be known to the translations.

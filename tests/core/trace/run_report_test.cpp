@@ -35,5 +35,31 @@ TEST(RunReportTest, TheDistanceToSync0BeginsWhereTheFrameWithTheOutputsEnds) {
   EXPECT_EQ(report.slaves[1].sync0_margin, 540'000 - 1'000) << "has no outputs to wait for";
 }
 
+/// All are read in one cycle where somebody may have left the sync window; a sample tells of one of them.
+TEST(RunReportTest, ASlavesReadingIsTheNewestThatTheSnapshotHas) {
+  NetworkConfig config;
+  config.slaves.resize(2);
+  RunRecorder recorder(config);
+  CycleSample sample;
+  sample.send_time = kSecond;
+  sample.slaves_sync = SyncState::kInSync;
+  sample.slave_position = 1;
+  sample.slave_deviation_ns = -12;
+  sample.flags = CycleSample::kSlaveFollows;
+  recorder.add(std::span(&sample, 1));
+  Snapshot snapshot;
+  snapshot.slaves.resize(2);
+  auto& status = snapshot.slaves[1];
+  status.present = status.follows = status.deviation_valid = true;
+  status.deviation_time = kSecond + kMillisecond;
+  status.deviation_ns = 70;
+  recorder.add(snapshot);
+  EXPECT_EQ(recorder.finish(snapshot).slaves[1].deviation_ns, 70);
+  EXPECT_EQ(recorder.finish(snapshot).slaves[1].deviation_time, kSecond + kMillisecond);
+  EXPECT_EQ(recorder.finish(snapshot).slaves[1].deviation_max_ns, 70);
+  status.follows = false;
+  EXPECT_FALSE(recorder.finish(snapshot).slaves[1].deviation_ns) << "it leads by now";
+}
+
 }  // namespace
 }  // namespace syncline
