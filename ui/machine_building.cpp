@@ -11,6 +11,7 @@
 #include "ui/panels/explorer_panel.h"
 #include "ui/panels/topology_view.h"
 #include "ui/session/workspace.h"
+#include "ui/text/error_text.h"
 
 namespace syncline::ui {
 namespace {
@@ -41,6 +42,10 @@ MachineBuilding::MachineBuilding(Workspace& workspace, QMainWindow& window, std:
   });
   connect(&catalogue, &DeviceCatalogue::failed, this,
           [this](const Error& error) { workspace_.report(error, Severity::kWarning, tr("Catalogue")); });
+  connect(&catalogue, &DeviceCatalogue::warned, this, [this](const eni::FileWarning& warning) {
+    workspace_.messages().append(
+        {QDateTime::currentDateTime(), Severity::kWarning, tr("Catalogue"), warningText(warning), -1, {}});
+  });
   connect(&workspace, &Workspace::mayEditSlavesChanged, this, &MachineBuilding::showWhetherSlavesStay);
   showWhetherSlavesStay();
 }

@@ -32,7 +32,8 @@ Result<eni::EsiCatalogue> open_catalogue(Context& context, const EsiFolders& opt
     if (!report) context.warn(report.error());  // nobody asked for this very folder
     for (const auto& error : report ? eni::unreadable_folders(*report) : std::vector<Error>{}) context.warn(error);
   }
-  for (const auto& note : catalogue->notes()) context.console.err << "note: " << note.file << ": " << note.text << '\n';
+  for (const auto& note : catalogue->notes())
+    context.console.err << "note: " << note.file << ": " << note.reason.text() << '\n';
   return catalogue;
 }
 

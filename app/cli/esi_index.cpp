@@ -52,7 +52,7 @@ void print_index(Context& context, const eni::EsiCatalogue& catalogue,
     out << "conflict: " << to_string(duplicate.identity) << ", the first is used\n";
     for (const auto& entry : duplicate.entries) out << "  " << entry.file << ':' << entry.line << '\n';
   }
-  for (const auto& warning : catalogue.warnings()) out << "warning: " << warning.text << '\n';
+  for (const auto& warning : catalogue.warnings()) out << "warning: " << warning.reason.text() << '\n';
   out << fmt::format("{}, {} of them in several files with the same content\n",
                      counted(catalogue.device_count(), "device"), harmless);
 }
@@ -61,7 +61,7 @@ Json index_json(const eni::EsiCatalogue& catalogue, const std::vector<eni::Dupli
   Json doubles = Json::array(), warnings = Json::array();
   for (const auto& duplicate : duplicates) doubles.push_back(duplicate_json(duplicate));
   for (const auto& w : catalogue.warnings()) {
-    warnings.push_back({{"file", w.file}, {"line", w.line}, {"element", w.element}, {"text", w.text}});
+    warnings.push_back({{"file", w.file}, {"line", w.line}, {"element", w.element}, {"text", w.reason.text()}});
   }
   return {{"database", catalogue.database()},
           {"devices", catalogue.device_count()},

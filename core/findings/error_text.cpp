@@ -8,9 +8,11 @@
 
 #include "findings/error_words.h"
 #include "findings/joined_words.h"
+#include "findings/reason_of.h"
 #include "protocol/al_state.h"
 #include "protocol/coe.h"
 #include "protocol/foe.h"
+#include "reasons/because.h"
 
 namespace syncline {
 namespace {
@@ -184,13 +186,16 @@ Finding finding_of(const Error& error) {
   return finding;
 }
 
-std::string describe(const Error& error) {
+Reason reason_of(const Error& error) {
   const auto finding = finding_of(error);
   const auto said = [&](std::string_view placeholder) {
     return finding.facts.find(placeholder) != std::string_view::npos;
   };
-  const auto sentence = describe(finding);
-  return error.file.empty() || said("{file}") || said("{where}") ? sentence : where_text(error) + ": " + sentence;
+  auto sentence = reason_of(finding);
+  if (error.file.empty() || said("{file}") || said("{where}")) return sentence;
+  return because("{place}: {reason}", where_text(error), std::move(sentence));
 }
+
+std::string describe(const Error& error) { return reason_of(error).text(); }
 
 }  // namespace syncline

@@ -23,6 +23,9 @@ namespace syncline {
 ///   {error}    `received` in ns                     {limit}   `expected` in ns
 [[nodiscard]] Finding finding_of(const Error& error);
 
+/// The same with its place, as it stands in another reason's placeholder: "{device} is left out: {error}".
+[[nodiscard]] Reason reason_of(const Error& error);
+
 /// English sentences: where, what happened, and what to do.
 [[nodiscard]] std::string describe(const Error& error);
 

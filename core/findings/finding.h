@@ -9,6 +9,7 @@
 
 #include "findings/figure.h"
 #include "findings/place.h"
+#include "reasons/placeholder.h"
 
 /// What is wrong, or worth knowing: in a file, a project, a difference, a run. Each with its place, the figures that
 /// prove it, why it matters and what to do.
@@ -57,20 +58,6 @@ struct FindingWords {
 /// Words of ours that figures bring into the sentences: what units kPhrase, kAside and kAlCode say, and the
 /// rows of core/reasons, which have placeholders of their own.
 [[nodiscard]] std::span<const std::string_view> finding_phrases();
-
-/// What stands between the braces of a placeholder: {name} is the figure, {name:# frame was|# frames were} the words
-/// that it chooses as a count, with the figure in the place of "#".
-struct Placeholder {
-  std::string_view name;
-  std::string_view one{}, other{};  // of counts: 1, and all others; empty: the figure itself
-  constexpr explicit Placeholder(std::string_view inside) : name(inside.substr(0, inside.find(':'))) {
-    if (name.size() == inside.size()) return;
-    const auto words = inside.substr(name.size() + 1);
-    one = words.substr(0, words.find('|'));
-    other = one.size() == words.size() ? one : words.substr(one.size() + 1);
-  }
-  [[nodiscard]] std::string_view words_for(const Figure& figure) const { return figure.value == 1 ? one : other; }
-};
 
 /// The finding's sentence with {placeholders}.
 [[nodiscard]] std::string_view facts_template(const Finding& finding);

@@ -120,20 +120,6 @@ std::string_view severity_name(Severity severity) {
   return "note";
 }
 
-namespace {
-
-/// The figure, or the words that it chooses.
-std::string placed(const Placeholder& placeholder, const Figure& figure) {
-  auto text = figure_text(figure);
-  if (placeholder.one.empty()) return text;
-  std::string words(placeholder.words_for(figure));
-  for (auto at = words.find('#'); at != std::string::npos; at = words.find('#', at + text.size()))
-    words.replace(at, 1, text);
-  return words;
-}
-
-}  // namespace
-
 bool has_errors(std::span<const Finding> findings) {
   return std::ranges::find(findings, Severity::kError, &Finding::severity) != findings.end();
 }
@@ -159,7 +145,8 @@ std::string fill_finding_template(std::string_view text, const Finding& finding)
     out += text.substr(0, open);
     const Placeholder placeholder(text.substr(open + 1, close - open - 1));
     const Figure* found = figure_named(finding, placeholder.name);
-    out += found == nullptr ? std::string(text.substr(open, close - open + 1)) : placed(placeholder, *found);
+    out += found == nullptr ? std::string(text.substr(open, close - open + 1))
+                            : placeholder.filled(figure_text(*found), found->value == 1);
     text.remove_prefix(close + 1);
   }
   return out += text;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <utility>
 
 #include "reasons/because.h"
 #include "reasons/brief_reason.h"
@@ -26,12 +27,14 @@ std::string_view Reason::words() const {
 }
 
 std::string Reason::text() const {
-  if (row_ >= std::size(words::kReasons)) return text_;
-  auto words = words::kReasons[row_];
+  if (given_.empty() && row_ >= std::size(words::kReasons)) return text_;
+  auto words = this->words();
   std::string text;
   for (const Reason& one : given_) {
     const auto place = next_place(words);
-    text.append(words.substr(0, place.open)).append(one.text());
+    auto said = one.text();
+    const bool is_one = said == "1";
+    text.append(words.substr(0, place.open)).append(place.in(words).filled(std::move(said), is_one));
     words.remove_prefix(place.end);
   }
   return text.append(words);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "reasons/placeholder.h"
+
 namespace syncline {
 
 /// Why something fails or is refused, as a value: a row of the table of reasons (reason_words.h) with what stands in
@@ -33,6 +35,13 @@ class Reason {
   [[nodiscard]] static Reason of_row(std::uint16_t row, std::vector<Reason> given) {
     return Reason(row, std::move(given));
   }
+  /// A sentence of another table that translations know, with what stands in its placeholders: see reason_of() in
+  /// core/findings.
+  [[nodiscard]] static Reason of_words(std::string_view words, std::vector<Reason> given) {
+    auto reason = phrase(words);
+    reason.given_ = std::move(given);
+    return reason;
+  }
 
   [[nodiscard]] bool empty() const { return row_ == kNoRow && text_.empty(); }
   /// English.
@@ -56,15 +65,5 @@ class Reason {
 /// The reason whose words() and given() these are, as they were written down: a phrase where nothing is given. Nothing
 /// where the table has no such row any more.
 [[nodiscard]] std::optional<Reason> reason_of_words(std::string_view words, std::vector<Reason> given);
-
-/// Where the next placeholder of a row stands; text.size() twice where there is none. From '{' to behind '}'.
-struct ReasonPlace {
-  std::size_t open = 0, end = 0;
-};
-[[nodiscard]] constexpr ReasonPlace next_place(std::string_view text) {
-  const auto open = text.find('{'), close = text.find('}', open);
-  if (open == std::string_view::npos || close == std::string_view::npos) return {text.size(), text.size()};
-  return {open, close + 1};
-}
 
 }  // namespace syncline

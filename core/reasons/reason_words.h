@@ -7,6 +7,7 @@
 
 #include "reasons/advice_reason_words.h"
 #include "reasons/bus_reason_words.h"
+#include "reasons/esi_reason_words.h"
 #include "reasons/file_reason_words.h"
 #include "reasons/scenario_reason_words.h"
 #include "reasons/survey_reason_words.h"
@@ -170,6 +171,12 @@ inline constexpr std::string_view kCommonReasons[] = {
     "\"{text}\" is neither none nor a module ident",
     "there is no slave at position {position}, the last one is at {last}",
     "the slave is gone",
+    // sentences within sentences
+    "{place}: {reason}",
+    "{sentence}.",
+    "{sentence} {next}",
+    ": {reason}",
+    "{code} ({meaning})",
     // of all rooms
     "its SYNC0 will never come: the start time {start} (0x0990) had passed by {late} ns at {time}",
     "packet {number} acknowledged where {expected} was sent",
@@ -233,7 +240,7 @@ template <std::size_t... kRows>
   return all;
 }
 
-inline constexpr auto kReasons =
-    all_reasons(kCommonReasons, kScenarioReasons, kBusReasons, kFileReasons, kSurveyReasons, kAdviceReasons);
+inline constexpr auto kReasons = all_reasons(kCommonReasons, kScenarioReasons, kBusReasons, kFileReasons, kEsiReasons,
+                                             kSurveyReasons, kAdviceReasons);
 
 }  // namespace syncline::words

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "reasons/because.h"
 
@@ -13,7 +14,7 @@ namespace syncline::eni {
 namespace {
 
 constexpr int kApplicationId = 0x53594E43;  // "SYNC", SQLite's place for whose file it is
-constexpr int kSchemaVersion = 3;           // other versions are thrown away: a cache needs no migration
+constexpr int kSchemaVersion = 4;           // other versions are thrown away: a cache needs no migration
 
 constexpr const char* kTables = R"(
 CREATE TABLE folders(path TEXT PRIMARY KEY);
@@ -28,7 +29,7 @@ CREATE INDEX devices_by_group ON devices(group_type);
 CREATE TABLE hides(device INTEGER NOT NULL, vendor_id INTEGER, product_code INTEGER, revision_no INTEGER);
 CREATE INDEX hides_by_device ON hides(device);
 CREATE INDEX hides_by_identity ON hides(vendor_id, product_code, revision_no);
-CREATE TABLE problems(file INTEGER NOT NULL, line INTEGER, element TEXT, text TEXT);
+CREATE TABLE problems(file INTEGER NOT NULL, line INTEGER, element TEXT, text TEXT, words BLOB);
 CREATE INDEX problems_by_file ON problems(file);
 CREATE VIRTUAL TABLE words USING fts5(text, detail=none, columnsize=0, prefix='1 2 3', tokenize='unicode61 remove_diacritics 2');
 )";
@@ -77,8 +78,8 @@ Status make_tables(SqlDatabase& database) {
   return transaction->commit();
 }
 
-/// An error, or the version of what was found; 0 for an empty database.
-Result<SqlDatabase> try_open(const std::string& path, std::string& reason) {
+/// Opened, with tables; `reason` says why it is to be made again.
+Result<SqlDatabase> try_open(const std::string& path, Reason& reason) {
   auto database = SqlDatabase::open(path);
   if (!database) return database;
   const auto version = pragma(*database, "PRAGMA user_version");
@@ -86,29 +87,54 @@ Result<SqlDatabase> try_open(const std::string& path, std::string& reason) {
   if (*version == 0) {
     if (auto status = make_tables(*database); !status) return tl::unexpected(status.error());
   } else if (*version != kSchemaVersion) {
-    reason = fmt::format("it is of version {}, this program uses version {}", *version, kSchemaVersion);
+    reason = because("it is of version {version}, this program uses version {own}", *version, kSchemaVersion);
   }
   if (auto status = database->execute(kConnection); !status) return tl::unexpected(status.error());
   return database;
 }
 
+/// The folders that the user had it remember: what is read in them is found again, that they are wanted is not.
+std::vector<std::string> remembered_folders(SqlDatabase& database) {
+  std::vector<std::string> found;
+  auto query = database.prepare("SELECT path FROM folders ORDER BY rowid");
+  if (query) (void)query->each([&] { found.emplace_back(query->text(0)); });
+  return found;
+}
+
+Status remember(SqlDatabase& database, const std::vector<std::string>& folders) {
+  for (const auto& folder : folders) {
+    auto query = database.prepare("INSERT OR IGNORE INTO folders VALUES(?)");
+    if (!query) return tl::unexpected(query.error());
+    if (auto status = query->bind(0, folder).run(); !status) return status;
+  }
+  return {};
+}
+
 }  // namespace
 
-Result<SqlDatabase> open_catalogue_database(const std::string& path, std::string& replaced) {
+Result<SqlDatabase> open_catalogue_database(const std::string& path, Reason& replaced) {
   const bool named_as_ours =
       std::filesystem::path(path).extension() == ".sqlite" && path.find("esi-catalogue") != std::string::npos;
   if (!path.empty() && owner_of(path) == Owner::kOthers && !named_as_ours) {
     return fail(Error{.code = ErrorCode::kCatalogue, .detail = because("it is no device catalogue"), .file = path});
   }
   auto database = try_open(path, replaced);
-  if (!database && is_damaged(database.error())) replaced = "it was damaged: " + database.error().detail.text();
+  if (!database && is_damaged(database.error())) replaced = because("it was damaged: {words}", database.error().detail);
   if (replaced.empty()) return database;
-  if (database) *database = {};  // closed before its file goes
+  std::vector<std::string> folders;
+  if (database) {
+    folders = remembered_folders(*database);
+    *database = {};  // closed before its file goes
+  }
   std::error_code ignored;
   std::filesystem::remove(path, ignored);
   for (const char* const beside : {"-journal", "-wal", "-shm"}) std::filesystem::remove(path + beside, ignored);
-  std::string again;
-  return try_open(path, again);
+  Reason again;
+  database = try_open(path, again);
+  if (database) {
+    if (auto status = remember(*database, folders); !status) return tl::unexpected(status.error());
+  }
+  return database;
 }
 
 }  // namespace syncline::eni

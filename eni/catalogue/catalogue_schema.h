@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include "reasons/reason.h"
 #include "sqlite/sqlite_database.h"
 
 namespace syncline::eni {
 
 /// Opens a catalogue's database and makes its tables where it is new; see CatalogueStore::open.
-[[nodiscard]] Result<SqlDatabase> open_catalogue_database(const std::string& path, std::string& replaced);
+[[nodiscard]] Result<SqlDatabase> open_catalogue_database(const std::string& path, Reason& replaced);
 
 }  // namespace syncline::eni

@@ -8,6 +8,7 @@
 
 #include "eni/catalogue/catalogue_schema.h"
 #include "eni/xml/xml_text.h"
+#include "findings/value_bytes.h"
 
 namespace syncline::eni {
 namespace {
@@ -35,6 +36,20 @@ std::string search_text(const EsiCard& card) {
                      card.group_name, numbers_of(card.type), card.identity.product_code);
 }
 
+/// As recordings keep reasons: the sentence, and the words for the languages of whoever reads it.
+std::string words_of(Reason reason) {
+  ValueWriter out;
+  out(WordedReason{reason});
+  return out.take();
+}
+
+Reason kept_reason(std::string_view sentence, std::string_view words) {
+  auto reason = Reason::phrase(sentence);
+  WordedReason worded{reason};
+  ValueReader{words}(worded);
+  return reason;
+}
+
 IndexedFile file_row(const SqlStatement& row, int first) {
   return {row.integer(first), row.integer(first + 1), row.integer(first + 2),
           std::bit_cast<std::uint64_t>(row.integer(first + 3))};
@@ -51,7 +66,7 @@ std::pair<std::string, std::string> bounds_of(std::string_view folder) {
 
 }  // namespace
 
-Result<CatalogueStore> CatalogueStore::open(const std::string& path, std::string& replaced) {
+Result<CatalogueStore> CatalogueStore::open(const std::string& path, Reason& replaced) {
   auto database = open_catalogue_database(path, replaced);
   if (!database) return tl::unexpected(database.error());
   return CatalogueStore(std::move(*database));
@@ -91,9 +106,10 @@ Result<std::int64_t> CatalogueStore::put(std::string_view path, const IndexedFil
     if (auto status = put_device(id, card); !status) return tl::unexpected(status.error());
   }
   for (const auto& warning : cards.warnings) {
-    auto problem = database_.prepare("INSERT INTO problems VALUES(?, ?, ?, ?)");
+    auto problem = database_.prepare("INSERT INTO problems VALUES(?, ?, ?, ?, ?)");
     if (!problem) return tl::unexpected(problem.error());
-    problem->bind(0, id).bind(1, warning.line).bind(2, warning.element).bind(3, warning.text);
+    const auto sentence = warning.reason.text(), words = words_of(warning.reason);
+    problem->bind(0, id).bind(1, warning.line).bind(2, warning.element).bind(3, sentence).bind_blob(4, words);
     if (auto status = problem->run(); !status) return tl::unexpected(status.error());
   }
   return id;
@@ -228,13 +244,13 @@ Result<std::size_t> CatalogueStore::device_count() {
 
 Result<std::vector<FileWarning>> CatalogueStore::problems() {
   auto query = database_.prepare(
-      "SELECT path, line, element, text FROM chosen CROSS JOIN problems ON problems.file = chosen.file "
+      "SELECT path, line, element, text, words FROM chosen CROSS JOIN problems ON problems.file = chosen.file "
       "JOIN files ON files.id = problems.file ORDER BY chosen.rank, problems.rowid");
   if (!query) return tl::unexpected(query.error());
   std::vector<FileWarning> found;
   if (auto status = query->each([&] {
         found.push_back({std::string(query->text(0)), static_cast<int>(query->integer(1)), std::string(query->text(2)),
-                         std::string(query->text(3))});
+                         kept_reason(query->text(3), query->blob(4))});
       });
       !status)
     return tl::unexpected(status.error());

@@ -24,9 +24,10 @@ struct IndexedFile {
 
 class CatalogueStore {
  public:
-  /// "" is in memory. A database that is damaged or of another version is replaced by an empty one, and `replaced` says
-  /// why; a file that is no catalogue of ours is refused (kCatalogue) and stays as it is.
-  [[nodiscard]] static Result<CatalogueStore> open(const std::string& path, std::string& replaced);
+  /// "" is in memory. A database that is damaged or of another version is replaced by an empty one, which
+  /// remembers the folders of the one before where it could be read, and `replaced` says why; a file that is no
+  /// catalogue of ours is refused (kCatalogue) and stays as it is.
+  [[nodiscard]] static Result<CatalogueStore> open(const std::string& path, Reason& replaced);
 
   [[nodiscard]] SqlDatabase& database() { return database_; }
 

@@ -116,7 +116,7 @@ Result<Outcome> index_file(CatalogueStore& store, const FoundFile& file, const s
   }
   if (outcome.problem) {
     const Error& problem = *outcome.problem;
-    cards.warnings.push_back({file.path, problem.line, problem.subject, describe(problem)});
+    cards.warnings.push_back({file.path, problem.line, problem.subject, reason_of(problem)});
   }
   const auto id = store.put(file.path, row, cards);
   if (!id) return tl::unexpected(id.error());

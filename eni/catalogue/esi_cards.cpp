@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/catalogue/esi_cards.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 
@@ -49,7 +47,7 @@ class InfoReader {
     }
     const Error& error = *reading.error();
     found_.warnings.push_back({error.file, error.line, error.subject,
-                               fmt::format("Device {} is left out: {}", trim(card.type), describe(error))});
+                               because("Device {device} is left out: {error}", trim(card.type), reason_of(error))});
   }
 
   /// End caps, power supplies and the like stand in ESI files so that cabinets can be drawn: no product code, nothing

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/catalogue/esi_catalogue.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -29,7 +27,7 @@ struct EsiCatalogue::State {
   std::map<std::string, std::unique_ptr<EsiFile>> files;  // those that were read whole
 
   Status open() {
-    std::string replaced;
+    Reason replaced;
     store.reset();
     auto opened = CatalogueStore::open(path, replaced);
     if (!opened) return tl::unexpected(opened.error());
@@ -38,8 +36,8 @@ struct EsiCatalogue::State {
     return {};
   }
 
-  void warn_replaced(const std::string& reason) {
-    notes.push_back({path, 0, {}, fmt::format("the device catalogue is made again: {}", reason)});
+  void warn_replaced(const Reason& reason) {
+    notes.push_back({path, 0, {}, because("the device catalogue is made again: {reason}", reason)});
   }
 
   Status add(const Source& source) {
@@ -56,11 +54,15 @@ struct EsiCatalogue::State {
     }
     auto result = action();
     if (result || !is_damaged(result.error()) || path.empty()) return result;
-    warn_replaced("it was damaged: " + result.error().detail.text());
+    warn_replaced(because("it was damaged: {words}", result.error().detail));
+    const auto wanted = store->folders().value_or(std::vector<std::string>{});  // as far as they can be read
     store.reset();
     std::error_code ignored;
     for (const char* const beside : {"", "-journal", "-wal", "-shm"}) std::filesystem::remove(path + beside, ignored);
     if (auto status = open(); !status) return tl::unexpected(status.error());
+    for (const auto& folder : wanted) {
+      if (auto status = store->remember_folder(folder); !status) return tl::unexpected(status.error());
+    }
     for (const auto& source : sources) {
       if (auto status = add(source); !status) return tl::unexpected(status.error());
     }
@@ -99,7 +101,7 @@ EsiCatalogue EsiCatalogue::open_default() {
   if (opened) return std::move(*opened);
   EsiCatalogue in_memory;
   in_memory.state_->notes.push_back(
-      {path, 0, {}, fmt::format("the ESI files are read anew each time: {}", describe(opened.error()))});
+      {path, 0, {}, because("the ESI files are read anew each time: {error}", reason_of(opened.error()))});
   return in_memory;
 }
 

@@ -47,7 +47,7 @@ std::string read_mode_name(const Node& node) {
   const Node name = node.child("Name");
   const Node description = node.child("Desc");
   if (name || !description || !node.reading().tolerant()) return node.required("Name").trimmed();
-  node.warn("Name is missing; taken from Desc");
+  node.warn(because("Name is missing; taken from Desc"));
   return node.localized("Desc").trimmed();
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -15,7 +16,7 @@ FmmuUse read_fmmu_use(const Node& node) {
   if (use == "Outputs") return FmmuUse::kOutputs;
   if (use == "Inputs") return FmmuUse::kInputs;
   if (use == "MBoxState") return FmmuUse::kMailboxState;
-  if (!use.empty()) node.warn(fmt::format("the use \"{}\" is not known; the FMMU counts as free", use));
+  if (!use.empty()) node.warn(because("the use \"{use}\" is not known; the FMMU counts as free", use));
   return FmmuUse::kUnused;
 }
 
@@ -41,7 +42,8 @@ SyncManagerType sync_manager_type(const Node& node, std::uint8_t control) {
   // Some vendors write their own words; the control byte (0x0804) says mode and direction all the same.
   const bool mailbox = (control & 0x03) == 0x02;
   const bool written_by_master = (control & 0x0C) == 0x04;
-  node.warn(fmt::format("the use \"{}\" is not known; taken from the control byte 0x{:02x}", use, control));
+  node.warn(because("the use \"{use}\" is not known; taken from the control byte 0x{control}", use,
+                    fmt::format("{:02x}", control)));
   if (mailbox) return written_by_master ? SyncManagerType::kMailboxOut : SyncManagerType::kMailboxIn;
   return written_by_master ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
 }
@@ -93,7 +95,8 @@ void read_slots_and_modules(const Node& slots, const EsiSurroundings& surroundin
   for (const SlotDescription& slot : description.slots->slots) {
     for (const ModuleIdent& allowed : slot.modules) {
       if (description.module(allowed.ident) != nullptr) continue;
-      slots.warn(fmt::format("no file describes the module 0x{:08x} of the slot \"{}\"", allowed.ident, slot.name));
+      slots.warn(because("no file describes the module 0x{module} of the slot \"{slot}\"",
+                         fmt::format("{:08x}", allowed.ident), slot.name));
     }
   }
 }
@@ -103,7 +106,8 @@ void drop_self_exclusion(const Node& device, const char* tag, std::vector<Pdo>& 
   const auto nodes = device.children(tag);
   for (std::size_t i = 0; i < pdos.size() && i < nodes.size(); ++i) {
     if (std::erase(pdos[i].exclude, pdos[i].index) > 0) {
-      nodes[i].warn(fmt::format("the PDO 0x{:04x} excludes itself; that is left out", pdos[i].index));
+      nodes[i].warn(
+          because("the PDO 0x{index} excludes itself; that is left out", fmt::format("{:04x}", pdos[i].index)));
     }
   }
 }

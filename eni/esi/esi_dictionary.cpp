@@ -224,14 +224,13 @@ EnumDescription read_enum(const Node& type) {
 
 /// Reads one piece; what cannot be read is left out with a warning.
 template <class T, class Read>
-void read_piece(const Node& node, const char* what, std::vector<T>& pieces, const Read& read) {
+void read_piece(const Node& node, ReasonRow<1> left_out, std::vector<T>& pieces, const Read& read) {
   Reading part = node.reading().of_part();
   auto piece = read(node.with(part));
   if (part.ok()) {
     pieces.push_back(std::move(piece));
   } else {
-    node.reading().warn(part.error()->line, part.error()->subject,
-                        fmt::format("the {} is left out: {}", what, describe(*part.error())));
+    node.reading().warn(part.error()->line, part.error()->subject, because(left_out, reason_of(*part.error())));
   }
 }
 
@@ -256,19 +255,20 @@ void read_dictionary(const Node& dictionary, ReadProfiles& profiles) {
   Reading of_types = dictionary.reading().of_part();
   const DictionaryReader reader(dictionary.with(of_types));
   for (const Node& type : dictionary.child("DataTypes").children("DataType")) {
-    if (type.child("EnumInfo")) read_piece(type, "data type", profiles.enums, read_enum);
+    if (type.child("EnumInfo")) read_piece(type, "the data type is left out: {error}", profiles.enums, read_enum);
   }
   std::size_t entries = 0;
   for (const Node& node : dictionary.child("Objects").children("Object")) {
     if (entries > kMostOfDictionary) {
-      node.warn("the dictionary has too many entries; the rest is left out");
+      node.warn(because("the dictionary has too many entries; the rest is left out"));
       break;
     }
     const auto before = profiles.dictionary.size();
-    read_piece(node, "object", profiles.dictionary, [&reader](const Node& part) { return reader.object(part); });
+    read_piece(node, "the object is left out: {error}", profiles.dictionary,
+               [&reader](const Node& part) { return reader.object(part); });
     if (profiles.dictionary.size() > before) entries += profiles.dictionary.back().entries.size();
   }
-  if (const auto& error = of_types.error()) of_types.warn(error->line, error->subject, describe(*error));
+  if (const auto& error = of_types.error()) of_types.warn(error->line, error->subject, reason_of(*error));
 }
 
 }  // namespace syncline::eni

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -8,6 +6,7 @@
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_words.h"
 #include "eni/xml/xml_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -18,7 +17,7 @@ std::optional<RevisionCheck> read_revision_check(const Node& type) {
   for (const auto& word : kRevisionChecks) {
     if (word.text == text) return word.check;
   }
-  if (!text.empty()) type.warn(fmt::format("the rule \"{}\" for CheckRevisionNo is not known", text));
+  if (!text.empty()) type.warn(because("the rule \"{rule}\" for {attribute} is not known", text, "CheckRevisionNo"));
   return std::nullopt;
 }
 
@@ -27,7 +26,7 @@ std::optional<bool> read_check(const Node& type, const char* attribute) {
   const auto text = type.attribute(attribute);
   if (text == "EQ") return true;
   if (text == "NONE") return false;
-  if (!text.empty()) type.warn(fmt::format("the rule \"{}\" for {} is not known", text, attribute));
+  if (!text.empty()) type.warn(because("the rule \"{rule}\" for {attribute} is not known", text, attribute));
   return std::nullopt;
 }
 
@@ -37,7 +36,8 @@ std::optional<std::uint32_t> reference_number(const Node& node, const char* attr
   Reading part = node.reading().of_part();
   const auto number = node.with(part).number<std::uint32_t>(attribute);
   if (part.ok()) return number;
-  node.warn(fmt::format("{} \"{}\" is no number of 32 bits and is left out", attribute, node.attribute(attribute)));
+  node.warn(
+      because("{attribute} \"{text}\" is no number of 32 bits and is left out", attribute, node.attribute(attribute)));
   return std::nullopt;
 }
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "eni/esi/esi_device.h"
@@ -25,14 +23,14 @@ std::vector<Transition> read_transitions(const Node& node) {
     if (const auto known = transition_from_name(text)) {
       transitions.push_back(*known);
     } else if (const auto meant = transition_from_name(upper(text)); meant && node.reading().tolerant()) {
-      transition.warn(fmt::format("\"{}\" is read as {}", text, transition_name(*meant)));
+      transition.warn(because("\"{text}\" is read as {value}", text, transition_name(*meant)));
       transitions.push_back(*meant);
     } else {
       transition.fail(ErrorCode::kXmlBadValue, because("\"{text}\" is no state transition", text));
     }
   }
   if (transitions.empty() && node && node.reading().tolerant() && !node.child("Transition")) {
-    node.warn("Transition is missing; taken for PS");
+    node.warn(because("Transition is missing; taken for PS"));
     transitions.push_back(Transition::kPS);
   }
   if (transitions.empty()) (void)node.required("Transition");

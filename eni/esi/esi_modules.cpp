@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "eni/esi/esi_device.h"
@@ -33,7 +31,7 @@ ModuleClass read_class(const Node& node) {
 void read_instances(const Node& node, SlotDescription& slot) {
   slot.min_instances = node.number<std::uint16_t>("MinInstances").value_or(0);
   const auto most = node.number<std::uint16_t>("MaxInstances");
-  if (!most) node.warn("MaxInstances is missing; taken for 1");
+  if (!most) node.warn(because("MaxInstances is missing; taken for 1"));
   slot.max_instances = most.value_or(1);
   if (slot.min_instances > slot.max_instances) {
     node.fail(ErrorCode::kXmlBadValue,
@@ -124,7 +122,7 @@ std::vector<ModuleDescription> read_modules(const Node& modules, SideFiles* side
       read.push_back(std::move(module));
     } else {
       node.reading().warn(part.error()->line, part.error()->subject,
-                          fmt::format("the module is left out: {}", describe(*part.error())));
+                          because("the module is left out: {error}", reason_of(*part.error())));
     }
   }
   return read;

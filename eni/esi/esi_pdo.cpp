@@ -44,7 +44,7 @@ std::uint16_t read_bit_length(const Node& node, const std::string& data_type) {
   const Node length = node.child("BitLen");
   if (length) return length.number<std::uint16_t>();
   if (const auto* type = coe::find_data_type(data_type); type != nullptr && type->bits > 0) {
-    node.warn(fmt::format("BitLen is missing; {} bits by the data type {}", type->bits, data_type));
+    node.warn(because("BitLen is missing; {bits} bits by the data type {type}", type->bits, data_type));
     return type->bits;
   }
   return node.required("BitLen").number<std::uint16_t>();

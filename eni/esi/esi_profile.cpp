@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_side_files.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 namespace {
@@ -20,18 +19,18 @@ void add_profile(const Node& node, std::vector<ChannelProfile>& profiles) {
 void read_dictionary_file(const Node& reference, SideFiles* side_files, ReadProfiles& profiles) {
   const auto name = reference.trimmed();
   if (side_files == nullptr) {
-    reference.warn(fmt::format("the dictionary \"{}\" is in another file, which is not read here", name));
+    reference.warn(because("the dictionary \"{name}\" is in another file, which is not read here", name));
     return;
   }
   const auto file = side_files->open(name);
   if (!file) {
-    reference.warn(fmt::format("the dictionary is left out: {}", describe(file.error())));
+    reference.warn(because("the dictionary is left out: {error}", reason_of(file.error())));
     return;
   }
   const Node root = (*file)->root();
   if (root.name() != "EtherCATDict") {
     reference.warn(
-        fmt::format("\"{}\" is no dictionary file: its root is <{}>, not <EtherCATDict>", name, root.name()));
+        because("\"{name}\" is no dictionary file: its root is <{root}>, not <EtherCATDict>", name, root.name()));
     return;
   }
   read_dictionary(root.child("Dictionary"), profiles);

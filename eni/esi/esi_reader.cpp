@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/esi/esi_reader.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_side_files.h"
@@ -20,12 +19,6 @@ namespace {
 EsiVendor read_vendor(const Node& info) {
   const Node vendor = info.required("Vendor");
   return {vendor.required("Id").number<std::uint32_t>(), vendor.localized("Name").trimmed()};
-}
-
-/// "Device EL2004": what a user finds in the file.
-std::string subject_of(const Node& device) {
-  const auto type = device.child("Type").trimmed();
-  return type.empty() ? "Device" : "Device " + type;
 }
 
 /// Reads a document and those that it refers to into one EsiFile.
@@ -72,8 +65,10 @@ class EsiDocument {
       return;
     }
     Error error = *part.error();
-    part.warn(error.line, error.subject, fmt::format("{} is left out: {}", subject_of(node), describe(error)));
     const auto type = node.child("Type").trimmed();
+    auto left_out = type.empty() ? because("Device is left out: {error}", reason_of(error))
+                                 : because("Device {device} is left out: {error}", type, reason_of(error));
+    part.warn(error.line, error.subject, std::move(left_out));
     error.detail = type.empty() ? because("Device: {reason}", error.detail)
                                 : because("Device {device}: {reason}", type, error.detail);
     file_.rejected.push_back(std::move(error));
@@ -95,7 +90,7 @@ class EsiDocument {
       const auto name = reference.trimmed();
       if (name.empty()) continue;
       if (side_files_ == nullptr) {
-        reference.warn(fmt::format("\"{}\" is another file, which is not read here", name));
+        reference.warn(because("\"{name}\" is another file, which is not read here", name));
       } else if (side_files_->visit(name)) {
         read_reference(reference, name);
       }
@@ -105,7 +100,7 @@ class EsiDocument {
   void read_reference(const Node& reference, const std::string& name) {
     const auto file = side_files_->open(name);
     if (!file) {
-      reference.warn(fmt::format("the file is left out: {}", describe(file.error())));
+      reference.warn(because("the file is left out: {error}", reason_of(file.error())));
       return;
     }
     const Node root = (*file)->root();
@@ -122,8 +117,8 @@ class EsiDocument {
 void warn_of_encoding(const TextEncoding& encoding, Reading& reading) {
   if (!encoding.guessed) return;
   reading.warn(1, "?xml",
-               fmt::format("the text is not UTF-8, though it should be; read as {}",
-                           encoding.name == "CP1252" ? "ISO-8859-1 (windows-1252)" : encoding.name));
+               because("the text is not UTF-8, though it should be; read as {encoding}",
+                       encoding.name == "CP1252" ? "ISO-8859-1 (windows-1252)" : encoding.name));
 }
 
 Result<EsiFile> read_text(std::string_view text, const std::string& file_name, const EsiReadOptions& options,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/esi/esi_words.h"
+#include "reasons/because.h"
 
 #include <algorithm>
 
@@ -23,7 +24,7 @@ EsiImage read_image(const Node& node) {
   if (bytes) {
     image.data = std::move(*bytes);
   } else {
-    data.warn("the picture is no hexadecimal data and is left out");
+    data.warn(because("the picture is no hexadecimal data and is left out"));
   }
   return image;
 }

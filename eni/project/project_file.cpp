@@ -59,7 +59,7 @@ DeviceDescription read_embedded(const Node& outer) {
   if (!reading.ok()) outer.reading().fail(*reading.error());
   if (!warnings.empty()) {  // the program wrote this itself: what cannot be read was damaged
     const FileWarning& first = warnings.front();
-    outer.reading().fail(ErrorCode::kXmlBadValue, first.line, first.element, Reason::verbatim(first.text));
+    outer.reading().fail(ErrorCode::kXmlBadValue, first.line, first.element, first.reason);
   }
   return device;
 }

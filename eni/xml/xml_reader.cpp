@@ -66,14 +66,16 @@ Reading Reading::of_file(const std::string& file) const {
   return part;
 }
 
-void Reading::warn(int line, std::string element, std::string text) {
+void Reading::warn(int line, std::string element, Reason reason) {
   constexpr std::size_t kMost = 1000;  // a file that is wrong throughout shall not fill the memory with words
   if (warnings_ == nullptr || warnings_->size() >= kMost) return;
-  warnings_->push_back({file_, line, std::move(element), std::move(text)});
+  warnings_->push_back({file_, line, std::move(element), std::move(reason)});
 }
 
 void Reading::warn_of_prefix(int line, std::string element) {
-  if (!*told_of_prefix_) warn(line, std::move(element), "hexadecimal numbers of this file begin with 0x instead of #x");
+  if (!*told_of_prefix_) {
+    warn(line, std::move(element), because("hexadecimal numbers of this file begin with 0x instead of #x"));
+  }
   *told_of_prefix_ = true;
 }
 
@@ -125,7 +127,7 @@ std::vector<std::uint8_t> Node::bytes() const {
   const auto value = text();
   auto parsed = parse_hex_bytes(value);
   if (!parsed && reading_ != nullptr && reading_->tolerant() && (parsed = parse_hex_bytes("0" + value))) {
-    warn(fmt::format("\"{}\" has an odd number of digits; a zero is put in front", trim(value)));
+    warn(because("\"{text}\" has an odd number of digits; a zero is put in front", trim(value)));
   }
   if (!parsed) bad_value(name(), {}, value, "\"{text}\" is no hexadecimal data");
   return parsed ? std::move(*parsed) : std::vector<std::uint8_t>{};
@@ -153,8 +155,8 @@ void Node::fail(ErrorCode code, Reason detail) const {
   if (element_) reading_->fail(code, line(), std::string(name()), std::move(detail));
 }
 
-void Node::warn(std::string text) const {
-  if (element_) reading_->warn(line(), std::string(name()), std::move(text));
+void Node::warn(Reason reason) const {
+  if (element_) reading_->warn(line(), std::string(name()), std::move(reason));
 }
 
 std::optional<std::int64_t> Node::sloppy_number(std::string_view element, std::string_view attribute,
@@ -163,7 +165,7 @@ std::optional<std::int64_t> Node::sloppy_number(std::string_view element, std::s
   const auto number = parse_sloppy_number(value);
   if (number) {
     auto subject = attribute.empty() ? std::string(element) : fmt::format("{}@{}", element, attribute);
-    reading_->warn(line(), std::move(subject), fmt::format("\"{}\" is read as {}", trim(value), *number));
+    reading_->warn(line(), std::move(subject), because("\"{text}\" is read as {value}", trim(value), *number));
   }
   return number;
 }

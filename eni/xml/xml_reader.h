@@ -42,7 +42,7 @@ class Reading {
   [[nodiscard]] bool tolerant() const { return warnings_ != nullptr; }
   void fail(ErrorCode code, int line, std::string subject, Reason detail);
   void fail(const Error& error);
-  void warn(int line, std::string element, std::string text);
+  void warn(int line, std::string element, Reason reason);
   /// "0x1A00", which ETG.2000 writes "#x1A00": told once a file, because it is in all of it or nowhere.
   void warn_of_prefix(int line, std::string element);
 
@@ -108,7 +108,7 @@ class Node {
   }
 
   void fail(ErrorCode code, Reason detail) const;
-  void warn(std::string text) const;
+  void warn(Reason reason) const;
   [[nodiscard]] bool has_children() const { return element_ != nullptr && element_->FirstChildElement() != nullptr; }
 
  private:

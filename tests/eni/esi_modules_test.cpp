@@ -73,7 +73,7 @@ std::string station(const std::string& references = "") {
 TEST(EsiModules, SlotsSayWhichModulesFit) {
   const auto file = parse_esi(station(), "s.xml");
   ASSERT_TRUE(file);
-  ASSERT_THAT(file->devices, SizeIs(1)) << file->warnings.front().text;
+  ASSERT_THAT(file->devices, SizeIs(1)) << file->warnings.front().reason.text();
   const auto& device = file->devices.front();
   ASSERT_TRUE(device.slots);
   EXPECT_EQ(device.slots->max_slot_count, 4);
@@ -97,7 +97,7 @@ TEST(EsiModules, SlotsSayWhichModulesFit) {
   EXPECT_TRUE(digital.coe->init_commands[0].adapt_automatically);
   EXPECT_EQ(device.module(0x12)->dc_op_mode, "M");
   ASSERT_THAT(file->warnings, SizeIs(1));
-  EXPECT_THAT(file->warnings[0].text, HasSubstr("the module is left out"));
+  EXPECT_THAT(file->warnings[0].reason.text(), HasSubstr("the module is left out"));
 }
 
 TEST(EsiModules, DeviceKeepsAllThatTheFileSaysOfIt) {
@@ -198,9 +198,9 @@ TEST_F(EsiSideFiles, WhatIsMissingOrElsewhereIsAWarningAtTheReference) {
   ASSERT_THAT(file->warnings, SizeIs(3));
   EXPECT_EQ(file->warnings[0].line, 2);
   EXPECT_EQ(file->warnings[0].element, "InfoReference");
-  EXPECT_THAT(file->warnings[0].text, HasSubstr("outside of the folder"));
+  EXPECT_THAT(file->warnings[0].reason.text(), HasSubstr("outside of the folder"));
   EXPECT_EQ(file->warnings[1].element, "DictionaryFile");
-  EXPECT_THAT(file->warnings[2].text, HasSubstr("no file describes the module 0x00000055"));
+  EXPECT_THAT(file->warnings[2].reason.text(), HasSubstr("no file describes the module 0x00000055"));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ DeviceDescription read_one(const std::string& device) {
   const auto file = parse_esi(esi(device), "t.xml");
   EXPECT_TRUE(file.has_value());
   if (!file || file->devices.size() != 1) {
-    ADD_FAILURE() << (file && !file->warnings.empty() ? file->warnings.front().text : "no device");
+    ADD_FAILURE() << (file && !file->warnings.empty() ? file->warnings.front().reason.text() : "no device");
     return {};
   }
   return file->devices.front();
@@ -185,8 +185,8 @@ TEST(EsiReader, BrokenDeviceIsLeftOutWithLineAndElement) {
   ASSERT_THAT(file->warnings, SizeIs(2));
   EXPECT_EQ(file->warnings[0].line, 6);
   EXPECT_EQ(file->warnings[0].element, "Index");
-  EXPECT_THAT(file->warnings[0].text, HasSubstr("Device A is left out"));
-  EXPECT_THAT(file->warnings[0].text, HasSubstr("t.xml:6"));
+  EXPECT_THAT(file->warnings[0].reason.text(), HasSubstr("Device A is left out"));
+  EXPECT_THAT(file->warnings[0].reason.text(), HasSubstr("t.xml:6"));
   EXPECT_EQ(file->warnings[1].element, "Type");
 }
 

@@ -57,8 +57,9 @@ Counts read_all(const std::vector<fs::path>& files) {
     counts.warnings += file->warnings.size();
     for (const auto& warning : file->warnings) {
       EXPECT_GT(warning.line, 0) << path;
-      EXPECT_FALSE(warning.element.empty() || warning.text.empty()) << path << ":" << warning.line;
-      std::cout << warning.file << ':' << warning.line << " <" << warning.element << "> " << warning.text << '\n';
+      EXPECT_FALSE(warning.element.empty() || warning.reason.empty()) << path << ":" << warning.line;
+      std::cout << warning.file << ':' << warning.line << " <" << warning.element << "> " << warning.reason.text()
+                << '\n';
     }
   }
   std::cout << counts.files << " files, " << counts.devices << " devices, " << counts.warnings << " warnings, "
@@ -73,8 +74,8 @@ void expect_same_after_writing(const std::vector<fs::path>& files) {
     for (const auto& device : file->devices) {
       const auto again = parse_esi(write_esi(device), device.source);
       ASSERT_TRUE(again) << path << ": " << describe(again.error());
-      ASSERT_EQ(again->devices.size(), 1U)
-          << path << ": " << device.type << ": " << (again->warnings.empty() ? "" : again->warnings.front().text);
+      ASSERT_EQ(again->devices.size(), 1U) << path << ": " << device.type << ": "
+                                           << (again->warnings.empty() ? "" : again->warnings.front().reason.text());
       EXPECT_TRUE(again->devices.front() == device) << path << ": " << device.type << " " << to_string(device.identity);
     }
   }

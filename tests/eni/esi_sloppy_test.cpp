@@ -38,7 +38,7 @@ TEST(SloppyEsi, ClearMeaningIsTakenWithAWarningThatNamesElementAndLine) {
                          "\n<Mailbox><CoE><InitCmd><Index>#x8000</Index><Data>1</Data></InitCmd></CoE></Mailbox>"),
                 "s.xml");
   ASSERT_TRUE(file);
-  ASSERT_THAT(file->devices, SizeIs(1)) << file->warnings.front().text;
+  ASSERT_THAT(file->devices, SizeIs(1)) << file->warnings.front().reason.text();
   const auto& pdo = file->devices[0].rx_pdos[0];
   EXPECT_EQ(pdo.index, 0x1600);
   EXPECT_EQ(pdo.entries[0].index, 0x7000);
@@ -48,10 +48,10 @@ TEST(SloppyEsi, ClearMeaningIsTakenWithAWarningThatNamesElementAndLine) {
   ASSERT_THAT(file->warnings, SizeIs(5));
   EXPECT_EQ(file->warnings[0].line, 3);
   EXPECT_EQ(file->warnings[0].element, "Index");
-  EXPECT_THAT(file->warnings[0].text, HasSubstr("\"x1600\" is read as 5632"));
+  EXPECT_THAT(file->warnings[0].reason.text(), HasSubstr("\"x1600\" is read as 5632"));
   EXPECT_EQ(file->warnings[1].line, 4);
-  EXPECT_THAT(file->warnings[2].text, HasSubstr("BitLen is missing"));
-  EXPECT_THAT(file->warnings[3].text, HasSubstr("Transition is missing"));
+  EXPECT_THAT(file->warnings[2].reason.text(), HasSubstr("BitLen is missing"));
+  EXPECT_THAT(file->warnings[3].reason.text(), HasSubstr("Transition is missing"));
   EXPECT_EQ(file->warnings[4].element, "Data");
 }
 
@@ -64,7 +64,7 @@ TEST(SloppyEsi, OtherPrefixIsToldOnceAFile) {
   EXPECT_EQ(file->devices[0].identity.revision_no, 0x20U);
   ASSERT_THAT(file->warnings, SizeIs(1));
   EXPECT_EQ(file->warnings[0].line, 2);
-  EXPECT_THAT(file->warnings[0].text, HasSubstr("0x instead of #x"));
+  EXPECT_THAT(file->warnings[0].reason.text(), HasSubstr("0x instead of #x"));
 }
 
 TEST(SloppyEsi, EncodingThatIsNotWhatTheFileSaysIsAWarning) {
@@ -75,7 +75,7 @@ TEST(SloppyEsi, EncodingThatIsNotWhatTheFileSaysIsAWarning) {
   ASSERT_TRUE(undeclared);
   EXPECT_EQ(undeclared->devices.at(0).name, "Größe");
   ASSERT_THAT(undeclared->warnings, SizeIs(1));
-  EXPECT_THAT(undeclared->warnings[0].text, HasSubstr("ISO-8859-1"));
+  EXPECT_THAT(undeclared->warnings[0].reason.text(), HasSubstr("ISO-8859-1"));
   EXPECT_THAT(parse_esi("<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + latin, "s.xml")->warnings, IsEmpty());
   EXPECT_THAT(parse_esi("\xEF\xBB\xBF" + sloppy("<Device><Type>A</Type></Device>"), "s.xml")->warnings, IsEmpty());
 }
@@ -102,8 +102,8 @@ TEST(SloppyEsi, WhatHasNoClearMeaningLeavesTheDeviceOutWithItsPlace) {
     EXPECT_EQ(file->rejected[0].line, wrong.line) << wrong.pdo;
     EXPECT_EQ(file->rejected[0].file, "s.xml");
     ASSERT_FALSE(file->warnings.empty());
-    EXPECT_THAT(file->warnings.back().text, HasSubstr("Device A is left out"));
-    EXPECT_THAT(file->warnings.back().text, HasSubstr(wrong.words));
+    EXPECT_THAT(file->warnings.back().reason.text(), HasSubstr("Device A is left out"));
+    EXPECT_THAT(file->warnings.back().reason.text(), HasSubstr(wrong.words));
   }
 }
 
@@ -157,7 +157,7 @@ TEST(SloppyEsi, DictionariesThatExplodeAreBounded) {
   ASSERT_TRUE(file && file->devices.size() == 1);
   EXPECT_THAT(file->devices[0].dictionary, IsEmpty());
   EXPECT_LE(file->warnings.size(), 1000U);
-  EXPECT_THAT(file->warnings.front().text, HasSubstr("too many sub-indices"));
+  EXPECT_THAT(file->warnings.front().reason.text(), HasSubstr("too many sub-indices"));
 }
 
 }  // namespace

@@ -42,6 +42,11 @@ std::vector<std::string> placeholders(const QString& text) {
 /// What is the same in both languages: names of ETG, and sentences of nothing but figures.
 bool isTheSameInAll(std::string_view text) {
   constexpr std::string_view kSame[] = {"{error}",
+                                        ": {reason}",
+                                        "{code} ({meaning})",
+                                        "{place}: {reason}",
+                                        "{sentence} {next}",
+                                        "{sentence}.",
                                         "{reason}.",
                                         "{text}",
                                         "{subject}: {from} -> {to}",

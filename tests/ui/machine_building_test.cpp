@@ -497,8 +497,8 @@ TEST_F(FromCatalogue, NamesFilesThatCannotBeRead) {
   DeviceCatalogue catalogue({});
   QStringList files;
   int added = -1;
-  QObject::connect(&catalogue, &DeviceCatalogue::failed,
-                   [&](const Error& error) { files << QString::fromStdString(error.file); });
+  QObject::connect(&catalogue, &DeviceCatalogue::warned,
+                   [&](const eni::FileWarning& warning) { files << QString::fromStdString(warning.file); });
   QObject::connect(&catalogue, &DeviceCatalogue::added, [&](int devices) { added = std::max(added, devices); });
   catalogue.add({folder.path()});
   ASSERT_TRUE(waitFor([&] { return added > 0; }));

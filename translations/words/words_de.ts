@@ -8836,5 +8836,145 @@
         <source>{slave} has counted {count:# frame|# frames} that it could not process (0x030C) and that were not damaged, from {since} on: they are none of the master's.</source>
         <translation>{slave} hat {count:# Frame|# Frames} gezählt, die er nicht verarbeiten konnte (0x030C) und die nicht beschädigt waren, ab {since}: sie sind nicht vom Master.</translation>
     </message>
+    <message>
+        <source>"{text}" is read as {value}</source>
+        <translation>"{text}" wird als {value} gelesen</translation>
+    </message>
+    <message>
+        <source>"{text}" has an odd number of digits; a zero is put in front</source>
+        <translation>"{text}" hat eine ungerade Zahl von Ziffern; eine Null wird vorangestellt</translation>
+    </message>
+    <message>
+        <source>hexadecimal numbers of this file begin with 0x instead of #x</source>
+        <translation>hexadezimale Zahlen dieser Datei beginnen mit 0x statt mit #x</translation>
+    </message>
+    <message>
+        <source>the text is not UTF-8, though it should be; read as {encoding}</source>
+        <translation>der Text ist nicht UTF-8, obwohl er es sein sollte; gelesen als {encoding}</translation>
+    </message>
+    <message>
+        <source>Transition is missing; taken for PS</source>
+        <translation>Transition fehlt; angenommen wird PS</translation>
+    </message>
+    <message>
+        <source>Name is missing; taken from Desc</source>
+        <translation>Name fehlt; aus Desc übernommen</translation>
+    </message>
+    <message>
+        <source>MaxInstances is missing; taken for 1</source>
+        <translation>MaxInstances fehlt; angenommen wird 1</translation>
+    </message>
+    <message>
+        <source>BitLen is missing; {bits} bits by the data type {type}</source>
+        <translation>BitLen fehlt; {bits} Bits nach dem Datentyp {type}</translation>
+    </message>
+    <message>
+        <source>the use "{use}" is not known; the FMMU counts as free</source>
+        <translation>die Verwendung "{use}" ist nicht bekannt; die FMMU gilt als frei</translation>
+    </message>
+    <message>
+        <source>the use "{use}" is not known; taken from the control byte 0x{control}</source>
+        <translation>die Verwendung "{use}" ist nicht bekannt; dem Steuerbyte 0x{control} entnommen</translation>
+    </message>
+    <message>
+        <source>the PDO 0x{index} excludes itself; that is left out</source>
+        <translation>das PDO 0x{index} schließt sich selbst aus; das bleibt unbeachtet</translation>
+    </message>
+    <message>
+        <source>the rule "{rule}" for {attribute} is not known</source>
+        <translation>die Regel "{rule}" für {attribute} ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>{attribute} "{text}" is no number of 32 bits and is left out</source>
+        <translation>{attribute} "{text}" ist keine Zahl von 32 Bits und bleibt weg</translation>
+    </message>
+    <message>
+        <source>the picture is no hexadecimal data and is left out</source>
+        <translation>das Bild besteht nicht aus hexadezimalen Daten und bleibt weg</translation>
+    </message>
+    <message>
+        <source>the dictionary has too many entries; the rest is left out</source>
+        <translation>das Objektverzeichnis hat zu viele Einträge; der Rest bleibt weg</translation>
+    </message>
+    <message>
+        <source>the data type is left out: {error}</source>
+        <translation>der Datentyp bleibt weg: {error}</translation>
+    </message>
+    <message>
+        <source>the object is left out: {error}</source>
+        <translation>das Objekt bleibt weg: {error}</translation>
+    </message>
+    <message>
+        <source>the module is left out: {error}</source>
+        <translation>das Modul bleibt weg: {error}</translation>
+    </message>
+    <message>
+        <source>the dictionary is left out: {error}</source>
+        <translation>das Objektverzeichnis bleibt weg: {error}</translation>
+    </message>
+    <message>
+        <source>the file is left out: {error}</source>
+        <translation>die Datei bleibt weg: {error}</translation>
+    </message>
+    <message>
+        <source>Device is left out: {error}</source>
+        <translation>ein Gerät bleibt weg: {error}</translation>
+    </message>
+    <message>
+        <source>Device {device} is left out: {error}</source>
+        <translation>Gerät {device} bleibt weg: {error}</translation>
+    </message>
+    <message>
+        <source>"{name}" is another file, which is not read here</source>
+        <translation>"{name}" ist eine andere Datei, die hier nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>the dictionary "{name}" is in another file, which is not read here</source>
+        <translation>das Objektverzeichnis "{name}" steht in einer anderen Datei, die hier nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>"{name}" is no dictionary file: its root is &lt;{root}&gt;, not &lt;EtherCATDict&gt;</source>
+        <translation>"{name}" ist keine Datei mit einem Objektverzeichnis: ihre Wurzel ist &lt;{root}&gt;, nicht &lt;EtherCATDict&gt;</translation>
+    </message>
+    <message>
+        <source>no file describes the module 0x{module} of the slot "{slot}"</source>
+        <translation>keine Datei beschreibt das Modul 0x{module} des Steckplatzes "{slot}"</translation>
+    </message>
+    <message>
+        <source>the device catalogue is made again: {reason}</source>
+        <translation>der Gerätekatalog wird neu angelegt: {reason}</translation>
+    </message>
+    <message>
+        <source>it was damaged: {words}</source>
+        <translation>er war beschädigt: {words}</translation>
+    </message>
+    <message>
+        <source>it is of version {version}, this program uses version {own}</source>
+        <translation>er hat die Version {version}, dieses Programm verwendet die Version {own}</translation>
+    </message>
+    <message>
+        <source>the ESI files are read anew each time: {error}</source>
+        <translation>die ESI-Dateien werden jedes Mal neu gelesen: {error}</translation>
+    </message>
+    <message>
+        <source>{place}: {reason}</source>
+        <translation>{place}: {reason}</translation>
+    </message>
+    <message>
+        <source>{sentence}.</source>
+        <translation>{sentence}.</translation>
+    </message>
+    <message>
+        <source>{sentence} {next}</source>
+        <translation>{sentence} {next}</translation>
+    </message>
+    <message>
+        <source>: {reason}</source>
+        <translation>: {reason}</translation>
+    </message>
+    <message>
+        <source>{code} ({meaning})</source>
+        <translation>{code} ({meaning})</translation>
+    </message>
 </context>
 </TS>

@@ -8836,5 +8836,145 @@
         <source>{slave} has counted {count:# frame|# frames} that it could not process (0x030C) and that were not damaged, from {since} on: they are none of the master's.</source>
         <translation>{slave} 从 {since} 起计数到 {count:# 个帧|# 个帧} 无法处理（0x030C）且未损坏：它们不是主站的帧。</translation>
     </message>
+    <message>
+        <source>"{text}" is read as {value}</source>
+        <translation>"{text}" 按 {value} 读取</translation>
+    </message>
+    <message>
+        <source>"{text}" has an odd number of digits; a zero is put in front</source>
+        <translation>"{text}" 的位数为奇数；在前面补零</translation>
+    </message>
+    <message>
+        <source>hexadecimal numbers of this file begin with 0x instead of #x</source>
+        <translation>此文件的十六进制数以 0x 开头，而不是 #x</translation>
+    </message>
+    <message>
+        <source>the text is not UTF-8, though it should be; read as {encoding}</source>
+        <translation>文本不是 UTF-8，尽管应当是；按 {encoding} 读取</translation>
+    </message>
+    <message>
+        <source>Transition is missing; taken for PS</source>
+        <translation>缺少 Transition；按 PS 处理</translation>
+    </message>
+    <message>
+        <source>Name is missing; taken from Desc</source>
+        <translation>缺少 Name；取自 Desc</translation>
+    </message>
+    <message>
+        <source>MaxInstances is missing; taken for 1</source>
+        <translation>缺少 MaxInstances；按 1 处理</translation>
+    </message>
+    <message>
+        <source>BitLen is missing; {bits} bits by the data type {type}</source>
+        <translation>缺少 BitLen；按数据类型 {type} 为 {bits} 位</translation>
+    </message>
+    <message>
+        <source>the use "{use}" is not known; the FMMU counts as free</source>
+        <translation>未知用途 "{use}"；该 FMMU 视为空闲</translation>
+    </message>
+    <message>
+        <source>the use "{use}" is not known; taken from the control byte 0x{control}</source>
+        <translation>未知用途 "{use}"；取自控制字节 0x{control}</translation>
+    </message>
+    <message>
+        <source>the PDO 0x{index} excludes itself; that is left out</source>
+        <translation>PDO 0x{index} 排除其自身；此项被忽略</translation>
+    </message>
+    <message>
+        <source>the rule "{rule}" for {attribute} is not known</source>
+        <translation>{attribute} 的规则 "{rule}" 未知</translation>
+    </message>
+    <message>
+        <source>{attribute} "{text}" is no number of 32 bits and is left out</source>
+        <translation>{attribute} "{text}" 不是 32 位数，已略去</translation>
+    </message>
+    <message>
+        <source>the picture is no hexadecimal data and is left out</source>
+        <translation>图片不是十六进制数据，已略去</translation>
+    </message>
+    <message>
+        <source>the dictionary has too many entries; the rest is left out</source>
+        <translation>对象字典条目过多；其余已略去</translation>
+    </message>
+    <message>
+        <source>the data type is left out: {error}</source>
+        <translation>数据类型已略去：{error}</translation>
+    </message>
+    <message>
+        <source>the object is left out: {error}</source>
+        <translation>对象已略去：{error}</translation>
+    </message>
+    <message>
+        <source>the module is left out: {error}</source>
+        <translation>模块已略去：{error}</translation>
+    </message>
+    <message>
+        <source>the dictionary is left out: {error}</source>
+        <translation>对象字典已略去：{error}</translation>
+    </message>
+    <message>
+        <source>the file is left out: {error}</source>
+        <translation>文件已略去：{error}</translation>
+    </message>
+    <message>
+        <source>Device is left out: {error}</source>
+        <translation>一个设备已略去：{error}</translation>
+    </message>
+    <message>
+        <source>Device {device} is left out: {error}</source>
+        <translation>设备 {device} 已略去：{error}</translation>
+    </message>
+    <message>
+        <source>"{name}" is another file, which is not read here</source>
+        <translation>"{name}" 是另一个文件，此处不读取</translation>
+    </message>
+    <message>
+        <source>the dictionary "{name}" is in another file, which is not read here</source>
+        <translation>对象字典 "{name}" 在另一个文件中，此处不读取</translation>
+    </message>
+    <message>
+        <source>"{name}" is no dictionary file: its root is &lt;{root}&gt;, not &lt;EtherCATDict&gt;</source>
+        <translation>"{name}" 不是对象字典文件：其根元素是 &lt;{root}&gt;，而不是 &lt;EtherCATDict&gt;</translation>
+    </message>
+    <message>
+        <source>no file describes the module 0x{module} of the slot "{slot}"</source>
+        <translation>没有文件描述插槽 "{slot}" 的模块 0x{module}</translation>
+    </message>
+    <message>
+        <source>the device catalogue is made again: {reason}</source>
+        <translation>设备目录将重新建立：{reason}</translation>
+    </message>
+    <message>
+        <source>it was damaged: {words}</source>
+        <translation>它已损坏：{words}</translation>
+    </message>
+    <message>
+        <source>it is of version {version}, this program uses version {own}</source>
+        <translation>其版本为 {version}，本程序使用版本 {own}</translation>
+    </message>
+    <message>
+        <source>the ESI files are read anew each time: {error}</source>
+        <translation>每次都重新读取 ESI 文件：{error}</translation>
+    </message>
+    <message>
+        <source>{place}: {reason}</source>
+        <translation>{place}：{reason}</translation>
+    </message>
+    <message>
+        <source>{sentence}.</source>
+        <translation>{sentence}。</translation>
+    </message>
+    <message>
+        <source>{sentence} {next}</source>
+        <translation>{sentence}{next}</translation>
+    </message>
+    <message>
+        <source>: {reason}</source>
+        <translation>: {reason}</translation>
+    </message>
+    <message>
+        <source>{code} ({meaning})</source>
+        <translation>{code}（{meaning}）</translation>
+    </message>
 </context>
 </TS>

@@ -78,6 +78,7 @@ void DeviceCatalogue::open(eni::EsiCatalogue& catalogue) {
   const auto errors = eni::add_usual_sources(catalogue, pathsOf(folders_),
                                              [this](const eni::IndexProgress& now) { return tellProgress(now); });
   for (const auto& error : errors) post([this, error] { Q_EMIT failed(error); });
+  for (const auto& note : catalogue.notes()) post([this, note] { Q_EMIT warned(note); });
   const bool cancelled = cancelled_;
   post([this, cancelled] { Q_EMIT added(0, cancelled); });
 }
@@ -115,8 +116,7 @@ void DeviceCatalogue::tellProblems(const eni::EsiCatalogue& catalogue, const QSt
       return file == canonical || file.startsWith(canonical + u'/');
     });
     if (!ours) continue;
-    Error error{ErrorCode::kXmlBadValue, warning.element, Reason::verbatim(warning.text), warning.file, warning.line};
-    post([this, error] { Q_EMIT failed(error); });
+    post([this, warning] { Q_EMIT warned(warning); });
   }
 }
 

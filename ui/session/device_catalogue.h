@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "eni/catalogue/catalogue_entry.h"
+#include "eni/xml/file_warning.h"
 #include "support/result.h"
 
 namespace syncline::eni {
@@ -44,7 +45,8 @@ class DeviceCatalogue final : public QObject {
   /// Who asks again before the answer came gets that of the last question alone.
   void search(const eni::CatalogueSearch& search, QObject* context,
               std::function<void(const Result<CatalogueAnswer>&)> then);
-  /// Folders and files; remembered for later starts. progress(), failed() for those that cannot be read, then added().
+  /// Folders and files; remembered for later starts. progress(), failed() for
+  /// those that cannot be read, warned() of what they have wrong, then added().
   void add(const QStringList& paths);
   /// Ends reading folders; what was read is kept, the rest is read at the next start.
   void cancel() { cancelled_ = true; }
@@ -62,8 +64,10 @@ class DeviceCatalogue final : public QObject {
   void progress(int done, int files, const QString& file);
   /// Reading ended; `devices` are new.
   void added(int devices, bool cancelled);
-  /// A file or folder that could not be read, or a device in it.
+  /// A folder that could not be read.
   void failed(const syncline::Error& error);
+  /// A file that could not be read, what was left out of it or tolerated in it, and what became of the index.
+  void warned(const syncline::eni::FileWarning& warning);
 
  private:
   using Job = std::function<void(eni::EsiCatalogue&)>;

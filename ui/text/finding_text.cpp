@@ -35,32 +35,38 @@ class FindingSentences {
   }
 };
 
+/// The figure's text, or the words that it chooses with it.
+QString placed(const Placeholder& placeholder, const QString& text, bool is_one) {
+  if (placeholder.one.empty()) return text;
+  return fromView(placeholder.words_for(is_one)).replace(QLatin1Char('#'), text);
+}
+
 /// A language may give the placeholders another order: each is found by its name.
 QString FindingSentences::reason(const Reason& reason) {
-  const auto words = reason.words();
+  auto words = reason.words();
   if (words.empty()) return QString::fromStdString(reason.text());
   const auto text = sentence(words);
   if (reason.given().empty()) return text;
-  std::vector<std::pair<QString, QString>> given;
-  auto rest = words;
+  std::vector<std::pair<std::string_view, const Reason*>> given;
   for (const Reason& one : reason.given()) {
-    const auto place = next_place(rest);
-    const auto name = rest.substr(place.open, place.end - place.open);
-    given.emplace_back(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())),
-                       FindingSentences::reason(one));
-    rest.remove_prefix(place.end);
+    const auto place = next_place(words);
+    given.emplace_back(place.in(words).name, &one);
+    words.remove_prefix(place.end);
   }
   QString out;
-  qsizetype from = 0;
-  for (qsizetype open = text.indexOf(QLatin1Char('{')); open >= 0; open = text.indexOf(QLatin1Char('{'), from)) {
-    const auto end = text.indexOf(QLatin1Char('}'), open) + 1;
-    if (end <= 0) break;
-    const auto found = std::ranges::find(given, text.mid(open, end - open), &std::pair<QString, QString>::first);
-    out += QStringView(text).mid(from, open - from);
-    out += found == given.end() ? text.mid(open, end - open) : found->second;
-    from = end;
+  const auto translated = text.toStdString();
+  std::string_view rest = translated;
+  for (auto place = next_place(rest); place.end > place.open; place = next_place(rest)) {
+    const auto placeholder = place.in(rest);
+    const auto found = std::ranges::find(given, placeholder.name, &std::pair<std::string_view, const Reason*>::first);
+    const auto as_it_is = rest.substr(place.open, place.end - place.open);
+    out += fromView(rest.substr(0, place.open));
+    out += found == given.end()
+               ? fromView(as_it_is)
+               : placed(placeholder, FindingSentences::reason(*found->second), found->second->text() == "1");
+    rest.remove_prefix(place.end);
   }
-  return out += QStringView(text).mid(from);
+  return out += fromView(rest);
 }
 
 QString FindingSentences::of(const Figure& figure) {
@@ -107,14 +113,6 @@ QString FindingSentences::of(const Figure& figure) {
   }
 }
 
-/// The figure, or the words that it chooses.
-QString placed(const Placeholder& placeholder, const Figure& figure) {
-  const auto text = FindingSentences::of(figure);
-  if (placeholder.one.empty()) return text;
-  const auto words = placeholder.words_for(figure);
-  return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())).replace(QLatin1Char('#'), text);
-}
-
 /// As fill_finding_template(), in the user's language.
 QString fill(const QString& text, const Finding& finding) {
   QString out;
@@ -126,7 +124,8 @@ QString fill(const QString& text, const Finding& finding) {
     const Placeholder placeholder{std::string_view(inside)};
     const auto found = std::ranges::find(finding.figures, placeholder.name, &Figure::name);
     out += QStringView(text).mid(from, open - from);
-    out += found == finding.figures.end() ? text.mid(open, close - open + 1) : placed(placeholder, *found);
+    out += found == finding.figures.end() ? text.mid(open, close - open + 1)
+                                          : placed(placeholder, FindingSentences::of(*found), found->value == 1);
     from = close + 1;
   }
   out += QStringView(text).mid(from);

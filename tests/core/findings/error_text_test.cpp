@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "findings/reason_of.h"
+#include "findings/value_bytes.h"
 #include "reasons/because.h"
 
 namespace syncline {
@@ -28,6 +30,46 @@ TEST(ErrorText, EveryCodeHasARowWhosePlaceholdersAreKnown) {
     EXPECT_FALSE(text.empty()) << i;
     EXPECT_EQ(text.find('{'), std::string::npos) << text;
   }
+}
+
+/// What stands in another sentence is what stands alone, and can be said in other languages: by its row's words.
+TEST(ErrorText, AsAReasonItSaysTheSame) {
+  for (int i = 0; i <= static_cast<int>(ErrorCode::kCatalogue); ++i) {
+    for (const int number : {0, 1, 0x001B, 0x06020000}) {
+      for (const auto& detail : {Reason(), because("it has no slaves"), others("theirs")}) {
+        Error error{static_cast<ErrorCode>(i), "SUBJECT", detail};
+        error.expected = error.received = error.extra = number;
+        const auto reason = reason_of(error);
+        EXPECT_EQ(reason.text(), describe(finding_of(error)));
+        EXPECT_FALSE(reason.words().empty()) << reason.text();
+        error.file = "a.xml";
+        error.line = 7;
+        EXPECT_THAT(reason_of(error).text(), testing::EndsWith(describe(finding_of(error))));
+        EXPECT_THAT(describe(error), HasSubstr("a.xml"));
+      }
+    }
+  }
+}
+
+TEST(ErrorText, AsAReasonItComesBackFromItsBytes) {
+  Error slaves{ErrorCode::kSlaveCount};
+  slaves.expected = 2;
+  slaves.received = 1;
+  for (const auto& reason :
+       {reason_of(Error{ErrorCode::kXmlBadValue, "Id", because("\"{text}\" is no number", "1k"), "a.xml", 3}),
+        reason_of(Error{ErrorCode::kFileNotFound, {}, {}, "b.xml"}), reason_of(slaves)}) {
+    ValueWriter out;
+    auto copy = reason;
+    out(WordedReason{copy});
+    const auto bytes = out.take();
+    auto back = Reason::phrase(reason.text());
+    WordedReason worded{back};
+    ValueReader{bytes}(worded);
+    EXPECT_EQ(back, reason) << reason.text();
+    EXPECT_FALSE(back.given().empty());
+  }
+  EXPECT_EQ(reason_of_any_words("{subject} is no row{because}.", {Reason(), Reason()}), std::nullopt);
+  EXPECT_EQ(reason_of_any_words("{subject} is missing{because}.", {Reason()}), std::nullopt) << "one is missing";
 }
 
 TEST(ErrorText, AlStateSaysStatesCodeAndHint) {

@@ -11,16 +11,23 @@
 #include <utility>
 #include <vector>
 
-#include "channels/values/shared_text.h"
+#include "findings/reason_of.h"
 #include "reasons/reason.h"
 
-/// Values one behind the other as zigzag LEB128 and counted texts, for what a recording holds of events and findings.
+/// Values one behind the other as zigzag LEB128 and counted texts, for what a recording holds of events and findings,
+/// and the device catalogue of warnings.
 /// What a later program has put behind them is passed over, and what an earlier one had not yet stays as it is.
 namespace syncline {
 
 /// Largest value of each enumeration that is recorded: what is larger was not written by this program.
 template <class Enum>
 inline constexpr int kLargest = -1;
+
+/// A text that is kept in a class of its own: core/channels' SharedText.
+template <class T>
+concept KeptText = requires(const T& text) {
+  { text.str() } -> std::convertible_to<std::string_view>;
+};
 
 /// A reason by its words, behind its sentence: programs that know them say it in their language, older ones and those
 /// that have other words as it was said.
@@ -56,7 +63,10 @@ class ValueWriter {
     bytes_ += text;
   }
   void put(const std::string& text) { put(std::string_view(text)); }
-  void put(const SharedText& text) { put(std::string_view(text.str())); }
+  template <KeptText T>
+  void put(const T& text) {
+    put(std::string_view(text.str()));
+  }
   void put(const Reason& reason) { put(reason.text()); }
   void put(const WordedReason& worded) { put_words(worded.reason); }
   void put_words(const Reason& reason) {
@@ -140,12 +150,13 @@ class ValueReader {
       known = known && one;
       if (one) given.push_back(*std::move(one));
     }
-    return known ? reason_of_words(words, std::move(given)) : std::nullopt;
+    return known ? reason_of_any_words(words, std::move(given)) : std::nullopt;
   }
-  void take(SharedText& shared) {
+  template <KeptText T>
+  void take(T& kept) {
     std::string text;
     take(text);
-    shared = SharedText(std::move(text));
+    kept = T(std::move(text));
   }
   template <class T, std::size_t size>
   void take(std::array<T, size>& values) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "findings/finding.h"
+#include "reasons/reason.h"
+
+namespace syncline {
+
+/// What describe() says of a finding whose row begins with a capital letter or with somebody's own text, as errors'
+/// rows do, as a reason that stands in another one: the rows' words with what fills them. Figures that a language
+/// writes otherwise (times, numbers) are English.
+[[nodiscard]] Reason reason_of(const Finding& finding);
+
+/// As reason_of_words(), of the rows of findings, too.
+[[nodiscard]] std::optional<Reason> reason_of_any_words(std::string_view words, std::vector<Reason> given);
+
+}  // namespace syncline
