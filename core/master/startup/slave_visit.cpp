@@ -130,6 +130,7 @@ Status SlaveVisit::lead_to(AlState target) {
 }
 
 Status SlaveVisit::set_up_mailbox(bool bootstrap) {
+  if (leaving_ && had_mailbox() && bootstrap == (found() == AlState::kBoot)) return set_managers(found_managers_);
   SiiAccess eeprom(bus_, {slave_}, {.take_ownership = true, .broadcast = false});
   std::array<SiiRequest, 1> requests;
   requests[0].word = bootstrap ? kBootstrapMailboxWord : kMailboxWord;
@@ -154,6 +155,13 @@ Status SlaveVisit::set_up_mailbox(bool bootstrap) {
   std::ranges::copy(receive.encode(), managers.begin() + SyncManager::kSize);
   managers_changed_ = true;
   return set_managers(managers);
+}
+
+/// It was found with mailboxes that it accepts.
+bool SlaveVisit::had_mailbox() const {
+  const std::span all(found_managers_);
+  return found() != AlState::kInit && is_mailbox(SyncManager::decode(all.first<SyncManager::kSize>()), true) &&
+         is_mailbox(SyncManager::decode(all.last<SyncManager::kSize>()), false);
 }
 
 /// Enabled, they keep their places whatever is written (ESC data sheet II, 2.31): they are switched off first.
@@ -216,8 +224,11 @@ Status SlaveVisit::leave() {
     if (result && !status) result = std::move(status);
   };
   bus_.set_cancellable(false);
+  leaving_ = true;
   if (state() != found()) keep_first(lead_to(found()));
-  if (managers_changed_) keep_first(set_managers(found_managers_));
+  // Above INIT they were set on the way there: a slave falls when its mailboxes are switched off under it.
+  if (managers_changed_ && (state() == AlState::kInit || !had_mailbox())) keep_first(set_managers(found_managers_));
+  leaving_ = false;
   if (station_ != found_station_) {
     auto bytes = le_bytes(found_station_);
     keep_first(write(reg::kStationAddress, bytes));

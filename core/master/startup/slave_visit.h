@@ -53,6 +53,7 @@ class SlaveVisit {
   Status step_to(AlState target);
   Status acknowledge();
   Status set_up_mailbox(bool bootstrap);
+  [[nodiscard]] bool had_mailbox() const;
   Status set_managers(std::array<std::uint8_t, kMailboxManagers>& managers);
   Status take_station_address();
   Error refused(AlState target, ErrorCode code);
@@ -63,7 +64,7 @@ class SlaveVisit {
   std::uint16_t found_status_ = 0, status_ = 0, status_code_ = 0;
   std::uint16_t found_station_ = 0, station_ = 0;
   std::array<std::uint8_t, kMailboxManagers> found_managers_{};
-  bool managers_changed_ = false;
+  bool managers_changed_ = false, leaving_ = false;
   SlaveMailbox mailbox_of_slave_;
   std::optional<MailboxClient> mailbox_;
 };
