@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "app/cli/findings_text.h"
@@ -61,7 +62,10 @@ Json misses_json(const RunReport::Slave& slave, Nanoseconds now) {
 
 }  // namespace
 
-Json age_json(Nanoseconds time, Nanoseconds now) { return time == 0 ? Json(nullptr) : Json(milliseconds(now - time)); }
+/// What was read behind the newest cycle is of this moment.
+Json age_json(Nanoseconds time, Nanoseconds now) {
+  return time == 0 ? Json(nullptr) : Json(milliseconds(std::max<Nanoseconds>(0, now - time)));
+}
 
 Json findings_json(const RunReport& report) {
   Json rows = Json::array();

@@ -22,13 +22,13 @@ struct DcStatus {
   std::optional<std::uint32_t> deviation_ns;  // largest latest reading of those that follow, monitored or not
   std::uint16_t followers = 0;                // slaves that follow the reference clock
   std::uint16_t over_limit = 0;               // of them, by their own readings
-  bool all_alike = false;                     // all of them are, to the same side: the reference clock has moved
-  int culprit = -1;                           // else the one furthest over the limit
-  Nanoseconds newest_age_ns = -1;             // of the latest own reading of any of them; -1: none yet
-  Nanoseconds oldest_age_ns = -1;             // since something was heard of each of them
-  std::optional<double> settled_after_ms;     // from the first cyclic frame until the settle time began
-  Nanoseconds sync_base = 0;                  // SYNC0 lies at sync_base + n * cycle + shift in system time
-  Nanoseconds start_time = 0;                 // system time at which SYNC0 starts, as sent to a slave last; 0 = not yet
+  bool all_alike = false;          // all of them are off to the same side, about as far: the reference clock moved
+  int culprit = -1;                // else the one furthest over the limit
+  Nanoseconds newest_age_ns = -1;  // of the latest own reading of any of them; -1: none yet
+  Nanoseconds oldest_age_ns = -1;  // since something was heard of each of them
+  std::optional<double> settled_after_ms;  // from the first cyclic frame until the settle time began
+  Nanoseconds sync_base = 0;               // SYNC0 lies at sync_base + n * cycle + shift in system time
+  Nanoseconds start_time = 0;              // system time at which SYNC0 starts, as sent to a slave last; 0 = not yet
   bool operator==(const DcStatus&) const = default;
 };
 

@@ -6,6 +6,27 @@
 #include "protocol/dc_registers.h"
 
 namespace syncline::dc {
+namespace {
+
+/// Those whose reading is to the side of the worst one, and at least half as large.
+std::size_t count_alike(std::span<const ClockReading> readings, const ClockReading& worst) {
+  const auto alike = [&worst](const ClockReading& reading) {
+    return reading.follows && reading.read && (reading.deviation_ns > 0) == (worst.deviation_ns > 0) &&
+           std::uint64_t{2} * reading.magnitude() >= worst.magnitude();
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(readings, alike));
+}
+
+/// All of them over the limit and as far as the worst one, within a quarter, whatever the side: the sign of 0x092C has
+/// two meanings (editions of the ESC data sheet), and both may be on one bus.
+bool all_as_far(std::span<const ClockReading> readings, const SlavesEvidence& evidence) {
+  const auto as_far = [&](const ClockReading& reading) {
+    return !reading.follows || std::uint64_t{4} * reading.magnitude() >= std::uint64_t{3} * evidence.worst_ns;
+  };
+  return evidence.over == evidence.followers && std::ranges::all_of(readings, as_far);
+}
+
+}  // namespace
 
 SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit_ns,
                      std::optional<Nanoseconds> within) {
@@ -26,12 +47,13 @@ SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit
     if (magnitude > limit_ns) {
       if (proven > reading.time) continue;  // that is over; an own reading in the same cycle is the newer one
       ++evidence.over;
-      evidence.ahead += reading.deviation_ns > 0 ? 1 : 0;
     }
     if (evidence.worst >= 0 && magnitude <= evidence.worst_ns) continue;
     evidence.worst = static_cast<int>(i);
     evidence.worst_ns = magnitude;
   }
+  if (evidence.over > 0) evidence.alike = count_alike(readings, readings[static_cast<std::size_t>(evidence.worst)]);
+  if (evidence.over > 0 && all_as_far(readings, evidence)) evidence.alike = evidence.followers;
   if (evidence.followers > 0) evidence.oldest = oldest;
   return evidence;
 }

@@ -39,14 +39,15 @@ struct SlavesEvidence {
   std::size_t followers = 0;
   std::size_t unread = 0;  // of them: nothing is known yet
   std::size_t over = 0;    // of them: the own reading is over the limit, and nothing newer says otherwise
-  std::size_t ahead = 0;   // of those over the limit: with a positive deviation
+  std::size_t alike = 0;   // where one is over the limit: those to the same side, and at least half as far
   int worst = -1;          // position of the one with the largest reading; -1: none was read
   std::uint32_t worst_ns = 0;
   Nanoseconds newest = 0;  // reading of any of them
   Nanoseconds oldest = 0;  // of the one of which nothing has been heard for longest
 
-  /// All of them over the limit, to the same side: it is the reference clock that has moved, not they.
-  [[nodiscard]] bool all_alike() const { return followers >= 2 && over == followers && (ahead == 0 || ahead == over); }
+  /// All of them to the same side, and about as far: it is the reference clock that has moved, not they, however many
+  /// of them are over the limit.
+  [[nodiscard]] bool all_alike() const { return followers >= 2 && over > 0 && alike == followers; }
 };
 /// `within`: when an or-ed value last showed all followers within the limit.
 [[nodiscard]] SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit_ns,

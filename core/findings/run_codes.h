@@ -55,6 +55,7 @@ inline constexpr std::string_view kFramesLost = "frames-lost";
 inline constexpr std::string_view kFramesLostBehind = "frames-lost-behind";
 inline constexpr std::string_view kFramesLostByNoise = "frames-lost-by-noise";
 inline constexpr std::string_view kFramesLostByHost = "frames-lost-by-host";
+inline constexpr std::string_view kFramesLostLast = "frames-lost-last";
 inline constexpr std::string_view kFramesLostByCable = "frames-lost-by-interruption";
 inline constexpr std::string_view kFramesLate = "frames-late";
 inline constexpr std::string_view kHostStalled = "host-stalled";

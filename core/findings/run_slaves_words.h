@@ -51,7 +51,13 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      "Check {check}.",
      "",
-     {{"", "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}."}}},
+     {{"", "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}."},
+      {"unlocked",
+       "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}; the master was not locked to the "
+       "reference clock, and frames slid through its SYNC0."},
+      {"cut",
+       "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}: it had been cut off from the master, "
+       "and its SYNC0 went on."}}},
     {"slave-fell-by-missed-events",
      Severity::kError,
      "A slave has left OP after missed SM2 events",
@@ -122,9 +128,12 @@ inline constexpr FindingWords kRunSlaves[] = {
        "{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not "
        "for the settle time yet."},
       {"stepped",
-       "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
-       "reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time "
-       "yet."}}},
+       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
+       "the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time "
+       "yet."},
+      {"moving",
+       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
+       "the reference clock stepped or changed its rate."}}},
     {"slaves-sync-unknown",
      Severity::kError,
      "Whether the slaves are in sync is not known",
@@ -150,8 +159,8 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      {{"", "{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all."},
       {"stepped",
-       "All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the "
-       "reference clock stepped or changed its rate; they came back, {count} in all."}}},
+       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
+       "the reference clock stepped or changed its rate; they came back, {count} in all."}}},
     {"reference-clock-written-late",
      Severity::kWarning,
      "A frame that was held up brought the reference clock an old time",

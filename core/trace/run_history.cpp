@@ -70,6 +70,7 @@ void HistoryRecorder::add(const CycleSample& sample) {
   history_.end = sample.send_time;
   const auto before = std::exchange(last_send_, sample.send_time);
   history_.reached_op = history_.reached_op || in_op(sample);
+  history_.operated = history_.operated || history_.reached_op;
   if ((sample.flags & CycleSample::kFrameLost) != 0) {
     history_.lost_frames.note(sample.send_time, std::max<std::uint16_t>(1, sample.frames_lost));
   }
@@ -103,7 +104,7 @@ void HistoryRecorder::add_deviation(const CycleSample& sample) {
   auto& slave = history_.slaves[static_cast<std::size_t>(sample.slave_position)];
   const std::int64_t size = std::abs(std::int64_t{sample.slave_deviation_ns});
   if (size <= limit_ns_) {
-    slave.was_near = slave.was_near || history_.reached_op;
+    slave.was_near = slave.was_near || history_.operated;
   } else if (slave.was_near) {
     if (slave.off.empty()) slave.first_off_ns = sample.slave_deviation_ns;
     slave.off.note(sample.send_time, 1, size);
@@ -119,7 +120,7 @@ void HistoryRecorder::add_arrival(const CycleSample& sample) {
 // ---- events and snapshots -----------------------------------------------------------------------
 
 void HistoryRecorder::add_loss(std::vector<RunHistory::SyncLoss>& losses, const RunHistory::SyncLoss& loss) const {
-  if (history_.reached_op && losses.size() < kMostLosses) losses.push_back(loss);
+  if (history_.operated && losses.size() < kMostLosses) losses.push_back(loss);
 }
 
 RunHistory::Slave* HistoryRecorder::slave_at(int position) {
@@ -142,6 +143,7 @@ struct HistoryRecorder::OfRun {
     if (!std::exchange(history().link_down, false)) return;
     history().link_outages.note(event.time, 0, link.away, history().link_outages.last());
   }
+  void operator()(const events::Online&) const { history().operated = true; }
   void operator()(const events::SlavesOutOfSync& out) const {
     // All at once and to the same side: not they have moved, but what they follow.
     const bool stepped = event.slave < 0 && out.over_limit > 0;

@@ -88,6 +88,7 @@ struct RunHistory {
   bool link_down = false;
   std::string link;  // its name, once it was away
   bool reached_op = false;
+  bool operated = false;  // the way there is over: in OP, or as far as the slaves came
   Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
   struct WayChange {
@@ -97,7 +98,7 @@ struct RunHistory {
     std::optional<Nanoseconds> renewed;  // when delays were measured anew
   };
   std::vector<WayChange> way_changes;                 // the first kMostLosses
-  std::vector<SyncLoss> slave_losses, master_losses;  // in OP, the first kMostLosses
+  std::vector<SyncLoss> slave_losses, master_losses;  // while operated, the first kMostLosses
   std::vector<Slave> slaves;
   /// How much later than nominal the frame passed the reference clock, ns; in SAFEOP and OP, once OP was reached.
   Histogram frame_lateness;

@@ -3789,6 +3789,10 @@
         <translation>Die Frames erreichen {slave} nominell {margin} vor SYNC0, und einer von tausend kommt {lateness} zu spät.</translation>
     </message>
     <message>
+        <source>The frames reach {slave} nominally {margin} before its SYNC0, and it needs {need} for its outputs (0x1C32:06); one in a thousand is {lateness} late.</source>
+        <translation>Die Frames erreichen {slave} nominell {margin} vor SYNC0, und er braucht {need} für seine Ausgänge (0x1C32:06); einer von tausend kommt {lateness} zu spät.</translation>
+    </message>
+    <message>
         <source>The frames take longer on the wire than the cycle</source>
         <translation>Die Frames brauchen auf der Leitung länger als den Zyklus</translation>
     </message>
@@ -4321,8 +4325,12 @@
         <translation>{slave} hat das Sync-Fenster bei {since} verlassen ({deviation}, Grenze {limit}). Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
-        <translation>Alle Slaves haben das Sync-Fenster bei {since} zugleich und zur selben Seite verlassen ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert. Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
+        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert. Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate.</source>
+        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert.</translation>
     </message>
     <message>
         <source>Whether the slaves are in sync is not known</source>
@@ -6413,6 +6421,22 @@
         <translation>{count:# Frame ging|# Frames gingen} verloren, als {slave} ging oder wiederkam.</translation>
     </message>
     <message>
+        <source>{count:# frame was|# frames were} lost when {slave} lost its link.</source>
+        <translation>{count:# Frame ging|# Frames gingen} verloren, als {slave} den Link verlor.</translation>
+    </message>
+    <message>
+        <source>Frames were lost at the end</source>
+        <translation>Am Ende gingen Frames verloren</translation>
+    </message>
+    <message>
+        <source>Let it run on: the error counters of the slaves' ports say where they are lost.</source>
+        <translation>Weiterlaufen lassen: Die Fehlerzähler der Ports der Slaves sagen, wo sie verloren gehen.</translation>
+    </message>
+    <message>
+        <source>{count:# frame|# frames} did not come back at the end (first at {since}), and not all slaves' error counters have been read since.</source>
+        <translation>{count:# Frame kam|# Frames kamen} am Ende nicht zurück (zuerst bei {since}), und seither wurden nicht die Fehlerzähler aller Slaves gelesen.</translation>
+    </message>
+    <message>
         <source>{count:# variable has another data type|# variables have other data types}</source>
         <translation>{count:# Variable hat einen anderen Datentyp|# Variablen haben andere Datentypen}</translation>
     </message>
@@ -6667,6 +6691,14 @@
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
         <translation>{slave} ist in {state} mit AL-Statuscode {alcode}{alarm}, seit {since}.</translation>
+    </message>
+    <message>
+        <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}: it had been cut off from the master, and its SYNC0 went on.</source>
+        <translation>{slave} ist in {state} mit AL-Statuscode {alcode}{alarm}, seit {since}: er war vom Master abgeschnitten, und sein SYNC0 lief weiter.</translation>
+    </message>
+    <message>
+        <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}; the master was not locked to the reference clock, and frames slid through its SYNC0.</source>
+        <translation>{slave} ist in {state} mit AL-Statuscode {alcode}{alarm}, seit {since}; der Master war nicht auf die Referenzuhr eingerastet, und Frames glitten durch SYNC0.</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all.</source>
@@ -8537,8 +8569,8 @@
         <translation>{device} ist nicht in der Datei</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
-        <translation>Alle Slaves verließen bei {since} auf einmal und zur selben Seite das Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang oder änderte ihre Geschwindigkeit; sie kamen zurück, insgesamt {count}.</translation>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
+        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang oder änderte ihre Geschwindigkeit; sie kamen zurück, insgesamt {count}.</translation>
     </message>
     <message>
         <source>Outputs are forced</source>

@@ -3789,6 +3789,10 @@
         <translation>帧标称在 SYNC0 之前 {margin} 到达{slave}，而每一千帧中有一帧晚 {lateness}。</translation>
     </message>
     <message>
+        <source>The frames reach {slave} nominally {margin} before its SYNC0, and it needs {need} for its outputs (0x1C32:06); one in a thousand is {lateness} late.</source>
+        <translation>帧标称在 SYNC0 之前 {margin} 到达{slave}，而它的输出需要 {need}（0x1C32:06）；每一千帧中有一帧晚 {lateness}。</translation>
+    </message>
+    <message>
         <source>The frames take longer on the wire than the cycle</source>
         <translation>帧的线上时间超过周期</translation>
     </message>
@@ -4321,8 +4325,12 @@
         <translation>{slave} 在 {since} 离开了同步窗口（{deviation}，限值 {limit}）。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
-        <translation>所有从站在 {since} 同时向同一侧离开了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变或改变了速率。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
+        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变或改变了速率。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate.</source>
+        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变或改变了速率。</translation>
     </message>
     <message>
         <source>Whether the slaves are in sync is not known</source>
@@ -6413,6 +6421,22 @@
         <translation>{slave} 离开或恢复时丢失了 {count} 帧。</translation>
     </message>
     <message>
+        <source>{count:# frame was|# frames were} lost when {slave} lost its link.</source>
+        <translation>{slave} 失去链路时丢失了 {count} 个帧。</translation>
+    </message>
+    <message>
+        <source>Frames were lost at the end</source>
+        <translation>结束时有帧丢失</translation>
+    </message>
+    <message>
+        <source>Let it run on: the error counters of the slaves' ports say where they are lost.</source>
+        <translation>让它继续运行：从站端口的错误计数器会说明帧在何处丢失。</translation>
+    </message>
+    <message>
+        <source>{count:# frame|# frames} did not come back at the end (first at {since}), and not all slaves' error counters have been read since.</source>
+        <translation>结束时有 {count} 个帧未返回（最早在 {since}），此后尚未读取所有从站的错误计数器。</translation>
+    </message>
+    <message>
         <source>{count:# variable has another data type|# variables have other data types}</source>
         <translation>{count} 个变量的数据类型不同</translation>
     </message>
@@ -6667,6 +6691,14 @@
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
         <translation>从 {since} 起，{slave} 处于 {state}，AL 状态码为 {alcode}{alarm}。</translation>
+    </message>
+    <message>
+        <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}: it had been cut off from the master, and its SYNC0 went on.</source>
+        <translation>从 {since} 起，{slave} 处于 {state}，AL 状态码为 {alcode}{alarm}：它曾与主站断开，而其 SYNC0 仍在继续。</translation>
+    </message>
+    <message>
+        <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}; the master was not locked to the reference clock, and frames slid through its SYNC0.</source>
+        <translation>从 {since} 起，{slave} 处于 {state}，AL 状态码为 {alcode}{alarm}；主站未锁定到参考时钟，帧滑过了它的 SYNC0。</translation>
     </message>
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all.</source>
@@ -8537,8 +8569,8 @@
         <translation>文件中没有 {device}</translation>
     </message>
     <message>
-        <source>All slaves left the sync window at once and to the same side at {since} ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
-        <translation>所有从站在 {since} 同时向同一方向离开同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变或改变速率；之后恢复，共 {count}。</translation>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
+        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变或改变速率；之后恢复，共 {count}。</translation>
     </message>
     <message>
         <source>Outputs are forced</source>

@@ -33,7 +33,7 @@ struct SlavesInSync {
 };
 
 /// The slave is the one furthest over the limit by its own reading, -1 without one. Without one and with a count, all
-/// that follow are over it to the same side: the reference clock has moved.
+/// that follow are off to the same side, and about as far: the reference clock has moved.
 struct SlavesOutOfSync {
   std::int64_t deviation_ns = 0;  // the largest, magnitude
   std::size_t over_limit = 0;     // slaves, by their own readings

@@ -98,7 +98,7 @@ void name_loss(const RunReport& report, const RunHistory::SyncLoss& loss, Findin
   if (loss.slave < 0) finding.figures.front() = phrase_figure("slave", "one of the slaves");
 }
 
-/// Nobody's own reading is over the limit: the loss from which the slaves have not come back names who it was.
+/// Nobody is the culprit: the loss from which the slaves have not come back names who it was.
 Finding out_without_culprit(const RunReport& report) {
   const auto& dc = report.dc;
   const bool unknown = dc.state == SyncState::kUnknown;
@@ -109,9 +109,11 @@ Finding out_without_culprit(const RunReport& report) {
   if (dc.state != SyncState::kOutOfSync || losses.empty() || losses.back().back) return finding;
   const auto& loss = losses.back();
   const bool stepped = loss.obstacle == dc::SyncObstacle::kClockStep;
+  if (!stepped && dc.over_limit > 0) return finding;
   name_loss(report, loss, finding);
   finding.place.slave = stepped ? dc.reference_clock : loss.slave;
-  finding.facts = sentence_of(*find_finding_words(code::kSlavesOutOfSync), stepped ? "stepped" : "left");
+  const auto* variant = !stepped ? "left" : dc.over_limit > 0 ? "moving" : "stepped";
+  finding.facts = sentence_of(*find_finding_words(code::kSlavesOutOfSync), variant);
   return finding;
 }
 
@@ -200,7 +202,8 @@ void find_changed_ways(const RunReport& report, Findings& findings) {
 void find_clocks(const RunReport& report, Findings& findings) {
   if (!report.dc.enabled) return;
   find_changed_ways(report, findings);
-  if (!report.dc.monitored) return find_unmonitored(report, findings);
+  // Also where nobody follows who leads by now.
+  if (!report.dc.monitored || report.dc.state == SyncState::kNotMonitored) return find_unmonitored(report, findings);
   if (report.dc.state != SyncState::kInSync) return find_out_of_sync(report, findings);
   find_left_window(report, findings);
 }

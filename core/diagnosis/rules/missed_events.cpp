@@ -12,6 +12,12 @@
 namespace syncline::diagnosis {
 namespace {
 
+/// Where nothing holds the frames at their place, one that is held up a little now and then is not why they come behind
+/// SYNC0.
+dc::MissCause cause_where(bool controlled, dc::MissCause cause) {
+  return !controlled && cause == dc::MissCause::kFrameHeldUp ? dc::MissCause::kFrameLate : cause;
+}
+
 std::string_view code_of(dc::MissCause cause, bool locked) {
   switch (cause) {
     case dc::MissCause::kFrameLost:
@@ -75,8 +81,9 @@ dc::MissCause main_cause(const Sm2MissedStatus& status) {
   return static_cast<dc::MissCause>(most - status.by_cause.begin());
 }
 
-std::string_view miss_cause_words(dc::MissCause cause, bool locked) {
-  switch (cause) {
+std::string_view miss_cause_words(const RunReport& report, dc::MissCause cause) {
+  const bool locked = was_locked(report);
+  switch (cause_where(is_controlled(report), cause)) {
     case dc::MissCause::kFrameLost:
       return "frames were lost";
     case dc::MissCause::kCyclesLeftOut:
@@ -122,7 +129,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     }
     const auto& spells = report.history.slaves[slave.position].missed;
     Finding finding{
-        code_of(cause, was_locked(report)),
+        code_of(cause_where(is_controlled(report), cause), was_locked(report)),
         Severity::kWarning,
         slave.position,
         spells.first(),

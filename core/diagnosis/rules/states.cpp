@@ -51,6 +51,11 @@ std::uint64_t integrator_at_fall(const RunReport& report, const RunReport::Slave
   return by_limit ? std::max(computed, slave.sm2_missed->limit) : computed;
 }
 
+/// It had been away shortly before: nobody's outputs came meanwhile, and that is told as its absence.
+bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, const RunHistory::Fall& fall) {
+  return report.history.slaves[slave.position].absences.near({fall.time - kReadLater, fall.time, 0, 0}, 0);
+}
+
 Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto& fall = report.history.slaves[slave.position].fall;
   const auto since = fall ? fall->time : report.history.begin;
@@ -64,11 +69,18 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
                      phrase_figure("check", text.check)};
   if (!is_about_outputs(slave.al_status_code) || !slave.sm2_missed || !slave.sm2_missed->known || !slave.sync0_margin)
     return finding;
+  const bool unseen = slave.sm2_missed->missed == 0 || main_cause(*slave.sm2_missed) == dc::MissCause::kUnknown;
+  if (unseen && fall && was_cut_off(report, slave, *fall)) {
+    finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "cut");
+    return finding;
+  }
   if (slave.sm2_missed->missed == 0) {
-    const bool in_time = usual_worst_lateness(report) < *slave.sync0_margin;
+    const bool in_time =
+        usual_worst_lateness(report) < *slave.sync0_margin && slave.evidence.calc_and_copy_ns <= *slave.sync0_margin;
     const bool by_itself = fall && in_time && was_locked(report) && cycles_were_good(report, fall->time) &&
                            !sync0_had_moved_at(report, slave, fall->time);
     if (by_itself) finding.code = code::kSlaveFellByItself;
+    if (!was_locked(report)) finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "unlocked");
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
     return finding;
   }
@@ -80,7 +92,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto moved = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate
                          ? sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)
                          : std::nullopt;
-  finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(cause, was_locked(report))));
+  finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(report, cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
   if (cause == dc::MissCause::kFrameLate && !moved && was_locked(report)) finding.code = code::kSlaveFellByLateFrames;

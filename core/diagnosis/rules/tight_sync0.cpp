@@ -81,10 +81,13 @@ void find_too_tight(const RunReport& report, const RunReport::Slave& slave, Find
   constexpr std::uint64_t kEnough = 1000;
   if (!slave.sync0_margin || !locked || report.history.frame_lateness.count() < kEnough) return;
   if (is_told(findings, slave)) return;
-  if (lateness <= *slave.sync0_margin) return;
+  // Also where the frames are in time, and nominally leave less than the slave needs for its outputs.
+  const bool needs_more = slave.evidence.calc_and_copy_ns > *slave.sync0_margin;
+  if (lateness <= *slave.sync0_margin && !needs_more) return;
   findings.push_back(
       {code::kSync0TooTight, Severity::kWarning, slave.position, 0, 0, {slave_figure(report, slave.position)}});
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(findings.back().figures));
+  if (needs_more) findings.back().facts = sentence_of(*find_finding_words(code::kSync0TooTight), "need");
 }
 
 }  // namespace

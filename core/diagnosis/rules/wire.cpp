@@ -114,6 +114,23 @@ int passed_by_lost_frames(const RunReport& report, const Losses& losses) {
   return last;
 }
 
+/// Who lost the link over which frames came to it, shortly after the spell; -1: nobody. Its counters are read in turn.
+int lost_link_after(const RunReport& report, const Spell& spell) {
+  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
+  const auto& slaves = report.history.slaves;
+  const auto lost = std::ranges::find_if(slaves, [&](const RunHistory::Slave& slave) {
+    return std::ranges::any_of(slave.lost_links, [&](const Spells& port) { return port.near(read, kTogether); });
+  });
+  return lost == slaves.end() ? -1 : static_cast<int>(lost - slaves.begin());
+}
+
+/// The error counters of some slave have not been read since: nobody knows what they say.
+bool is_unread(const RunReport& report, const Spell& spell) {
+  return std::ranges::any_of(report.slaves, [&](const RunReport::Slave& slave) {
+    return slave.present && slave.evidence.ports_time != 0 && slave.evidence.ports_time < spell.to;
+  });
+}
+
 }  // namespace
 
 void find_port_errors(const RunReport& report, Findings& findings) {
@@ -156,9 +173,9 @@ void find_foreign_frames(const RunReport& report, Findings& findings) {
 }
 
 void find_lost_frames(const RunReport& report, Findings& findings) {
-  Losses by_host, by_noise, by_slave, unexplained;
+  Losses by_host, by_noise, by_slave, by_link, unread, unexplained;
   DamagedPort noisy;
-  int gone = -1;
+  int gone = -1, unplugged = -1;
   for (const auto& spell : report.history.lost_frames.list()) {
     if (adapter_was_away(report, spell)) continue;  // those that were under way at that moment
     if (report.history.stalls.near(spell, kTogether)) {
@@ -174,7 +191,12 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
     const auto away = std::ranges::find_if(
         slaves, [&](const RunHistory::Slave& slave) { return slave.absences.near(spell, 200 * kMillisecond); });
     if (away == slaves.end()) {
-      unexplained.add(spell);
+      if (const auto link = lost_link_after(report, spell); link >= 0) {
+        if (unplugged < 0) unplugged = link;
+        by_link.add(spell);
+      } else {
+        (is_unread(report, spell) ? unread : unexplained).add(spell);
+      }
     } else {
       if (gone < 0) gone = static_cast<int>(away - slaves.begin());
       by_slave.add(spell);
@@ -191,6 +213,11 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
     findings.back().figures.push_back({"port", Unit::kPort, static_cast<std::int64_t>(noisy.port)});
   }
   if (by_host.count > 0) findings.push_back(lost(report, code::kFramesLostByHost, Severity::kWarning, -1, by_host));
+  if (by_link.count > 0) {
+    findings.push_back(lost(report, code::kFramesLostByCable, Severity::kNote, unplugged, by_link));
+    findings.back().facts = sentence_of(*find_finding_words(code::kFramesLostByCable), "link");
+  }
+  if (unread.count > 0) findings.push_back(lost(report, code::kFramesLostLast, Severity::kNote, -1, unread));
   if (by_slave.count > 0) findings.push_back(lost(report, code::kFramesLostByCable, Severity::kNote, gone, by_slave));
   const auto& late = report.history.late_frames;
   // What lay in the card while it was away comes when it is back.

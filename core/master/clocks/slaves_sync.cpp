@@ -289,6 +289,7 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
   }
   out_count_ = std::max(out_count_, evidence.over);
   out_alike_ = out_alike_ || evidence.all_alike();
+  if (out_alike_) out_count_ = evidence.followers;  // all of them have moved
   if (!way_of_) way_of_ = who_moved(time);
   const bool wait = !all_read_since(*out_since_) || (!way_of_ && out_alike_ && somebody_may_come());
   if (wait && time - *out_since_ < kCulpritPatience) return;

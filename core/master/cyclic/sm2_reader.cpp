@@ -185,6 +185,8 @@ void Sm2Reader::take_missed(const Counter& counter, std::uint32_t value, Nanosec
   status.time = now;
   status.index = kSyncManager2Parameter;
   status.sub_index = counter.missed;
+  // What the slave counted while it found into OP is none of what is followed from there on.
+  if (!status.known && events_.follows(counter.slave)) return;
   sample.sm2_position = static_cast<std::int16_t>(counter.slave);
   sample.slave_sm2_missed = status.total();
   sample.slave_sm2_integrator = status.integrator;

@@ -15,7 +15,6 @@ namespace {
 constexpr Nanoseconds kStillInOp = 600 * kMillisecond;
 /// What a slave counts while it finds into OP is no fault of the running bus; what makes it fall again is.
 constexpr Nanoseconds kSettling = 100 * kMillisecond;
-constexpr auto kNone = static_cast<std::size_t>(-1);
 
 bool in_op(const SlaveStatus& slave) {
   return slave.present && al_state_of(slave.al_status) == AlState::kOp && (slave.al_status & kAlErrorFlag) == 0;

@@ -28,12 +28,15 @@ class SyncEventWatch {
   /// A reading of the slave's counter of missed events.
   void read(std::size_t slave, std::uint32_t counter);
   void set_limit(std::size_t slave, std::uint32_t limit);
+  /// Its misses are counted here, once it is in OP.
+  [[nodiscard]] bool follows(std::size_t slave) const { return slave < place_.size() && place_[slave] != kNone; }
   /// What the slave takes from its outputs to SYNC0 (0x1C32:06), ns.
   void set_calc_and_copy(std::size_t slave, Nanoseconds time);
   /// All that are in OP are looked at together, in closed form, until one of them changes.
   [[nodiscard]] bool together() const { return together_.has_value(); }
 
  private:
+  static constexpr auto kNone = static_cast<std::size_t>(-1);
   struct Slave {
     std::size_t position = 0;
     Nanoseconds period = 0, shift = 0;

@@ -74,12 +74,23 @@ SlavesEvidence weigh_plainly(std::span<const ClockReading> readings, std::uint32
     evidence.newest = std::max(evidence.newest, reading.time);
     const bool over = reading.magnitude() > limit_ns;
     if (over && !proven_later) ++evidence.over;
-    if (over && !proven_later && reading.deviation_ns > 0) ++evidence.ahead;
     if (over && proven_later) continue;
     if (evidence.worst >= 0 && reading.magnitude() <= evidence.worst_ns) continue;
     evidence.worst = static_cast<int>(i);
     evidence.worst_ns = reading.magnitude();
   }
+  for (const auto& reading : readings) {
+    if (evidence.over == 0 || !reading.follows || !reading.read) continue;
+    const bool ahead = readings[static_cast<std::size_t>(evidence.worst)].deviation_ns > 0;
+    const bool far = reading.magnitude() >= (evidence.worst_ns + 1) / 2;
+    if (far && (reading.deviation_ns > 0) == ahead) ++evidence.alike;
+  }
+  std::size_t as_far = 0;
+  for (const auto& reading : readings) {
+    if (reading.follows && reading.read && reading.magnitude() >= 0.75 * evidence.worst_ns) ++as_far;
+  }
+  if (evidence.over > 0 && evidence.over == evidence.followers && as_far == evidence.followers)
+    evidence.alike = evidence.followers;
   return evidence;
 }
 
@@ -94,7 +105,7 @@ TEST(SyncEvidenceProperty, IsWhatEachFiguresDefinitionSays) {
     }
     const auto within = small(0, 3) == 0 ? std::nullopt : std::optional<Nanoseconds>(small(0, 5));
     const auto a = weigh(readings, 127, within), b = weigh_plainly(readings, 127, within);
-    RC_ASSERT(a.followers == b.followers && a.unread == b.unread && a.over == b.over && a.ahead == b.ahead);
+    RC_ASSERT(a.followers == b.followers && a.unread == b.unread && a.over == b.over && a.alike == b.alike);
     RC_ASSERT(a.worst == b.worst && a.worst_ns == b.worst_ns);
     RC_ASSERT(a.newest == b.newest && a.oldest == b.oldest);
   }));
@@ -199,6 +210,27 @@ TEST_F(SyncVerdictTest, AllAtOnceToTheSameSideIsTheReferenceClock) {
   read(2, 1602, 100);
   cycle(1602);
   EXPECT_FALSE(verdict.evidence().all_alike());
+}
+
+/// A reference clock that swings: the first one that is over the limit has moved no more than the others.
+TEST_F(SyncVerdictTest, OneOfManyThatAreAsFarAwayIsNotToBlame) {
+  in_turn(0, 1600, 40);
+  const auto limit = static_cast<std::int32_t>(verdict.limit_ns());
+  for (std::size_t i = 1; i < 4; ++i) read(i, 1600, i == 2 ? limit + 4 : limit * 3 / 5);
+  EXPECT_EQ(cycle(1600), Edge::kOutOfSync);
+  EXPECT_EQ(verdict.evidence().over, 1U);
+  EXPECT_TRUE(verdict.evidence().all_alike());
+  read(3, 1601, limit / 3);
+  cycle(1601);
+  EXPECT_FALSE(verdict.evidence().all_alike()) << "that one stayed";
+}
+
+/// ESCs of both editions of the data sheet on one bus: the same step has two signs.
+TEST_F(SyncVerdictTest, TheReferenceClockIsKnownAlsoWhereSignsMeanTwoThings) {
+  in_turn(0, 1600, 40);
+  for (std::size_t i = 1; i < 4; ++i) read(i, 1600, i == 2 ? -784'000 : 785'000);
+  EXPECT_EQ(cycle(1600), Edge::kOutOfSync);
+  EXPECT_TRUE(verdict.evidence().all_alike());
 }
 
 TEST_F(SyncVerdictTest, EveryFollowerIsHeardBeforeTheSettleTimeBegins) {

@@ -168,9 +168,12 @@ TEST(RunDiagnosis, WhereNothingHoldsTheFramesNeitherSlavesNorTheirSync0AreBlamed
     report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
     EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
     EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("frames slid through its SYNC0"));
-    report.slaves[1].sm2_missed->missed = 0;
     report.slaves[1].sm2_missed->by_cause = {};
+    report.slaves[1].sm2_missed->by_cause[static_cast<std::size_t>(dc::MissCause::kFrameHeldUp)] = 4;
+    EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("frames slid through its SYNC0"));
+    report.slaves[1].sm2_missed->missed = 0;
     EXPECT_EQ(codes(report).front(), code::kSlaveFell) << "not by itself";
+    EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("frames slid through its SYNC0"));
   }
 }
 
@@ -270,6 +273,39 @@ TEST(RunDiagnosis, LooksForLostFramesBehindWhoHadThem) {
   report.first_wire_time = 10 * kMicrosecond;
   report.wire_time = 30 * kMicrosecond;
   EXPECT_THAT(codes(report), ElementsAre(code::kFramesLost)) << "another frame of the cycle may have been lost";
+}
+
+TEST(RunDiagnosis, SaysNothingOfCountersThatWereNotReadSinceFramesWereLost) {
+  auto report = healthy();
+  for (auto& slave : report.slaves) slave.evidence.ports_time = kStart + 19 * kSecond;
+  report.history.lost_frames.note(kStart + 18 * kSecond, 2);
+  EXPECT_THAT(codes(report), ElementsAre(code::kFramesLost));
+  report.history.lost_frames.note(kStart + 19'500 * kMillisecond, 1);
+  const auto findings = diagnose(report);
+  ASSERT_THAT(codes(report), ElementsAre(code::kFramesLost, code::kFramesLostLast));
+  EXPECT_THAT(describe(findings[0]), HasSubstr("2 frames"));
+  EXPECT_THAT(describe(findings[1]), HasSubstr("1 frame did not come back at the end"));
+}
+
+TEST(RunDiagnosis, FramesThatALooseLinkCostsAreToldWithIt) {
+  auto report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond, 7);
+  report.history.slaves[0].lost_links[0].note(kStart + 5060 * kMillisecond, 1);
+  const auto findings = diagnose(report);
+  ASSERT_THAT(codes(report), ElementsAre(code::kLinkLost, code::kFramesLostByCable));
+  EXPECT_THAT(describe(findings[1]), HasSubstr("when slave 0 lost its link"));
+}
+
+TEST(RunDiagnosis, SlavesThatAreStillAwayAfterTheReferenceClockHasSteppedAreNotInsideAgain) {
+  auto report = healthy();
+  report.dc.state = SyncState::kOutOfSync;
+  report.dc.over_limit = 2;
+  report.dc.all_alike = true;
+  report.history.slave_losses.push_back({kStart + 8 * kSecond, -1, 20'000, dc::SyncObstacle::kClockStep, {}});
+  const auto finding = diagnose(report)[0];
+  EXPECT_EQ(finding.place.slave, 0);
+  EXPECT_THAT(facts_text(finding), HasSubstr("the reference clock stepped"));
+  EXPECT_THAT(facts_text(finding), Not(HasSubstr("No reading is outside")));
 }
 
 /// Each drive has missed some of them, the more the further behind it stands: they are lost here and there.
@@ -440,6 +476,12 @@ TEST(RunDiagnosis, OneClockIsNotAskedToBeMonitored) {
   EXPECT_THAT(codes(report), ElementsAre(code::kSlaveClockOff, code::kNotMonitored));
 }
 
+TEST(RunDiagnosis, WhereNobodyFollowsNobodyIsOutOfSync) {
+  auto report = healthy();
+  report.dc.state = SyncState::kNotMonitored;
+  EXPECT_THAT(codes(report), ElementsAre(code::kNothingToMonitor));
+}
+
 TEST(RunDiagnosis, WorkingCountersAfterAFallAreItsConsequence) {
   auto report = healthy();
   report.history.wrong_counters.note(kStart + 5 * kSecond, 30);
@@ -458,6 +500,32 @@ TEST(RunDiagnosis, ADriveThatFellThoughAllWasGoodFellByItself) {
   EXPECT_EQ(codes(report).front(), code::kSlaveFell) << "something was wrong: nothing is claimed";
   miss(report, 1, dc::MissCause::kFrameLost, 3);
   EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
+}
+
+TEST(RunDiagnosis, ADriveThatGetsItsOutputsTooShortlyBeforeSync0DidNotFallByItself) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  report.slaves[1].sync0_margin = 53'300;
+  report.slaves[1].evidence.calc_and_copy_ns = 62'500;
+  ASSERT_THAT(codes(report), ElementsAre(code::kSlaveFell, code::kSync0TooTight));
+  EXPECT_THAT(describe(diagnose(report)[1]), HasSubstr("it needs 62.5 us for its outputs"));
+  report.slaves[1].evidence.calc_and_copy_ns = 40'000;
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlaveFellByItself));
+}
+
+TEST(RunDiagnosis, ADriveThatWasCutOffDidNotFallByItself) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  report.history.slaves[1].absences.note(kStart + 4990 * kMillisecond, 1, 0, kStart + 4890 * kMillisecond);
+  for (const std::uint32_t missed : {0U, 2U}) {
+    miss(report, 1, dc::MissCause::kUnknown, missed);
+    EXPECT_EQ(codes(report).front(), code::kSlaveFell) << missed;
+    EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("it had been cut off from the master"));
+  }
 }
 
 TEST(RunDiagnosis, ADriveWhoseClockJumpedDidNotFallByItself) {

@@ -69,6 +69,23 @@ TEST_F(RunHistoryTest, CallsAClockOffOnlyAfterItWasNear) {
   EXPECT_EQ(recorder.history().slaves[1].off.largest(), 900'000);
 }
 
+/// One slave that stays behind keeps the master's state below OP for good.
+TEST_F(RunHistoryTest, WhatHappensBehindAStartUpThatEndedBelowOpCounts) {
+  auto reading = sample(kSecond, AlState::kSafeop);
+  reading.slave_position = 1;
+  reading.slave_deviation_ns = 20;
+  recorder.add(Event{kSecond, 1, events::SlavesOutOfSync{900, 1}});
+  add(reading);
+  EXPECT_TRUE(recorder.history().slave_losses.empty()) << "on the way";
+  EXPECT_FALSE(recorder.history().slaves[1].was_near);
+  recorder.add(Event{2 * kSecond, -1, events::Online{}});
+  add(reading);
+  recorder.add(Event{3 * kSecond, 1, events::SlavesOutOfSync{970'000, 1}});
+  EXPECT_EQ(recorder.history().slave_losses.size(), 1U);
+  EXPECT_TRUE(recorder.history().slaves[1].was_near);
+  EXPECT_FALSE(recorder.history().reached_op);
+}
+
 TEST_F(RunHistoryTest, FollowsASlaveThatGoesAndComesBack) {
   recorder.add(Event{kSecond, 0, events::CableChanged{1, 1, false}});
   recorder.add(Event{kSecond, 1, events::SlaveLost{}});
