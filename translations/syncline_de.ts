@@ -1919,7 +1919,7 @@
             <source>%1: now %2, at most %3</source>
             <translation>%1: jetzt %2, höchstens %3</translation>
         </message>
-    </context>
+</context>
     <context>
     <name>StabilityView</name>
         <message>
@@ -4360,7 +4360,7 @@ Einstellung %2</translation>
     </message>
 </context>
 <context>
-    <name>FindingModel</name>
+    <name>FindingTable</name>
         <message>
             <source>Error</source>
             <translation>Fehler</translation>
@@ -4377,6 +4377,9 @@ Einstellung %2</translation>
             <source>Severity</source>
             <translation>Schwere</translation>
         </message>
+</context>
+<context>
+    <name>FindingModel</name>
         <message>
             <source>Where</source>
             <translation>Wo</translation>
@@ -8687,22 +8690,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 </context>
 <context>
     <name>EniFindingModel</name>
-        <message>
-            <source>Error</source>
-            <translation>Fehler</translation>
-        </message>
-        <message>
-            <source>Warning</source>
-            <translation>Warnung</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>Hinweis</translation>
-        </message>
-        <message>
-            <source>Severity</source>
-            <translation>Schwere</translation>
-        </message>
         <message>
             <source>Line</source>
             <translation>Zeile</translation>

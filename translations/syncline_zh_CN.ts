@@ -1917,7 +1917,7 @@
             <source>%1: now %2, at most %3</source>
             <translation>%1：当前 %2，最大 %3</translation>
         </message>
-    </context>
+</context>
     <context>
     <name>StabilityView</name>
         <message>
@@ -4341,10 +4341,10 @@ Setting %2</source>
         </message>
 </context>
 <context>
-    <name>FindingModel</name>
+    <name>FindingTable</name>
         <message>
             <source>Error</source>
-            <translation>误差</translation>
+            <translation>错误</translation>
         </message>
         <message>
             <source>Warning</source>
@@ -4358,6 +4358,9 @@ Setting %2</source>
             <source>Severity</source>
             <translation>严重程度</translation>
         </message>
+</context>
+<context>
+    <name>FindingModel</name>
         <message>
             <source>Where</source>
             <translation>位置</translation>
@@ -8647,22 +8650,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 </context>
 <context>
     <name>EniFindingModel</name>
-        <message>
-            <source>Error</source>
-            <translation>错误</translation>
-        </message>
-        <message>
-            <source>Warning</source>
-            <translation>警告</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>提示</translation>
-        </message>
-        <message>
-            <source>Severity</source>
-            <translation>严重程度</translation>
-        </message>
         <message>
             <source>Line</source>
             <translation>行</translation>

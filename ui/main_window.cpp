@@ -163,6 +163,7 @@ void MainWindow::connectDocks() {
   auto* fixes = new FindingFixes(
       workspace_, [this] { return commitFields(); }, this);
   connect(messages, &MessagesPanel::menuOpens, fixes, &FindingFixes::fill);
+  connect(editor_, &DeviceEditor::findingMenuOpens, fixes, &FindingFixes::fill);
   connect(fixes, &FindingFixes::placeWanted, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
   connect(explorer_, &ExplorerPanel::networkWanted, networks_, &NetworkCommands::choose);
