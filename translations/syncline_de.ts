@@ -1919,6 +1919,10 @@
             <source>%1: now %2, at most %3</source>
             <translation>%1: jetzt %2, höchstens %3</translation>
         </message>
+            <message>
+            <source>Farthest off is %1: %2</source>
+            <translation>Am weitesten daneben liegt %1: %2</translation>
+        </message>
 </context>
     <context>
     <name>StabilityView</name>
@@ -4120,6 +4124,14 @@ Einstellung %2</translation>
         <message>
             <source>%1: %2   %3: %4</source>
             <translation>%1: %2   %3: %4</translation>
+        </message>
+        <message>
+            <source>the limit of %1 is exceeded</source>
+            <translation>die Grenze von %1 ist überschritten</translation>
+        </message>
+        <message>
+            <source>the limit of %1 is kept</source>
+            <translation>die Grenze von %1 ist eingehalten</translation>
         </message>
 </context>
 <context>
@@ -6496,6 +6508,10 @@ Einstellung %2</translation>
         <message>
             <source>Margin: %1</source>
             <translation>Reserve: %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
 </context>
 <context>
@@ -11823,4 +11839,11 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Mittel 95 %</translation>
         </message>
     </context>
+<context>
+    <name>SpokenValue</name>
+        <message>
+            <source>Nothing is shown</source>
+            <translation>Nichts wird gezeigt</translation>
+        </message>
+</context>
 </TS>

@@ -1917,6 +1917,10 @@
             <source>%1: now %2, at most %3</source>
             <translation>%1：当前 %2，最大 %3</translation>
         </message>
+            <message>
+            <source>Farthest off is %1: %2</source>
+            <translation>偏差最大的是 %1：%2</translation>
+        </message>
 </context>
     <context>
     <name>StabilityView</name>
@@ -4105,6 +4109,14 @@ Setting %2</source>
         <message>
             <source>%1: %2   %3: %4</source>
             <translation>%1: %2   %3: %4</translation>
+        </message>
+        <message>
+            <source>the limit of %1 is exceeded</source>
+            <translation>超出 %1 的限值</translation>
+        </message>
+        <message>
+            <source>the limit of %1 is kept</source>
+            <translation>未超出 %1 的限值</translation>
         </message>
 </context>
 <context>
@@ -6464,6 +6476,10 @@ Setting %2</source>
         <message>
             <source>Margin: %1</source>
             <translation>裕量：%1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
         </message>
 </context>
 <context>
@@ -11764,4 +11780,11 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>均值 95 %</translation>
         </message>
     </context>
+<context>
+    <name>SpokenValue</name>
+        <message>
+            <source>Nothing is shown</source>
+            <translation>未显示任何内容</translation>
+        </message>
+</context>
 </TS>
