@@ -1919,7 +1919,11 @@
             <source>%1: now %2, at most %3</source>
             <translation>%1: jetzt %2, höchstens %3</translation>
         </message>
-    </context>
+            <message>
+            <source>Farthest off is %1: %2</source>
+            <translation>Am weitesten daneben liegt %1: %2</translation>
+        </message>
+</context>
     <context>
     <name>StabilityView</name>
         <message>
@@ -4121,6 +4125,14 @@ Einstellung %2</translation>
             <source>%1: %2   %3: %4</source>
             <translation>%1: %2   %3: %4</translation>
         </message>
+        <message>
+            <source>the limit of %1 is exceeded</source>
+            <translation>die Grenze von %1 ist überschritten</translation>
+        </message>
+        <message>
+            <source>the limit of %1 is kept</source>
+            <translation>die Grenze von %1 ist eingehalten</translation>
+        </message>
 </context>
 <context>
     <name>TracePlot</name>
@@ -4360,7 +4372,7 @@ Einstellung %2</translation>
     </message>
 </context>
 <context>
-    <name>FindingModel</name>
+    <name>FindingTable</name>
         <message>
             <source>Error</source>
             <translation>Fehler</translation>
@@ -4377,6 +4389,9 @@ Einstellung %2</translation>
             <source>Severity</source>
             <translation>Schwere</translation>
         </message>
+</context>
+<context>
+    <name>FindingModel</name>
         <message>
             <source>Where</source>
             <translation>Wo</translation>
@@ -6493,6 +6508,10 @@ Einstellung %2</translation>
         <message>
             <source>Margin: %1</source>
             <translation>Reserve: %1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1: %2</translation>
         </message>
 </context>
 <context>
@@ -8687,22 +8706,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 </context>
 <context>
     <name>EniFindingModel</name>
-        <message>
-            <source>Error</source>
-            <translation>Fehler</translation>
-        </message>
-        <message>
-            <source>Warning</source>
-            <translation>Warnung</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>Hinweis</translation>
-        </message>
-        <message>
-            <source>Severity</source>
-            <translation>Schwere</translation>
-        </message>
         <message>
             <source>Line</source>
             <translation>Zeile</translation>
@@ -11836,4 +11839,11 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Mittel 95 %</translation>
         </message>
     </context>
+<context>
+    <name>SpokenValue</name>
+        <message>
+            <source>Nothing is shown</source>
+            <translation>Nichts wird gezeigt</translation>
+        </message>
+</context>
 </TS>

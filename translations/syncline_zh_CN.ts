@@ -1917,7 +1917,11 @@
             <source>%1: now %2, at most %3</source>
             <translation>%1：当前 %2，最大 %3</translation>
         </message>
-    </context>
+            <message>
+            <source>Farthest off is %1: %2</source>
+            <translation>偏差最大的是 %1：%2</translation>
+        </message>
+</context>
     <context>
     <name>StabilityView</name>
         <message>
@@ -4106,6 +4110,14 @@ Setting %2</source>
             <source>%1: %2   %3: %4</source>
             <translation>%1: %2   %3: %4</translation>
         </message>
+        <message>
+            <source>the limit of %1 is exceeded</source>
+            <translation>超出 %1 的限值</translation>
+        </message>
+        <message>
+            <source>the limit of %1 is kept</source>
+            <translation>未超出 %1 的限值</translation>
+        </message>
 </context>
 <context>
     <name>TracePlot</name>
@@ -4341,10 +4353,10 @@ Setting %2</source>
         </message>
 </context>
 <context>
-    <name>FindingModel</name>
+    <name>FindingTable</name>
         <message>
             <source>Error</source>
-            <translation>误差</translation>
+            <translation>错误</translation>
         </message>
         <message>
             <source>Warning</source>
@@ -4358,6 +4370,9 @@ Setting %2</source>
             <source>Severity</source>
             <translation>严重程度</translation>
         </message>
+</context>
+<context>
+    <name>FindingModel</name>
         <message>
             <source>Where</source>
             <translation>位置</translation>
@@ -6461,6 +6476,10 @@ Setting %2</source>
         <message>
             <source>Margin: %1</source>
             <translation>裕量：%1</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
         </message>
 </context>
 <context>
@@ -8647,22 +8666,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 </context>
 <context>
     <name>EniFindingModel</name>
-        <message>
-            <source>Error</source>
-            <translation>错误</translation>
-        </message>
-        <message>
-            <source>Warning</source>
-            <translation>警告</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>提示</translation>
-        </message>
-        <message>
-            <source>Severity</source>
-            <translation>严重程度</translation>
-        </message>
         <message>
             <source>Line</source>
             <translation>行</translation>
@@ -11777,4 +11780,11 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>均值 95 %</translation>
         </message>
     </context>
+<context>
+    <name>SpokenValue</name>
+        <message>
+            <source>Nothing is shown</source>
+            <translation>未显示任何内容</translation>
+        </message>
+</context>
 </TS>

@@ -42,10 +42,14 @@ MachineBuilding::MachineBuilding(Workspace& workspace, QMainWindow& window, std:
   });
   connect(&catalogue, &DeviceCatalogue::failed, this,
           [this](const Error& error) { workspace_.report(error, Severity::kWarning, tr("Catalogue")); });
-  connect(&catalogue, &DeviceCatalogue::warned, this, [this](const eni::FileWarning& warning) {
-    workspace_.messages().append(
-        {QDateTime::currentDateTime(), Severity::kWarning, tr("Catalogue"), warningText(warning), -1, {}});
-  });
+  const auto tell = [this](Severity severity) {
+    return [this, severity](const eni::FileWarning& warning) {
+      workspace_.messages().append(
+          {QDateTime::currentDateTime(), severity, tr("Catalogue"), warningText(warning), -1, {}});
+    };
+  };
+  connect(&catalogue, &DeviceCatalogue::warned, this, tell(Severity::kWarning));
+  connect(&catalogue, &DeviceCatalogue::noted, this, tell(Severity::kNote));
   connect(&workspace, &Workspace::mayEditSlavesChanged, this, &MachineBuilding::showWhetherSlavesStay);
   showWhetherSlavesStay();
 }

@@ -48,6 +48,7 @@
 #include "ui/text/error_text.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 #include "ui/window_centre.h"
 #include "ui/window_docks.h"
 #include "ui/window_layout.h"
@@ -59,6 +60,7 @@
 
 namespace syncline::ui {
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
+  installSpokenValues();
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/syncline.svg")));
   setAcceptDrops(true);
@@ -163,6 +165,7 @@ void MainWindow::connectDocks() {
   auto* fixes = new FindingFixes(
       workspace_, [this] { return commitFields(); }, this);
   connect(messages, &MessagesPanel::menuOpens, fixes, &FindingFixes::fill);
+  connect(editor_, &DeviceEditor::findingMenuOpens, fixes, &FindingFixes::fill);
   connect(fixes, &FindingFixes::placeWanted, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
   connect(explorer_, &ExplorerPanel::networkWanted, networks_, &NetworkCommands::choose);

@@ -61,7 +61,7 @@ void WindowDocks::showTrigger() {
 
 /// The tab says how much there is, so that nobody has to look whether there is any.
 void WindowDocks::showFindingCount() {
-  const int count = workspace_.findings().count(Severity::kWarning);
+  const int count = workspace_.findings().countFrom(Severity::kWarning);
   findings_dock_->setWindowTitle(count == 0 ? MainWindow::tr("Findings") : MainWindow::tr("Findings (%1)").arg(count));
 }
 

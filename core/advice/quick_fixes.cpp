@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "advice/quick_fixes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
 
+#include "check/check_network.h"
 #include "compile/incremental.h"
 
 namespace syncline {
@@ -16,6 +19,23 @@ using settings::Setting;
 using settings::Value;
 
 constexpr std::size_t kMostTried = 24;
+
+bool is_rule(std::string_view code) {
+  const auto rules = check_rules();
+  return std::ranges::find(rules, code, &FindingWords::code) != rules.end();
+}
+
+/// What the compiler says, and for a finding of the checker what that says of the configuration, with its settings.
+std::vector<Finding> findings_of(const CompileResult& compiled, bool with_rules) {
+  auto findings = compiled.findings;
+  if (!with_rules) return findings;
+  for (auto& found : check_network(compiled.config)) {
+    if (found.place.key.empty())
+      found.place.key = setting_at(find_finding_words(found.code)->setting, found.place.slave);
+    findings.push_back(std::move(found));
+  }
+  return findings;
+}
 
 bool same_thing(const Finding& a, const Finding& b) {
   return a.code == b.code && a.place.slave == b.place.slave && a.place.key == b.place.key;
@@ -70,6 +90,19 @@ class Candidates {
     const auto options = setting_.options ? setting_.options(project_, place_) : choice.options;
     for (const auto& option : options) add(option.value);
   }
+  /// A name that others have: the same with the smallest number behind it that nobody has.
+  void add_of(const settings::Text&) {
+    const auto* now = std::get_if<std::string>(&now_);
+    if (now == nullptr || now->empty() || !setting_.of_slave()) return;
+    std::vector<Value> used;
+    for (std::size_t i = 0; i < project_.slaves.size(); ++i)
+      used.push_back(setting_.read(project_, {i, place_.item, place_.sub}));
+    if (std::ranges::count(used, now_) < 2) return;
+    for (std::size_t number = 2; number <= used.size() + 1; ++number) {
+      Value numbered = fmt::format("{} ({})", *now, number);
+      if (std::ranges::find(used, numbered) == used.end()) return add(std::move(numbered));
+    }
+  }
   /// Without one of them.
   void add_of(const settings::Indices&) {
     const auto* all = std::get_if<std::vector<std::uint16_t>>(&now_);
@@ -105,11 +138,12 @@ std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding
                                   std::size_t most) {
   const auto found = settings::find(project, finding.place.key, false);
   if (!found) return {};
+  const bool with_rules = is_rule(finding.code);
   Project changed = project;
   IncrementalCompiler compiler;  // of a large machine only what a value touches is done again
   std::vector<Finding> before;
   if (const auto compiled = compiler.update(changed)) {
-    before = (*compiled)->findings;
+    before = findings_of(**compiled, with_rules);
   } else {
     return {};
   }
@@ -138,7 +172,7 @@ std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding
     });
     if (!taken) continue;
     const auto after = compiler.update(changed);
-    if (after && gone((*after)->findings)) fixes.push_back(fix);
+    if (after && gone(findings_of(**after, with_rules))) fixes.push_back(fix);
     if (fixes.size() == most) break;
   }
   return fixes;

@@ -49,7 +49,7 @@ std::vector<Room> rooms() {
       {"core/compare", with(kValues, {"core/families", "core/settings"})},
       {"core/recover", with(planned, {"core/compare"})},
       {"core/exports", kValues},
-      {"core/advice", planned},
+      {"core/advice", with(planned, {"core/check"})},
       {"core/channels", with(kValues, {"core/families"})},
       {"core/dc", with(kValues, {"core/channels"})},
       {"core/sim", with(kValues, {"core/families"})},

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 
 #include "eni/esi/esi_reader.h"
+#include "sqlite/sqlite_database.h"
 #include "support/speak.h"
 #include "support/ui_test_support.h"
 #include "tests/support/sloppy_esi.h"
@@ -79,8 +80,9 @@ class CatalogueWarnings : public ::testing::Test {
     return texts;
   }
 
- private:
   QTemporaryDir cache_, esi_;
+
+ private:
   QByteArray before_;
 };
 
@@ -96,6 +98,26 @@ TEST_F(CatalogueWarnings, AreSaidInTheUsersLanguage) {
     for (const auto& text : texts)
       EXPECT_TRUE(englishIn(text).isEmpty()) << qPrintable(englishIn(text).join(u' ')) << ": " << qPrintable(text);
   }
+}
+
+/// That an index was made again is nothing that anybody has to mend.
+TEST_F(CatalogueWarnings, OfAnIndexOfAnotherVersionAreInformation) {
+  static_cast<void>(told());
+  const auto path = (cache_.path() + QStringLiteral("/syncline/esi-catalogue.sqlite")).toStdString();
+  ASSERT_TRUE(SqlDatabase::open(path)->execute("PRAGMA user_version=3"));
+  const test::Speak speak(QStringLiteral("de"));
+  Workspace workspace(test::virtualEnvironment());
+  const MainWindow window(workspace);
+  QString text;
+  QObject::connect(&workspace.catalogue(), &DeviceCatalogue::noted, &window,
+                   [&](const eni::FileWarning& note) { text = warningText(note); });
+  workspace.catalogue().add({esi_.path()});
+  ASSERT_TRUE(waitFor([&] { return !text.isEmpty(); }));
+  EXPECT_TRUE(text.contains(QStringLiteral("wird neu angelegt: er hat die Version 3"))) << qPrintable(text);
+  const auto& messages = workspace.messages();
+  const auto last = messages.message(messages.rowCount() - 1);
+  EXPECT_EQ(last.text, text);
+  EXPECT_EQ(last.severity, Severity::kNote);
 }
 
 TEST_F(CatalogueWarnings, OfAFileThatIsReadAloneToo) {

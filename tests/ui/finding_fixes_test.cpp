@@ -7,7 +7,9 @@
 #include <QTableView>
 
 #include "support/project_window.h"
+#include "ui/models/eni_finding_model.h"
 #include "ui/models/message_model.h"
+#include "ui/session/eni_preview.h"
 
 namespace syncline::ui {
 namespace {
@@ -54,6 +56,52 @@ TEST_F(FixesOfFindings, AreTriedBeforeTheyAreOfferedAndAreOneStep) {
   EXPECT_EQ(rowOf(key), -1) << "it is gone";
   workspace_.document().undoStack().undo();
   EXPECT_GE(rowOf(key), 0);
+}
+
+/// What the checker says of the ENI stands among them, with a way to mend it, too.
+TEST_F(FixesOfFindings, OfTheEniAreOneStepToo) {
+  auto& document = workspace_.document();
+  ASSERT_TRUE(document.edit(QStringLiteral("same name"), [](Project& target) -> Status {
+    target.slaves[2].station_address = 1003;
+    target.slaves[2].name = target.slaves[1].name;
+    return {};
+  }));
+  const auto key = QStringLiteral("slave.2.name");
+  int row = -1;
+  ASSERT_TRUE(test::waitFor([&] { return (row = rowOf(key)) >= 0; }));
+  auto* fix = open(row)->findChild<QAction*>(QStringLiteral("messageFix"));
+  ASSERT_NE(fix, nullptr);
+  EXPECT_TRUE(fix->text().contains(QStringLiteral("(2)"))) << qPrintable(fix->text());
+  const int steps = document.undoStack().count();
+  fix->trigger();
+  EXPECT_EQ(document.undoStack().count(), steps + 1);
+  EXPECT_NE(project().slaves[2].name, project().slaves[1].name);
+  auto& eni = workspace_.eni();
+  const auto checked = [&] { return eni.isCurrent() && eni.check() != nullptr; };
+  ASSERT_TRUE(test::waitFor(checked));
+  EXPECT_EQ(rowOf(key), -1) << "it is gone";
+  document.undoStack().undo();
+  EXPECT_TRUE(test::waitFor([&] { return rowOf(key) >= 0; })) << "it is back";
+}
+
+TEST_F(FixesOfFindings, OfTheEniStandInTheMenuOfItsPage) {
+  show(-1, "eniPage");
+  auto& eni = workspace_.eni();
+  ASSERT_TRUE(test::waitFor([&] { return eni.isCurrent() && eni.check() != nullptr; }));
+  auto& table = field<QTableView>("eniFindings");
+  auto& findings = static_cast<EniFindingModel&>(*table.model());
+  int row = 0;
+  while (row < findings.rowCount() && findings.finding(row).code != "ENI-REF-03") ++row;
+  ASSERT_LT(row, findings.rowCount());
+  Q_EMIT table.customContextMenuRequested(table.visualRect(findings.index(row, 0)).center());
+  auto* menu = window_.findChild<QMenu*>(QStringLiteral("eniFindingMenu"));
+  ASSERT_NE(menu, nullptr);
+  auto* fix = menu->findChild<QAction*>(QStringLiteral("messageFix"));
+  ASSERT_NE(fix, nullptr);
+  fix->trigger();
+  EXPECT_NE(project().slaves[2].station_address, project().slaves[1].station_address);
+  workspace_.document().undoStack().undo();
+  EXPECT_EQ(project().slaves[2].station_address, project().slaves[1].station_address);
 }
 
 TEST_F(FixesOfFindings, TheMenuGoesToTheSetting) {

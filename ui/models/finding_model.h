@@ -1,34 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QAbstractTableModel>
-#include <vector>
-
-#include "findings/finding.h"
+#include "ui/models/finding_table.h"
 
 namespace syncline::ui {
 
 /// The findings about the running bus, most severe first. Rows that stay keep their place and selection.
-class FindingModel final : public QAbstractTableModel {
+class FindingModel final : public FindingTable {
   Q_OBJECT
 
  public:
   enum Column { kSeverity, kWhere, kFinding, kAdvice, kColumns };
-  enum Role { kLevelRole = Qt::UserRole + 1, kSlaveRole, kCodeRole, kKeyRole, kFromRole, kToRole };
 
-  explicit FindingModel(QObject* parent = nullptr);
+  using FindingTable::FindingTable;
   void setFindings(const std::vector<Finding>& findings);
-  [[nodiscard]] int count(Severity at_least) const;
-
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ protected:
+  [[nodiscard]] QVariant cell(const Finding& finding, int column) const override;
+  [[nodiscard]] QString heading(int column) const override;
 
  private:
   void put(int row, const Finding& finding);
-
-  std::vector<Finding> rows_;
 };
 
 }  // namespace syncline::ui

@@ -94,6 +94,7 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   auto* eni = new EniPage(workspace);
   connect(eni, &EniPage::compareWanted, this, &DeviceEditor::compareWanted);
   connect(eni, &EniPage::exportWanted, this, &DeviceEditor::exportWanted);
+  connect(eni, &EniPage::findingMenuOpens, this, &DeviceEditor::findingMenuOpens);
   pages_ = {new MasterGeneralPage(workspace),  new MasterDcPage(workspace),
             new MasterDcExpertPage(workspace), new MasterTasksPage(workspace),
             new SlaveGeneralPage(workspace),   new SlaveDcPage(workspace),

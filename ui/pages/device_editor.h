@@ -7,11 +7,13 @@
 
 class QAction;
 class QLabel;
+class QMenu;
 class QTabWidget;
 
 namespace syncline::ui {
 
 class EniPage;
+struct Message;
 class Page;
 class Pill;
 class Segments;
@@ -59,6 +61,7 @@ class DeviceEditor final : public QWidget {
   /// The buttons of the ENI's page.
   void compareWanted();
   void exportWanted();
+  void findingMenuOpens(QMenu& menu, const syncline::ui::Message& about);
   /// Another node has to be shown for a field.
   void nodeWanted(int slave);
 

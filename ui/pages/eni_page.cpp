@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QShortcut>
@@ -17,6 +18,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <memory>
 
 #include "settings/settings_table.h"
 #include "ui/models/eni_finding_model.h"
@@ -25,6 +27,7 @@
 #include "ui/session/eni_preview.h"
 #include "ui/session/workspace.h"
 #include "ui/text/error_text.h"
+#include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/setting_text.h"
@@ -244,8 +247,25 @@ QTableView* EniPage::buildFindings() {
   };
   connect(table, &QTableView::clicked, this, go);
   connect(table, &QTableView::activated, this, go);
+  table->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table, &QWidget::customContextMenuRequested, this, &EniPage::openFindingMenu);
   table->hide();
   return table;
+}
+
+/// What the messages offer for a finding, here too.
+void EniPage::openFindingMenu(const QPoint& at) {
+  const auto index = found_->indexAt(at);
+  if (!index.isValid()) return;
+  const auto& finding = findings_->finding(index.row());
+  if (finding.place.key.empty() && finding.place.slave < 0) return;  // there is nothing to go to
+  auto message = messageOf(finding, project());
+  message.finding = std::make_shared<const Finding>(finding);
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("eniFindingMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  Q_EMIT findingMenuOpens(*menu, message);
+  menu->popup(found_->viewport()->mapToGlobal(at));
 }
 
 void EniPage::buildShortcuts() {
@@ -427,7 +447,7 @@ void EniPage::showFindings() {
   if (preview_.failure()) return checked_->setText(tr("Out of date"));
   if (preview_.view() == nullptr) return checked_->setText({});
   if (check == nullptr) return checked_->setText(tr("Being checked…"));
-  findings_->setFindings(check->findings);
+  findings_->setFindings(eni::findings_of_export(*check));
   const bool any = findings_->rowCount() > 0;
   found_->setVisible(any);
   checked_->setText(any ? QStringLiteral("%1, %2, %3")

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "ui/editors/page.h"
+#include "ui/text/message.h"
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QTableView;
 class QToolButton;
 
@@ -36,6 +38,8 @@ class EniPage final : public Page {
  Q_SIGNALS:
   void compareWanted();
   void exportWanted();
+  /// The menu of what the checker says of a line.
+  void findingMenuOpens(QMenu& menu, const syncline::ui::Message& about);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -46,6 +50,7 @@ class EniPage final : public Page {
   QWidget* buildSearch();
   QWidget* buildTrial();
   QTableView* buildFindings();
+  void openFindingMenu(const QPoint& at);
   void buildShortcuts();
   QToolButton* stepButton(const char* name, const QString& what, Qt::ArrowType arrow, const QKeySequence& keys);
   void showView();

@@ -18,6 +18,7 @@
 #include "ui/session/calc_and_copy.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/spoken_value.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
@@ -110,7 +111,7 @@ void CycleView::refresh() {
   const auto text = figure() == Figure::kArrivals ? figuresText() : bathtubText();
   if (text == figures_->text()) return;
   figures_->setText(text);
-  (figure() == Figure::kArrivals ? static_cast<QWidget*>(plot_) : bathtub_)->setAccessibleDescription(text);
+  sayValue(figure() == Figure::kArrivals ? static_cast<QWidget&>(*plot_) : *bathtub_, text);
 }
 
 void CycleView::setFigure(Figure figure) { figure_->setCurrentIndex(static_cast<int>(figure)); }

@@ -20,6 +20,7 @@
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -262,7 +263,7 @@ void DistributionView::showFigures() {
     wide += figures_->columnWidth(column);
   }
   figures_->setFixedWidth(std::min(wide, 320));
-  plot_->setAccessibleDescription(joinedClauses(spoken));
+  sayValue(*plot_, joinedClauses(spoken));
   double least = 1;
   for (const auto& count : counts_) least = std::min(least, count.progress());
   for (const auto& count : others_) least = std::min(least, count.progress());

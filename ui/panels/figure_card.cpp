@@ -2,6 +2,7 @@
 #include "ui/panels/figure_card.h"
 
 #include "ui/text/joined_text.h"
+#include "ui/widgets/spoken_value.h"
 #include "ui/widgets/value_label.h"
 
 #include <QEvent>
@@ -29,6 +30,7 @@ void setTextOf(QLabel& label, const QString& text) {
 
 FigureCard::FigureCard(const char* name, const QString& title, const QString& tool_tip, QWidget* parent)
     : QFrame(parent), title_(new ValueLabel), main_(new QLabel), note_(new QLabel), grid_(new QGridLayout) {
+  speaksValue(*this);
   setObjectName(QLatin1String(name));
   setAccessibleName(title);
   setToolTip(tool_tip);
@@ -80,16 +82,36 @@ std::size_t FigureCard::addFigure(const QString& label, const QString& tool_tip)
   return figures_.size() - 1;
 }
 
-void FigureCard::setMain(const QString& text) { setTextOf(*main_, text); }
+/// All of it in one sentence: a reader that stands on the card needs not look for its parts.
+void FigureCard::say() {
+  QStringList said{main_->text(), note_->text()};
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    if (!figures_[i]->text().isEmpty()) said << tr("%1: %2").arg(labels_[i]->text(), figures_[i]->text());
+  }
+  sayValue(*this, joinedClauses(said));
+}
+
+void FigureCard::setMain(const QString& text) {
+  if (text == mainText()) return;
+  setTextOf(*main_, text);
+  say();
+}
 
 void FigureCard::setNote(theme::Tone tone, const QString& text) {
-  setTextOf(*note_, text);
+  if (text != noteText()) {
+    setTextOf(*note_, text);
+    say();
+  }
   if (tone == tone_) return;
   tone_ = tone;
   colorText();
 }
 
-void FigureCard::setFigure(std::size_t number, const QString& text) { setTextOf(*figures_.at(number), text); }
+void FigureCard::setFigure(std::size_t number, const QString& text) {
+  if (text == figureText(number)) return;
+  setTextOf(*figures_.at(number), text);
+  say();
+}
 
 QString FigureCard::mainText() const { return main_->text(); }
 QString FigureCard::noteText() const { return note_->text(); }

@@ -36,6 +36,7 @@ class FigureCard final : public QFrame {
 
  private:
   void colorText();
+  void say();
 
   QLabel *title_, *main_, *note_;
   QGridLayout* grid_;

@@ -17,8 +17,10 @@
 #include "ui/plots/heat_legend.h"
 #include "ui/plots/signal_source.h"
 #include "ui/text/event_text.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/spoken_value.h"
 #include "ui/widgets/tables.h"
 #include "ui/widgets/value_label.h"
 
@@ -235,6 +237,21 @@ QString SlavesView::eventsText(const HeatMapPlot::MarkSpot& spot) const {
   return more > 0 ? tr("%1 (and %n more here)", nullptr, more).arg(first) : first;
 }
 
+/// Who was farthest off in the range shown.
+QString SlavesView::worstText() const {
+  const auto& rows = model_->rows();
+  const auto off = [](const SlaveFiguresModel::Row& row) {
+    return row.figures.statistics.count() > 0 ? row.figures.statistics.max_magnitude() : -1;
+  };
+  const auto worst = std::ranges::max_element(rows, {}, off);
+  if (worst == rows.end() || off(*worst) < 0) return {};
+  const int row = static_cast<int>(worst - rows.begin());
+  const auto of = [&](int column) { return model_->index(row, column).data().toString(); };
+  const double limit = limitOf(record_->limits(), Signal::kSlaveDeviation);
+  const auto text = tr("Farthest off is %1: %2").arg(of(SlaveFiguresModel::kSlave), of(SlaveFiguresModel::kMax));
+  return limit > 0 ? joinedParts({text, tr("limit \u00B1%1").arg(timeText(std::llround(limit)))}) : text;
+}
+
 /// Of the event or the cell under the pointer; without one the marked slave's figures.
 void SlavesView::showReading() {
   if (record_ == nullptr) return;
@@ -248,9 +265,8 @@ void SlavesView::showReading() {
     text = tr("%1: now %2, at most %3")
                .arg(of(SlaveFiguresModel::kSlave), of(SlaveFiguresModel::kNow), of(SlaveFiguresModel::kMax));
   }
-  if (text == reading_->text()) return;
-  reading_->setText(text);
-  plot_->setAccessibleDescription(text);
+  sayValue(*plot_, joinedSentences({text, worstText()}));
+  if (text != reading_->text()) reading_->setText(text);
 }
 
 }  // namespace syncline::ui

@@ -50,6 +50,7 @@ class SlavesView final : public QWidget {
   void updateFigures();
   void showFigures();
   void showReading();
+  [[nodiscard]] QString worstText() const;
   [[nodiscard]] int selectedInTable() const;
   [[nodiscard]] QVector<float> courseOf(std::size_t slave) const;
   [[nodiscard]] QString eventsText(const HeatMapPlot::MarkSpot& spot) const;

@@ -18,6 +18,7 @@
 #include "ui/text/stability_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/spoken_value.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
@@ -281,7 +282,7 @@ void StabilityView::draw() {
   const int place = words_->verticalScrollBar()->value();
   words_->setHtml(html);
   words_->verticalScrollBar()->setValue(place);
-  plot_->setAccessibleDescription(words());
+  sayValue(*plot_, words());
 }
 
 void StabilityView::showState() {

@@ -14,6 +14,7 @@
 #include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -25,6 +26,7 @@ constexpr int kTubMarks = 8, kDecades = 9;
 
 BathtubPlot::BathtubPlot(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  speaksValue(*this);
   setToolTip(tr(
       "From one SYNC0 to the next: how probable it is that the outputs come later than a moment (the line that falls "
       "to the right), and earlier (the one that falls to the left). Dashed is what comes out if the rarest arrivals "

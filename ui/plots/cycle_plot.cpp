@@ -11,6 +11,7 @@
 #include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -23,6 +24,7 @@ constexpr int kMarks = 8;
 
 CyclePlot::CyclePlot(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  speaksValue(*this);
   setToolTip(tr(
       "From one SYNC0 to the next: when the frame with the slave's outputs had ended there, in system time. Bars are "
       "logarithmic counts and fade with the age of their latest arrival; shaded is what the slave needs for "

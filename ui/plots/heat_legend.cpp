@@ -8,6 +8,7 @@
 #include "ui/plots/heat_scale.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -18,6 +19,7 @@ constexpr int kBarWidth = 90, kBarHeight = 10, kBox = 14, kTextGap = 5, kApart =
 
 HeatLegend::HeatLegend(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  speaksValue(*this);
   setToolTip(
       tr("The largest magnitude of register 0x092C in each cell. Between two readings the older one holds; a cell is "
          "hatched where the slave was not read for longer than a few readings take, or no frame came back."));
@@ -27,7 +29,7 @@ void HeatLegend::setScale(double full, bool is_limit) {
   if (full == full_ && is_limit == is_limit_) return;
   full_ = full;
   is_limit_ = is_limit;
-  setAccessibleDescription(text());
+  sayValue(*this, text());
   updateGeometry();
   update();
 }

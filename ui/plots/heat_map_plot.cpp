@@ -15,6 +15,7 @@
 #include "ui/plots/signal_source.h"
 #include "ui/plots/small_font.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -31,6 +32,7 @@ HeatMapPlot::HeatMapPlot(TimeView* view, CursorSet* cursors, QWidget* parent)
     : QWidget(parent), view_(view), cursors_(cursors), scale_(palette()) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  speaksValue(*this);
   updateTheme();
   connect(view_, &TimeView::changed, this, &HeatMapPlot::markDirty);
   connect(cursors_, &CursorSet::changed, this, qOverload<>(&QWidget::update));

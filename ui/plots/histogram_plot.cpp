@@ -14,6 +14,7 @@
 #include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -27,6 +28,7 @@ constexpr std::ptrdiff_t kNoBin = -2;
 HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  speaksValue(*this);
 }
 
 void HistogramPlot::setData(const BinGrid& grid, std::vector<Steps> steps, double limit, const QString& unit) {

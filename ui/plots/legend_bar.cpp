@@ -6,6 +6,7 @@
 
 #include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -19,12 +20,13 @@ LegendBar::LegendBar(QWidget* parent) : QWidget(parent) {
   small.setPointSizeF(small.pointSizeF() * 0.92);
   setFont(small);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  speaksValue(*this);
 }
 
 void LegendBar::setEntries(std::vector<Entry> entries) {
   if (entries == entries_) return;
   entries_ = std::move(entries);
-  setAccessibleDescription(text());
+  sayValue(*this, text());
   setToolTip(parts().join(u'\n'));
   update();
 }

@@ -16,6 +16,7 @@
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/small_font.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -32,6 +33,7 @@ double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - 
 LogLogPlot::LogLogPlot(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  speaksValue(*this);
 }
 
 void LogLogPlot::setData(const Axes& axes, std::vector<Curve> curves, const Limit& limit, int chosen) {
@@ -308,7 +310,7 @@ std::optional<LogLogPlot::Reading> LogLogPlot::highestNear(const QPointF& pointe
 void LogLogPlot::keep(std::optional<Reading> reading) {
   kept_ = reading;
   pointed_.reset();
-  setAccessibleDescription(this->reading());
+  sayValue(*this, this->reading());
   if (reading && reading->curve != chosen_) Q_EMIT curveChosen(reading->curve);
   update();
 }

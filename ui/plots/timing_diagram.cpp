@@ -12,6 +12,7 @@
 #include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -24,14 +25,15 @@ constexpr double kBarShare = 0.55;  // of a row
 
 TimingDiagram::TimingDiagram(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleDescription(described());
+  speaksValue(*this);
+  sayValue(*this, described());
 }
 
 void TimingDiagram::setTiming(std::optional<dc::SlaveTiming> timing) {
   if (timing == timing_) return;
   timing_ = timing;
   line_ = timing ? dc::sync_timeline(*timing) : dc::SyncTimeline{};
-  setAccessibleDescription(described());
+  sayValue(*this, described());
   updateGeometry();
   update();
 }

@@ -16,6 +16,7 @@
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
@@ -147,7 +148,7 @@ void TracePanel::refreshText(bool choose_now) {
   if (!hasSource() || store().empty()) {
     legend_->setEntries({});
     readout_->clear();
-    return;
+    return sayValue(*plot_, {});
   }
   renew();
   if (choose_now) choose();
@@ -157,7 +158,27 @@ void TracePanel::refreshText(bool choose_now) {
   if (text != readout_->text()) {
     readout_->setText(text);
   }
-  plot_->setAccessibleDescription(joinedSentences({legend_->text(), text}));
+  sayValue(*plot_, joinedSentences({legend_->text(), text, limitWords()}));
+}
+
+/// Whether what is held against the limit keeps it in the range shown.
+QString TracePanel::limitWords() const {
+  const auto signal = limitSignal();
+  if (!signal || plot_->limit() <= 0) return {};
+  const auto limit = timeText(static_cast<Nanoseconds>(plot_->limit()));
+  double worst = -1;
+  for (std::size_t slave = 0; slave < std::max<std::size_t>(store().slave_count(), 1); ++slave) {
+    if (!isThere(*source_, {*signal, slave})) continue;
+    const auto& series = seriesOf(*source_, {*signal, slave});
+    const bool drawn = std::ranges::any_of(
+        plot_->items(), [&](const SeriesItem* item) { return item->isVisible() && item->series() == &series; });
+    const auto extent = drawn ? series.extent(view_->begin(), view_->end() + 1) : std::nullopt;
+    if (extent)
+      worst = std::max({worst, std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max))});
+  }
+  if (worst < 0) return {};
+  return worst > plot_->limit() ? tr("the limit of %1 is exceeded").arg(limit)
+                                : tr("the limit of %1 is kept").arg(limit);
 }
 
 QString TracePanel::betweenCursors() {

@@ -122,6 +122,7 @@ class TracePanel : public QWidget {
     bool operator==(const Measured&) const = default;
   };
   [[nodiscard]] QString betweenCursors();
+  [[nodiscard]] QString limitWords() const;
   [[nodiscard]] QString measure(const SeriesItem& item, Nanoseconds begin) const;
   /// " ± 3 ns" of a mean; empty without.
   [[nodiscard]] QString spread(const Statistics& statistics) const;

@@ -21,6 +21,7 @@
 #include "ui/plots/unit_scale_draw.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
@@ -56,6 +57,7 @@ TracePlot::TracePlot(const Options& options, TimeView* view, CursorSet* cursors,
       time_draw_(new UnitScaleDraw),
       axes_{std::make_unique<ValueAxis>(*this, QwtPlot::yLeft, options),
             std::make_unique<ValueAxis>(*this, QwtPlot::yRight, options)} {
+  speaksValue(*this);
   setAutoReplot(false);
   setFocusPolicy(Qt::StrongFocus);
   auto* surface = new QwtPlotCanvas(this);

@@ -78,7 +78,7 @@ void DeviceCatalogue::open(eni::EsiCatalogue& catalogue) {
   const auto errors = eni::add_usual_sources(catalogue, pathsOf(folders_),
                                              [this](const eni::IndexProgress& now) { return tellProgress(now); });
   for (const auto& error : errors) post([this, error] { Q_EMIT failed(error); });
-  for (const auto& note : catalogue.notes()) post([this, note] { Q_EMIT warned(note); });
+  for (const auto& note : catalogue.notes()) post([this, note] { Q_EMIT noted(note); });
   const bool cancelled = cancelled_;
   post([this, cancelled] { Q_EMIT added(0, cancelled); });
 }

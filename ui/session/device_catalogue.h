@@ -66,8 +66,10 @@ class DeviceCatalogue final : public QObject {
   void added(int devices, bool cancelled);
   /// A folder that could not be read.
   void failed(const syncline::Error& error);
-  /// A file that could not be read, what was left out of it or tolerated in it, and what became of the index.
+  /// A file that could not be read, and what was left out of it or tolerated in it.
   void warned(const syncline::eni::FileWarning& warning);
+  /// What became of the index: it was made again, or nothing is kept.
+  void noted(const syncline::eni::FileWarning& note);
 
  private:
   using Job = std::function<void(eni::EsiCatalogue&)>;

@@ -299,6 +299,7 @@ void Workspace::showFindings() {
   for (const auto& finding : shown_check_ ? eni::findings_of_export(*shown_check_) : std::vector<Finding>{}) {
     if (is_told(finding)) continue;
     lines.push_back(messageOf(finding, document_.project()));
+    lines.back().finding = std::make_shared<const Finding>(finding);
     if (finding.place.slave < 0) lines.back().source = tr("ENI");
   }
   std::ranges::stable_sort(lines, std::ranges::greater{}, &Message::severity);

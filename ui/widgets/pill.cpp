@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/pill.h"
+#include "ui/widgets/spoken_value.h"
 
 #include <QHelpEvent>
 #include <QPainter>
@@ -35,7 +36,10 @@ void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
 
 }  // namespace
 
-Pill::Pill(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); }
+Pill::Pill(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  speaksValue(*this);
+}
 
 void Pill::setState(theme::Tone tone, const QString& text) {
   if (tone == tone_ && text == text_) return;
@@ -43,7 +47,7 @@ void Pill::setState(theme::Tone tone, const QString& text) {
       text.size() != text_.size() || fontMetrics().horizontalAdvance(text) != fontMetrics().horizontalAdvance(text_);
   tone_ = tone;
   text_ = text;
-  setAccessibleDescription(text);
+  sayValue(*this, text);
   if (resized) updateGeometry();
   update();
 }

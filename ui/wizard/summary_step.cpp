@@ -165,7 +165,7 @@ void SummaryStep::showFindings() {
   std::ranges::stable_sort(all, std::ranges::greater{}, &Finding::severity);
   findings_->setFindings(all);
   const auto errors = findings_->count(Severity::kError);
-  const auto warnings = findings_->count(Severity::kWarning) - errors;
+  const auto warnings = findings_->count(Severity::kWarning);
   if (!result) return verdict_->setText(errorText(result.error()));
   if (!eni.isCurrent() || !eni.check()) return verdict_->setText(tr("The ENI is being checked…"));
   if (all.empty()) return verdict_->setText(tr("The check of project and ENI found nothing."));

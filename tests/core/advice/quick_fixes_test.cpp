@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "check/check_network.h"
 #include "compile/compile.h"
 #include "tests/support/small_machines.h"
 
@@ -65,6 +66,57 @@ TEST(QuickFixes, SwitchOnWhatASlaveNeeds) {
   ASSERT_FALSE(fixes.empty());
   apply(project, fixes.front());
   EXPECT_EQ(find(findings_of(project), "dc-switched-off"), nullptr);
+}
+
+/// As the window has them: of the ENI that is exported, with the settings that cure them.
+std::vector<Finding> checked(const Project& project) {
+  auto findings = check_network(compile(project).value().config);
+  for (auto& one : findings) {
+    if (one.place.key.empty()) one.place.key = setting_at(find_finding_words(one.code)->setting, one.place.slave);
+  }
+  return findings;
+}
+
+TEST(QuickFixes, TakeAwayWhatTheCheckerSaysOfTheEni) {
+  struct Spoiled {
+    const char *code, *key, *value;
+  };
+  constexpr Spoiled kCases[] = {
+      {"ENI-REF-03", "slave.2.station_address", "1002"},  {"ENI-REF-06", "slave.2.name", "SL-SV7 1"},
+      {"ENI-DC-07", "master.dc.reference_clock", "2"},    {"ENI-DC-18", "slave.2.dc.sync0.cycle_us", "1500"},
+      {"ENI-DC-19", "slave.2.dc.sync0.shift_us", "1200"},
+  };
+  for (const auto& one : kCases) {
+    auto project = test::two_axes().project;
+    const auto setting = settings::find(project, one.key, false);
+    ASSERT_TRUE(setting) << one.key;
+    const auto value = settings::parse_value(setting->setting->type, one.value);
+    ASSERT_TRUE(value && settings::set_value(*setting->setting, project, setting->place, *value)) << one.key;
+    const auto before = checked(project);
+    const auto* finding = find(before, one.code);
+    ASSERT_NE(finding, nullptr) << one.code;
+    const auto fixes = quick_fixes(project, *finding);
+    EXPECT_FALSE(fixes.empty()) << one.code;
+    for (const auto& fix : fixes) {
+      auto changed = project;
+      apply(changed, fix);
+      EXPECT_EQ(find(checked(changed), one.code), nullptr) << one.code;
+      EXPECT_FALSE(has_errors(checked(changed))) << one.code;
+    }
+  }
+}
+
+TEST(QuickFixes, GiveANameThatOthersHaveTheNextNumber) {
+  auto project = test::two_axes().project;
+  project.slaves[0].name = "Axis (2)";
+  project.slaves[1].name = project.slaves[2].name = "Axis";
+  const auto findings = checked(project);
+  const auto* finding = find(findings, "ENI-REF-06");
+  ASSERT_NE(finding, nullptr);
+  const auto fixes = quick_fixes(project, *finding);
+  ASSERT_EQ(fixes.size(), 1U);
+  apply(project, fixes.front());
+  EXPECT_EQ(project.slaves[2].name, "Axis (3)");
 }
 
 TEST(QuickFixes, OfferNothingWhereNoSingleValueDoesIt) {
