@@ -201,7 +201,7 @@ Status fill(eni::CatalogueStore& store) {
 
 void bench_lookup(RatioReport& report) {
   const Scratch scratch;
-  std::string replaced;
+  Reason replaced;
   auto store = eni::CatalogueStore::open(scratch.file("catalogue.db"), replaced);
   if (!store) return report.add_failure("look-up", describe(store.error()));
   if (const auto status = fill(*store); !status) return report.add_failure("look-up", describe(status.error()));

@@ -23,12 +23,19 @@ inline ui::Environment virtualEnvironment() {
   return environment;
 }
 
-/// Runs the event loop until `done`; false after ten seconds.
+/// For what other threads do; a sanitizer makes them as much slower.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr qint64 kPatienceMs = 60'000;
+#else
+inline constexpr qint64 kPatienceMs = 10'000;
+#endif
+
+/// Runs the event loop until `done`; false when that takes too long.
 inline bool waitFor(const std::function<bool()>& done) {
   QElapsedTimer timer;
   timer.start();
   while (!done()) {
-    if (timer.elapsed() > 10'000) return false;
+    if (timer.elapsed() > kPatienceMs) return false;
     QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
   }
   return true;
