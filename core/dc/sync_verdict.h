@@ -45,9 +45,12 @@ struct SlavesEvidence {
   Nanoseconds newest = 0;  // reading of any of them
   Nanoseconds oldest = 0;  // of the one of which nothing has been heard for longest
 
-  /// All of them to the same side, and about as far: it is the reference clock that has moved, not they, however many
-  /// of them are over the limit.
-  [[nodiscard]] bool all_alike() const { return followers >= 2 && over > 0 && alike == followers; }
+  /// All of them to the same side, and about as far: it is the reference clock that has moved, not they. Where not all
+  /// are over the limit, they must be three: the second of two is often to the same side by chance.
+  [[nodiscard]] bool all_alike() const {
+    constexpr std::size_t kMany = 3;
+    return followers >= 2 && over > 0 && alike == followers && (over == followers || followers >= kMany);
+  }
 };
 /// `within`: when an or-ed value last showed all followers within the limit.
 [[nodiscard]] SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit_ns,

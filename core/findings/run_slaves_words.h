@@ -198,9 +198,8 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      {{"", "{slave} was {deviation} off its reference clock at {since}, and nobody monitors it."},
       {"reference",
-       "Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: it "
-       "is "
-       "the one that moved, and nobody monitors them."}}},
+       "Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: "
+       "it is the one that moved, and nobody monitors them."}}},
     {"master-not-locked",
      Severity::kError,
      "The master is not in sync",

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "trace/statistics.h"
 #include "trace/untold.h"
@@ -166,13 +167,15 @@ QString TracePanel::limitWords() const {
   const auto signal = limitSignal();
   if (!signal || plot_->limit() <= 0) return {};
   const auto limit = timeText(static_cast<Nanoseconds>(plot_->limit()));
+  std::set<const MinMaxSeries*> drawn;
+  for (const SeriesItem* item : plot_->items()) {
+    if (item->isVisible()) drawn.insert(item->series());
+  }
   double worst = -1;
   for (std::size_t slave = 0; slave < std::max<std::size_t>(store().slave_count(), 1); ++slave) {
     if (!isThere(*source_, {*signal, slave})) continue;
     const auto& series = seriesOf(*source_, {*signal, slave});
-    const bool drawn = std::ranges::any_of(
-        plot_->items(), [&](const SeriesItem* item) { return item->isVisible() && item->series() == &series; });
-    const auto extent = drawn ? series.extent(view_->begin(), view_->end() + 1) : std::nullopt;
+    const auto extent = drawn.contains(&series) ? series.extent(view_->begin(), view_->end() + 1) : std::nullopt;
     if (extent)
       worst = std::max({worst, std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max))});
   }

@@ -225,6 +225,15 @@ TEST_F(SyncVerdictTest, OneOfManyThatAreAsFarAwayIsNotToBlame) {
   EXPECT_FALSE(verdict.evidence().all_alike()) << "that one stayed";
 }
 
+/// With one over a small window the other is to its side half of the time, and nothing has moved.
+TEST(SyncEvidence, OfTwoTheSecondMayBeThereByChance) {
+  const std::vector<ClockReading> one_over{{true, true, 1, 16}, {true, true, 1, 9}},
+      both{{true, true, 1, 16}, {true, true, 1, 17}};
+  EXPECT_FALSE(weigh(one_over, 15, std::nullopt).all_alike());
+  EXPECT_EQ(weigh(one_over, 15, std::nullopt).worst, 0);
+  EXPECT_TRUE(weigh(both, 15, std::nullopt).all_alike());
+}
+
 /// ESCs of both editions of the data sheet on one bus: the same step has two signs.
 TEST_F(SyncVerdictTest, TheReferenceClockIsKnownAlsoWhereSignsMeanTwoThings) {
   in_turn(0, 1600, 40);
