@@ -139,7 +139,7 @@ inline constexpr FindingWords kEventBus[] = {
      "",
      "",
      "",
-     {{"", "the bring-up begins again from INIT: the network adapter was away in the middle of it"}}},
+     {{"", "the bring-up begins again from INIT: no slave could be reached in the middle of it"}}},
     {"event-real-time",
      Severity::kWarning,
      "Best effort instead of real time",

@@ -80,18 +80,31 @@ Status Operation::bring_up(AlState target) {
   return target == AlState::kInit ? Status{} : esm_.change_to(target);
 }
 
-/// What fails because the adapter was away is begun again when it is back: nobody knows who has got what of it.
+/// What fails because the adapter was away, or everybody behind it, is begun again when they are back: nobody knows who
+/// has got what of it.
 Status Operation::through_outages(AlState target, const std::function<Status(bool again)>& lead) {
   for (int count = 0;; ++count) {
     const auto before = run_.link_outages();
     auto status = lead(count > 0);
     if (!status && status.error().code == ErrorCode::kLinkDown) run_.note_link(false, clock_.now());
-    if (run_.link_outages() == before) return status;
+    if (run_.link_outages() == before && !lost_its_ground(status)) return status;
     if (status) status = see_whether_reached(target);
     const bool ended = status || status.error().code == ErrorCode::kCancelled;
     if (ended || count == kMostOutages || !await_link()) return status;
     run_.event(clock_.now(), -1, events::BringUpAgain{});
   }
+}
+
+/// The cable at the master, everybody's supply, or that of the only clock that could lead. An acyclic frame may be
+/// given up some cycles before the slaves are.
+bool Operation::lost_its_ground(const Status& status) {
+  constexpr int kCycles = 10;
+  if (status || status.error().code == ErrorCode::kCancelled || !cyclic()) return false;
+  const auto holds = [this] { return run_.somebody_present() && (!sync_.active() || task_.reference().leader()); };
+  for (int i = 0; i < kCycles && holds(); ++i) {
+    if (!bus_.wait_a_little()) return false;
+  }
+  return !holds();
 }
 
 /// Slaves that did not answer in the middle of it may have been left out.

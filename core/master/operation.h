@@ -58,6 +58,7 @@ class Operation {
   Status bring_up(AlState target);
   Status lead_to(AlState target);
   Status through_outages(AlState target, const std::function<Status(bool again)>& lead);
+  bool lost_its_ground(const Status& status);
   Status see_whether_reached(AlState target);
   bool await_link();
   Status note_learned_rate();

@@ -39,6 +39,7 @@ inline constexpr std::string_view kBusReasons[] = {
     "they are {by} ns from the reference clock after {time} s, the sync window allows {limit} ns",
     "{slave} {by} ns from the reference clock after {time} s, the sync window allows {limit} ns",
     "they did not stay within {limit} ns of the reference clock for {settle} ms in {time} s",
+    "the reference clock has been away for {time} s",
     "expected {wanted}, read {read}",
     "{comment}: expected {wanted}, read {read}",
     "EoE result 0x{code}",

@@ -5957,8 +5957,8 @@
         <translation>die Umgebungstemperatur</translation>
     </message>
     <message>
-        <source>the bring-up begins again from INIT: the network adapter was away in the middle of it</source>
-        <translation>der Hochlauf beginnt noch einmal bei INIT: die Netzwerkkarte war mittendrin weg</translation>
+        <source>the bring-up begins again from INIT: no slave could be reached in the middle of it</source>
+        <translation>der Hochlauf beginnt noch einmal bei INIT: mittendrin war kein Slave erreichbar</translation>
     </message>
     <message>
         <source>the change of state may take {timeout} ms</source>
@@ -8143,6 +8143,10 @@
     <message>
         <source>they did not stay within {limit} ns of the reference clock for {settle} ms in {time} s</source>
         <translation>sie blieben in {time} s nie {settle} ms lang innerhalb von {limit} ns an der Referenzuhr</translation>
+    </message>
+    <message>
+        <source>the reference clock has been away for {time} s</source>
+        <translation>die Referenzuhr ist seit {time} s weg</translation>
     </message>
     <message>
         <source>expected {wanted}, read {read}</source>

@@ -5957,8 +5957,8 @@
         <translation>环境温度</translation>
     </message>
     <message>
-        <source>the bring-up begins again from INIT: the network adapter was away in the middle of it</source>
-        <translation>启动过程从 INIT 重新开始：网卡在启动途中消失</translation>
+        <source>the bring-up begins again from INIT: no slave could be reached in the middle of it</source>
+        <translation>启动过程从 INIT 重新开始：启动途中无法访问任何从站</translation>
     </message>
     <message>
         <source>the change of state may take {timeout} ms</source>
@@ -8143,6 +8143,10 @@
     <message>
         <source>they did not stay within {limit} ns of the reference clock for {settle} ms in {time} s</source>
         <translation>{time} s 内它们从未在参考时钟 {limit} ns 范围内保持 {settle} ms</translation>
+    </message>
+    <message>
+        <source>the reference clock has been away for {time} s</source>
+        <translation>参考时钟已消失 {time} s</translation>
     </message>
     <message>
         <source>expected {wanted}, read {read}</source>

@@ -9,6 +9,11 @@
 namespace syncline::diagnosis {
 namespace {
 
+/// Frames that are on time leave it less than it needs: each cycle uses outputs of the one before, whatever it misses.
+bool nominally_too_short(const RunReport::Slave& slave) {
+  return slave.sync0_margin && slave.evidence.calc_and_copy_ns > *slave.sync0_margin;
+}
+
 /// It counts outputs that came too late for SYNC0 where it misses them altogether: one cause, which is told with more.
 bool misses_told(const Findings& findings, const RunReport::Slave& slave) {
   return std::ranges::any_of(findings, [&](const Finding& finding) {
@@ -38,8 +43,8 @@ Finding slid(const RunReport& report, const RunReport::Slave& slave) {
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
-  const bool told =
-      misses_told(findings, slave) || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
+  const bool by_misses = misses_told(findings, slave) && !(was_locked(report) && nominally_too_short(slave));
+  const bool told = by_misses || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
   if (outputs.total > 0 && !told && !was_locked(report)) {
     findings.push_back(slid(report, slave));
   } else if (outputs.total > 0 && !told) {
@@ -82,7 +87,7 @@ void find_too_tight(const RunReport& report, const RunReport::Slave& slave, Find
   if (!slave.sync0_margin || !locked || report.history.frame_lateness.count() < kEnough) return;
   if (is_told(findings, slave)) return;
   // Also where the frames are in time, and nominally leave less than the slave needs for its outputs.
-  const bool needs_more = slave.evidence.calc_and_copy_ns > *slave.sync0_margin;
+  const bool needs_more = nominally_too_short(slave);
   if (lateness <= *slave.sync0_margin && !needs_more) return;
   findings.push_back(
       {code::kSync0TooTight, Severity::kWarning, slave.position, 0, 0, {slave_figure(report, slave.position)}});

@@ -33,7 +33,11 @@ int rank(AlState state) {
 }  // namespace
 
 RunState::RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter)
-    : mailboxes(config.slaves.size()), config_(config), channels_(channels), adapter_(std::move(adapter)) {
+    : mailboxes(config.slaves.size()),
+      config_(config),
+      channels_(channels),
+      adapter_(std::move(adapter)),
+      losses_(config.slaves.size()) {
   for (const auto& slave : config.slaves) {
     groups_.push_back(slave.hot_connect ? SharedText(slave.hot_connect->group) : SharedText());
   }
@@ -120,6 +124,7 @@ void RunState::set_present(std::size_t slave, bool present, Nanoseconds time) {
   known.absent_since = present ? 0 : time;
   known.moved = time;
   if (!present) {
+    ++losses_[slave];
     // Whatever it was in, nobody knows what it is in now. What was counted stays: it is the evidence.
     known.al_status = known.al_status_code = 0;
     known.al_status_time = 0;

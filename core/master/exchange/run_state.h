@@ -43,6 +43,8 @@ class RunState {
   void set_al_status(std::size_t slave, std::uint16_t status, std::uint16_t code, Nanoseconds time);
   /// A slave that does not answer is in no state that anybody knows: kNone.
   void set_present(std::size_t slave, bool present, Nanoseconds time);
+  /// How often it went away since the operation began.
+  [[nodiscard]] std::uint32_t losses(std::size_t slave) const { return losses_[slave]; }
   /// Every slave answers that has its place; members of hot-connect groups come and go as they like.
   [[nodiscard]] bool complete() const;
   /// Of the slaves that answer; kNone when none does.
@@ -68,6 +70,7 @@ class RunState {
   std::vector<SharedText> groups_;  // per slave, of the heads of hot-connect groups
   std::optional<Nanoseconds> link_away_since_;
   unsigned link_outages_ = 0;
+  std::vector<std::uint32_t> losses_;  // per slave
   std::uint64_t slave_changes_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "master/recovery/recovery.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "master/startup/hot_connect.h"
 
@@ -62,12 +63,14 @@ void Recovery::look() {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const auto& slave = run_.snapshot.slaves[i];
     auto& track = tracks_[i];
-    if (!slave.present) {
-      if (!track.returning || track.given_up) track = {};
+    // Also one that went and came while others ran the cycles, as the bring-up does.
+    const bool was_away = std::exchange(track.losses, run_.losses(i)) != run_.losses(i);
+    if (!slave.present || was_away) {
+      if (!track.returning || track.given_up) track = {.losses = track.losses};
       if (!track.returning) track.next_try = now + kFirstWait;
       track.returning = true;
-      continue;
     }
+    if (!slave.present) continue;
     if (is_behind(slave.al_status, esm_.level())) {
       track.well_since.reset();
       // Without the adapter nobody heard us: as good as a cable that was pulled, also when it was too short to be
@@ -80,7 +83,7 @@ void Recovery::look() {
     }
     if (!track.well_since) track.well_since = now;
     track.returning = false;
-    if (now - *track.well_since >= kWellPeriod) track = {.well_since = track.well_since};
+    if (now - *track.well_since >= kWellPeriod) track = {.losses = track.losses, .well_since = track.well_since};
   }
 }
 

@@ -34,8 +34,9 @@ class Recovery {
     bool returning = false;  // was lost since it was last in the state of the bus
     bool given_up = false;
     std::uint32_t tries = 0;
+    std::uint32_t losses = 0;  // known of when it was looked at last
     Nanoseconds next_try = 0;
-    std::optional<Nanoseconds> well_since;
+    std::optional<Nanoseconds> well_since = std::nullopt;
   };
 
   void look();

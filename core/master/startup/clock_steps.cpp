@@ -16,6 +16,8 @@ namespace syncline {
 namespace {
 
 constexpr Nanoseconds kSyncTimeout = 30 * kSecond;
+/// So long nobody has led: while the bus is brought up nobody new is made one, and no waiting helps.
+constexpr Nanoseconds kLeaderless = kSecond;
 
 }  // namespace
 
@@ -73,9 +75,17 @@ void ClockSteps::note(const DcNetwork& network) {
 
 Result<bool> ClockSteps::comes_true(bool (SyncWatch::*in_sync)() const) {
   const auto end = bus_.clock().now() + kSyncTimeout;
+  auto led = bus_.clock().now();
   while (!(sync_.*in_sync)()) {
     if (auto status = bus_.wait_a_little(); !status) return tl::unexpected(status.error());
-    if (bus_.clock().now() >= end) return false;
+    const auto now = bus_.clock().now();
+    if (task_.reference().leader()) led = now;
+    if (!run_.somebody_present()) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
+    if (now - led >= kLeaderless) {
+      return fail(ErrorCode::kDcSetup, "the slaves",
+                  because("the reference clock has been away for {time} s", kLeaderless / kSecond));
+    }
+    if (now >= end) return false;
   }
   return true;
 }

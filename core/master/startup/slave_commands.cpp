@@ -143,23 +143,40 @@ Status SlaveCommands::send_all(SlaveList& slaves, Messages messages) {
 
 /// Runs the works (one a slave of the list) and takes off the list those that failed.
 Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> works) {
+  std::vector<std::uint32_t> losses;
+  for (const auto slave : slaves) losses.push_back(run_.losses(slave));
   if (auto status = run_side_by_side(bus_, works); !status) return status;
-  SlaveList good, failed;
-  std::vector<Error> errors;
+  std::vector<Failed> failed;
+  SlaveList good;
   for (std::size_t i = 0; i < works.size(); ++i) {
-    const auto result = works[i]->result();
-    (result ? good : failed).push_back(slaves[i]);
-    if (!result) errors.push_back(result.error());
+    auto result = works[i]->result();
+    if (result) {
+      good.push_back(slaves[i]);
+    } else {
+      failed.push_back({slaves[i], losses[i], std::move(result.error())});
+    }
   }
   slaves = std::move(good);
-  if (errors.empty()) return {};
-  if (auto status = report(failed, errors); !status) return status;
-  return fail(std::move(errors.front()));
+  if (failed.empty()) return {};
+  if (auto status = report(failed); !status) return status;
+  const auto first = std::ranges::find_if(failed, [this](const Failed& f) { return !was_lost(f); });
+  return first == failed.end() ? Status{} : fail(std::move(first->error));
 }
 
-Status SlaveCommands::report(std::span<const std::size_t> slaves, std::span<const Error> errors) {
-  // First what each slave was asked and what it says, then the states in which that left them.
-  for (const auto& error : errors) run_.error(error, bus_.clock().now());
+/// Also one that has come back meanwhile and did not get all. Without cycles nobody looks for who is away: there a
+/// slave that does not answer is an error.
+bool SlaveCommands::was_lost(const Failed& failed) const {
+  return bus_.cyclic() && (!run_.snapshot.slaves[failed.slave].present || run_.losses(failed.slave) != failed.losses);
+}
+
+Status SlaveCommands::report(std::span<const Failed> failed) {
+  // First what each slave was asked and what it says, then the states in which that left them. A slave that was lost
+  // has been told as that.
+  SlaveList slaves;
+  for (const auto& each : failed) {
+    if (!was_lost(each)) run_.error(each.error, bus_.clock().now());
+    slaves.push_back(each.slave);
+  }
   if (auto status = read_al_status(slaves); !status) return status;
   // The acknowledge makes the next request possible.
   return write_acknowledge(slaves);

@@ -28,7 +28,8 @@ class SlaveCommands {
 
   /// Register commands, or mailbox commands (CoE objects first, then the other protocols). A slave that fails is told
   /// by an event, acknowledged when it reports an error, and taken off the list; it does not keep the others from
-  /// finishing. The result is the first slave's error; errors of the bus itself (see ends_everything()) end all.
+  /// finishing. The result is the first slave's error; errors of the bus itself (see ends_everything()) end all. Who
+  /// has gone away from a bus with cycles only leaves the list: he is told and brought back as one lost later.
   Status run(SlaveList& slaves, Transition transition, const Part& part = {}) {
     return run(slaves, transition, part, 0);
   }
@@ -52,11 +53,18 @@ class SlaveCommands {
   [[nodiscard]] std::uint16_t position(std::size_t slave) const { return positions_[slave]; }
 
  private:
+  struct Failed {
+    std::size_t slave;
+    std::uint32_t losses;  // of it, before it was asked
+    Error error;
+  };
+
   Status run(SlaveList& slaves, Transition transition, const Part& part, unsigned attempt);
   template <class Work, class Messages>
   Status send_all(SlaveList& slaves, Messages messages);
   Status finish(SlaveList& slaves, std::span<SlaveWork* const> works);
-  Status report(std::span<const std::size_t> slaves, std::span<const Error> errors);
+  Status report(std::span<const Failed> failed);
+  [[nodiscard]] bool was_lost(const Failed& failed) const;
   Status write_acknowledge(std::span<const std::size_t> slaves);
 
   Bus& bus_;

@@ -18,6 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using ::testing::UnorderedElementsAre;
 
 constexpr Nanoseconds kStart = 100 * kSecond;
 
@@ -428,6 +429,22 @@ TEST(RunDiagnosis, SaysHowMuchMoreTimeLateFramesNeed) {
   EXPECT_GE(more->value, 285 * kMicrosecond);
   EXPECT_LE(more->value, 310 * kMicrosecond);
   EXPECT_THAT(describe(findings[0]), HasSubstr("Increase the set value by"));
+}
+
+/// One event missed by an odd late frame is not why the outputs of thousands of cycles came too late.
+TEST(RunDiagnosis, OutputsThatComeTooLateInEachCycleAreToldBesideAnEventMissed) {
+  auto report = healthy();
+  auto& slave = report.slaves[1];
+  slave.sync0_margin = 13 * kMicrosecond;
+  slave.evidence.calc_and_copy_ns = 30 * kMicrosecond;
+  slave.evidence.outputs.shift_too_short.total = 6120;
+  slave.evidence.outputs.shift_too_short.time = kStart + 6 * kSecond;
+  report.history.slaves[1].shift_too_short.note(kStart + kSecond, 6120);
+  miss(report, 1, dc::MissCause::kFrameLate, 1);
+  EXPECT_THAT(codes(report), UnorderedElementsAre(code::kMissedByLateFrames, code::kShiftTooShort));
+  // Where frames leave enough when they are on time, it is one cause with two consequences.
+  slave.sync0_margin = 40 * kMicrosecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByLateFrames));
 }
 
 TEST(RunDiagnosis, NobodyIsNamedWhoIsWithinTheLimit) {
