@@ -20,6 +20,14 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>Choose the B&amp;us…</source>
+            <translation>B&amp;us wählen …</translation>
+        </message>
+        <message>
+            <source>On which bus the machine runs: a network card, a scenario, or itself, simulated</source>
+            <translation>An welchem Bus die Maschine läuft: Netzwerkkarte, Szenario, oder sie selbst, simuliert</translation>
+        </message>
+        <message>
             <source>Memor&amp;y for the Last…</source>
             <translation>Speiche&amp;r für die letzten …</translation>
         </message>
@@ -278,6 +286,10 @@
 </context>
 <context>
     <name>BusCommands</name>
+        <message>
+            <source>Choose</source>
+            <translation>Wählen</translation>
+        </message>
         <message>
             <source>EEPROM</source>
             <translation>EEPROM</translation>
@@ -914,6 +926,10 @@
 <context>
     <name>Link</name>
         <message>
+            <source>This machine (simulated)</source>
+            <translation>Diese Maschine (simuliert)</translation>
+        </message>
+        <message>
             <source>Demonstration machine (simulated)</source>
             <translation>Vorführmaschine (simuliert)</translation>
         </message>
@@ -928,6 +944,13 @@
 </context>
 <context>
     <name>LinkChooser</name>
+        <message numerus="yes">
+            <source>Simulated bus of the %n slave(s) of the project, as they are wired there</source>
+            <translation>
+                <numerusform>Simulierter Bus aus dem %n Slave des Projekts, so verkabelt wie dort</numerusform>
+                <numerusform>Simulierter Bus aus den %n Slaves des Projekts, so verkabelt wie dort</numerusform>
+            </translation>
+        </message>
         <message>
             <source>Choose the Bus</source>
             <translation>Bus wählen</translation>

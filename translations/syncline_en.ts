@@ -49,6 +49,16 @@
         </message>
     </context>
     <context>
+    <name>LinkChooser</name>
+        <message numerus="yes">
+            <source>Simulated bus of the %n slave(s) of the project, as they are wired there</source>
+            <translation>
+                <numerusform>Simulated bus of the %n slave of the project, as it is wired there</numerusform>
+                <numerusform>Simulated bus of the %n slaves of the project, as they are wired there</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
     <name>StabilityText</name>
         <message numerus="yes">
             <source>%n gap(s)</source>

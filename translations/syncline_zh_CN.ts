@@ -20,6 +20,14 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>Choose the B&amp;us…</source>
+            <translation>选择总线(&amp;U)…</translation>
+        </message>
+        <message>
+            <source>On which bus the machine runs: a network card, a scenario, or itself, simulated</source>
+            <translation>机器在哪条总线上运行：网卡、场景，或仿真的机器自身</translation>
+        </message>
+        <message>
             <source>Memor&amp;y for the Last…</source>
             <translation>最近周期的内存(&amp;Y)…</translation>
         </message>
@@ -278,6 +286,10 @@
 </context>
 <context>
     <name>BusCommands</name>
+        <message>
+            <source>Choose</source>
+            <translation>选择</translation>
+        </message>
         <message>
             <source>EEPROM</source>
             <translation>EEPROM</translation>
@@ -912,6 +924,10 @@
 <context>
     <name>Link</name>
         <message>
+            <source>This machine (simulated)</source>
+            <translation>本机器（仿真）</translation>
+        </message>
+        <message>
             <source>Demonstration machine (simulated)</source>
             <translation>演示机器（仿真）</translation>
         </message>
@@ -926,6 +942,12 @@
 </context>
 <context>
     <name>LinkChooser</name>
+        <message numerus="yes">
+            <source>Simulated bus of the %n slave(s) of the project, as they are wired there</source>
+            <translation>
+                <numerusform>由项目的 %n 个从站组成的仿真总线，按项目中的接线</numerusform>
+            </translation>
+        </message>
         <message>
             <source>Choose the Bus</source>
             <translation>选择总线</translation>

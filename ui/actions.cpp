@@ -74,6 +74,8 @@ Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
   demo = add("actionDemo", tr("&Demonstration Machine"), "demo",
              tr("Scan the simulated demonstration machine and go online"));
   scan = add("actionScan", tr("&Scan…"), "scan", tr("Scan a bus and make a project of it"), QKeySequence(Qt::Key_F6));
+  choose_link = add("actionChooseLink", tr("Choose the B&us…"), "",
+                    tr("On which bus the machine runs: a network card, a scenario, or itself, simulated"));
   online =
       add("actionOnline", tr("Go &Online"), "online", tr("Run the configuration on the bus"), QKeySequence(Qt::Key_F5));
   offline = add("actionOffline", tr("Go O&ffline"), "offline", tr("Bring the bus to INIT and stop"),

@@ -22,7 +22,7 @@ class Actions final : public QObject {
   QAction *create, *new_machine, *open, *save, *save_as, *save_template, *export_eni, *export_report, *close_recording,
       *overlay, *quit;
   QAction *undo, *redo, *go_to, *compare;
-  QAction *demo, *scan, *online, *offline, *clear_statistics, *record, *save_recent, *memory, *black_box,
+  QAction *demo, *scan, *choose_link, *online, *offline, *clear_statistics, *record, *save_recent, *memory, *black_box,
       *commissioning;
   QList<QAction*> states;  // INIT, PREOP, SAFEOP, OP; data() is the AlState
   QList<QAction*> themes;  // system, light, dark; data() is the theme::Mode

@@ -218,6 +218,7 @@ void MainWindow::connectActions() {
   on(actions_->demo, [this] {
     if (files_->mayDiscard()) bus_->startDemo();
   });
+  on(actions_->choose_link, [this] { bus_->chooseLink(); });
   on(actions_->online, [this] { bus_->goOnline(); });
   auto& stack = workspace_.document().undoGroup();
   connect(actions_->undo, &QAction::triggered, this, [this, &stack] {

@@ -38,7 +38,7 @@ void buildEditMenu(QMenu& menu, const Actions& actions, const QList<QAction*>& s
 void buildNetworkMenu(QMenu& menu, const Actions& actions, const MenuEntries& entries) {
   menu.addActions({actions.scan, actions.demo});
   menu.addSeparator();
-  menu.addActions({actions.online, actions.offline});
+  menu.addActions({actions.choose_link, actions.online, actions.offline});
   menu.addMenu(MainWindow::tr("Request S&tate"))->addActions(actions.states);
   menu.addSeparator();
   menu.addActions({actions.record, actions.save_recent, actions.memory, actions.black_box});

@@ -9,37 +9,42 @@
 #include "link/pcap_link.h"
 #include "link/simulated_host.h"
 #include "link/simulated_link.h"
+#include "recover/simulated_network.h"
 
 namespace syncline {
 namespace {
 
-Result<OpenedLink> open_simulated(const LinkText& text) {
-  const auto config = load_network(text.target, text.network, text.seed);
-  if (!config) return tl::unexpected(config.error());
-
+Result<OpenedLink> simulated_link(const SimConfig& config, const std::string& name, bool virtual_clock) {
   OpenedLink opened;
   SimulatedHost host;  // a real host has errors of its own
-  if (text.virtual_clock) {
+  if (virtual_clock) {
     auto clock = std::make_unique<VirtualClock>();
-    host = set_up_host(*clock, *config);
+    host = set_up_host(*clock, config);
     opened.clock = std::move(clock);
   } else {
     opened.clock = std::make_unique<RealClock>();
   }
-  auto bus = sim::SimBus::create(*config, opened.clock->now());
+  auto bus = sim::SimBus::create(config, opened.clock->now());
   if (!bus) return tl::unexpected(bus.error());
-  opened.link = make_simulated_link("sim:" + text.target, std::move(*bus), *opened.clock, host);
+  opened.link = make_simulated_link("sim:" + name, std::move(*bus), *opened.clock, host);
   return opened;
 }
 
 }  // namespace
 
+Result<OpenedLink> open_simulated(const Project& machine) {
+  return simulated_link(simulated_network(machine), machine.name, true);
+}
+
 Result<OpenedLink> open_link(std::string_view text) {
   const auto parsed = parse_link_text(text);
   if (!parsed) return tl::unexpected(parsed.error());
   switch (parsed->kind) {
-    case LinkKind::kSimulated:
-      return open_simulated(*parsed);
+    case LinkKind::kSimulated: {
+      const auto config = load_network(parsed->target, parsed->network, parsed->seed);
+      if (!config) return tl::unexpected(config.error());
+      return simulated_link(*config, parsed->target, parsed->virtual_clock);
+    }
     case LinkKind::kAdapter: {
       OpenedLink opened;
       opened.clock = std::make_unique<RealClock>();

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "config/project.h"
 #include "engine/opened_link.h"
 #include "support/result.h"
 
@@ -12,6 +13,9 @@ namespace syncline {
 /// Opens "sim:FILE[?virtual][&seed=N]", "nic:NAME" or "replay:FILE". Errors name the file, line and key of a scenario,
 /// or the adapter and the command that grants the permission.
 [[nodiscard]] Result<OpenedLink> open_link(std::string_view text);
+
+/// The simulated bus that a project describes, on the virtual clock. Errors as of a scenario.
+[[nodiscard]] Result<OpenedLink> open_simulated(const Project& machine);
 
 /// Folder of the resources (ESI files, demo machine): $SYNCLINE_RESOURCES, ../share/syncline beside the
 /// binary, or the source tree that this was built from.

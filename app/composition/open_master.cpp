@@ -14,4 +14,10 @@ Result<std::unique_ptr<BackgroundMaster>> open_master(std::string_view link) {
   return make_background_master(std::move(*opened));
 }
 
+Result<std::unique_ptr<BackgroundMaster>> open_master(const Project& machine) {
+  auto opened = open_simulated(machine);
+  if (!opened) return tl::unexpected(opened.error());
+  return make_background_master(std::move(*opened));
+}
+
 }  // namespace syncline

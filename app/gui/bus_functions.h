@@ -13,7 +13,9 @@ namespace syncline {
 
 /// The window's way to buses: what it asks for by the text of a LINK.
 inline void connect_buses(ui::Environment& environment) {
-  environment.open_master = [](const QString& link) { return open_master(link.toStdString()); };
+  environment.open_master = [](const QString& link, const Project& machine) {
+    return link == ui::kMachineItself ? open_master(machine) : open_master(link.toStdString());
+  };
   environment.scan_bus = [](const QString& link, bool look_only, const std::atomic<bool>& cancelled,
                             const std::function<void(const Event&)>& tell) {
     ScanRequest request;

@@ -12,6 +12,7 @@
 #include "config/module_description.h"
 #include "config/object_description.h"
 #include "config/pdo_description.h"
+#include "config/sync_manager_type.h"
 
 /// What an ESI file (ETG.2000) or a slave's SII says about a device: plain values, no XML.
 namespace syncline {
@@ -24,8 +25,6 @@ struct Identity {
   bool operator==(const Identity&) const = default;
 };
 [[nodiscard]] std::string to_string(const Identity& identity);  // "0x00000002:0x044c2c52:0x00120000"
-
-enum class SyncManagerType : std::uint8_t { kUnused = 0, kMailboxOut = 1, kMailboxIn = 2, kOutputs = 3, kInputs = 4 };
 
 struct SyncManagerDescription {
   SyncManagerType type = SyncManagerType::kUnused;

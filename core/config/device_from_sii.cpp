@@ -25,19 +25,17 @@ Pdo pdo_of(const sii::Pdo& from) {
 
 /// Old images, and some tools, leave the type 0 for SyncManagers that are in use: the control byte (0x0804) says mode
 /// and direction all the same.
-SyncManagerType sync_manager_type(const sii::SyncM& from) {
+SyncManagerType type_of(const sii::SyncM& from) {
   constexpr std::uint8_t kEnable = 0x01, kLastType = 4;
   if (from.type != 0 || (from.enable & kEnable) == 0) {
     return from.type <= kLastType ? static_cast<SyncManagerType>(from.type) : SyncManagerType::kUnused;
   }
-  const SyncManager manager{.start = from.start, .length = from.length, .control = from.control};
-  if (manager.is_mailbox()) return manager.ecat_writes() ? SyncManagerType::kMailboxOut : SyncManagerType::kMailboxIn;
-  return manager.ecat_writes() ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
+  return sync_manager_type(SyncManager{.control = from.control});
 }
 
 SyncManagerDescription sync_manager_of(const sii::SyncM& from) {
   SyncManagerDescription manager;
-  manager.type = sync_manager_type(from);
+  manager.type = type_of(from);
   manager.start_address = from.start;
   manager.default_size = from.length;
   manager.control_byte = from.control;

@@ -43,15 +43,6 @@ COMMIT;
 // In WAL mode a commit is whole or not there, whatever kills the program; NORMAL keeps the order on the disk, too.
 constexpr const char* kConnection = "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA temp_store=MEMORY;";
 
-Result<std::int64_t> pragma(SqlDatabase& database, std::string_view sql) {
-  auto statement = database.prepare(sql);
-  if (!statement) return tl::unexpected(statement.error());
-  std::int64_t value = 0;
-  if (auto status = statement->each([&] { value = statement->integer(0); }); !status)
-    return tl::unexpected(status.error());
-  return value;
-}
-
 /// By the file's first bytes, so that a damaged one is known too; a log beside it may hold the rest.
 Status look_at(const std::string& path) {
   std::error_code error;
@@ -72,7 +63,7 @@ Status look_at(const std::string& path) {
 
 /// Whether the rows of a file have checks, whatever its version says.
 Result<bool> has_checks(SqlDatabase& database) {
-  auto columns = pragma(database, "SELECT count(*) FROM pragma_table_info('block') WHERE name = 'crc'");
+  auto columns = database.number("SELECT count(*) FROM pragma_table_info('block') WHERE name = 'crc'");
   if (!columns) return tl::unexpected(columns.error());
   return *columns > 0;
 }
@@ -132,7 +123,7 @@ Result<SqlDatabase> create_recording(const std::string& path) {
   return database;
 }
 
-Result<std::int64_t> recording_version(SqlDatabase& database) { return pragma(database, "PRAGMA user_version"); }
+Result<std::int64_t> recording_version(SqlDatabase& database) { return database.number("PRAGMA user_version"); }
 
 Result<SqlDatabase> open_recording(const std::string& path) {
   if (auto status = look_at(path); !status) return tl::unexpected(status.error());
@@ -140,7 +131,7 @@ Result<SqlDatabase> open_recording(const std::string& path) {
   if (!database) {
     return fail(Error{.code = ErrorCode::kFileNotReadable, .detail = database.error().detail, .file = path});
   }
-  const auto id = pragma(*database, "PRAGMA application_id");
+  const auto id = database->number("PRAGMA application_id");
   if (!id) return read_error(*database, id.error());
   if (*id != kRecordingId) {
     return fail(Error{.code = ErrorCode::kNotThatKindOfFile,

@@ -12,13 +12,6 @@
 namespace syncline::recover {
 namespace {
 
-SyncManagerType type_of(const SyncManager& manager) {
-  if (manager.is_mailbox()) {
-    return manager.ecat_writes() ? SyncManagerType::kMailboxOut : SyncManagerType::kMailboxIn;
-  }
-  return manager.ecat_writes() ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
-}
-
 SyncManagerDescription mailbox_manager(SyncManagerType type, const MailboxChannel& channel) {
   SyncManagerDescription description;
   description.type = type;
@@ -38,7 +31,7 @@ void add_written(DeviceDescription& device, const RegisterWrites& writes, const 
         std::ranges::find(slave.sync_managers, number, &ConfiguredSyncManager::number) != slave.sync_managers.end();
     if (described || !written.enabled()) continue;
     if (description.type == SyncManagerType::kUnused) {
-      description.type = type_of(written);
+      description.type = sync_manager_type(written);
       description.start_address = written.start;
       description.default_size = written.length;
     }
@@ -235,7 +228,7 @@ std::vector<std::uint16_t> assigned_pdos(const SlaveConfig& slave, PdoDirection 
   // Nothing is described; what the start-up commands assign is.
   const auto wanted = direction == PdoDirection::kRx ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
   for (const auto& [number, written] : register_writes(slave.init_cmds).sync_managers) {
-    if (type_of(written) != wanted) continue;
+    if (sync_manager_type(written) != wanted) continue;
     std::ranges::copy(commanded_pdos(slave, number), std::back_inserter(marked));
   }
   return marked;

@@ -137,6 +137,15 @@ Result<SqlStatement> SqlDatabase::prepare(std::string_view sql) {
   return statement;
 }
 
+Result<std::int64_t> SqlDatabase::number(std::string_view sql) {
+  auto statement = prepare(sql);
+  if (!statement) return tl::unexpected(statement.error());
+  std::int64_t value = 0;
+  if (auto status = statement->each([&] { value = statement->integer(0); }); !status)
+    return tl::unexpected(status.error());
+  return value;
+}
+
 std::int64_t SqlDatabase::last_row() const { return sqlite3_last_insert_rowid(database_.get()); }
 
 bool is_damaged(const Error& error) {

@@ -76,6 +76,8 @@ class SqlDatabase {
   /// The statement of this text, prepared once and reset. Besides SQLite's own functions it may call row_crc(), see
   /// core/sqlite/row_check.h.
   [[nodiscard]] Result<SqlStatement> prepare(std::string_view sql);
+  /// The first column of the only row of this statement; 0 without a row. For pragmas and counts.
+  [[nodiscard]] Result<std::int64_t> number(std::string_view sql);
   [[nodiscard]] std::int64_t last_row() const;
 
  private:

@@ -41,15 +41,6 @@ PRAGMA temp_store=MEMORY;
 CREATE TEMP TABLE chosen(rank INTEGER PRIMARY KEY, file INTEGER UNIQUE);
 )";
 
-Result<std::int64_t> pragma(SqlDatabase& database, std::string_view sql) {
-  auto statement = database.prepare(sql);
-  if (!statement) return tl::unexpected(statement.error());
-  std::int64_t value = 0;
-  if (auto status = statement->each([&] { value = statement->integer(0); }); !status)
-    return tl::unexpected(status.error());
-  return value;
-}
-
 enum class Owner { kNobody, kUs, kOthers };
 
 /// From the file's first bytes alone, so that a damaged one is known too: SQLite keeps the application id at offset 68.
@@ -68,7 +59,7 @@ Status make_tables(SqlDatabase& database) {
   auto transaction = SqlTransaction::begin(database);
   if (!transaction) return tl::unexpected(transaction.error());
   // Somebody else may have made them while we waited.
-  const auto version = pragma(database, "PRAGMA user_version");
+  const auto version = database.number("PRAGMA user_version");
   if (!version) return tl::unexpected(version.error());
   if (*version == 0) {
     if (auto status = database.execute(kTables); !status) return status;
@@ -82,7 +73,7 @@ Status make_tables(SqlDatabase& database) {
 Result<SqlDatabase> try_open(const std::string& path, Reason& reason) {
   auto database = SqlDatabase::open(path);
   if (!database) return database;
-  const auto version = pragma(*database, "PRAGMA user_version");
+  const auto version = database->number("PRAGMA user_version");
   if (!version) return tl::unexpected(version.error());
   if (*version == 0) {
     if (auto status = make_tables(*database); !status) return tl::unexpected(status.error());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "config/sync_manager_type.h"
 #include "eni/xml/xml_number.h"
 #include "eni/xml/xml_text.h"
 #include "protocol/al_state.h"
@@ -89,7 +90,7 @@ ValueVerdict check_value(EniValue value, std::string_view whole) {
     case EniValue::kProtocol:
       return one_of({"AoE", "EoE", "CoE", "SoE", "FoE", "VoE"}, text);
     case EniValue::kSmType:
-      return one_of({"MBoxOut", "MBoxIn", "Outputs", "Inputs"}, text);
+      return sync_manager_type(text) ? ValueVerdict::kRight : ValueVerdict::kWrong;
     case EniValue::kRequires:
       return one_of({"frame", "cycle"}, text);
     case EniValue::kPhysics:

@@ -32,20 +32,14 @@ void read_fmmus(const Node& device, DeviceDescription& description) {
   }
 }
 
-SyncManagerType sync_manager_type(const Node& node, std::uint8_t control) {
+SyncManagerType type_of(const Node& node, std::uint8_t control) {
   const auto use = node.trimmed();
-  if (use == "MBoxOut") return SyncManagerType::kMailboxOut;
-  if (use == "MBoxIn") return SyncManagerType::kMailboxIn;
-  if (use == "Outputs") return SyncManagerType::kOutputs;
-  if (use == "Inputs") return SyncManagerType::kInputs;
+  if (const auto type = sync_manager_type(use)) return *type;
   if (use.empty()) return SyncManagerType::kUnused;
   // Some vendors write their own words; the control byte (0x0804) says mode and direction all the same.
-  const bool mailbox = (control & 0x03) == 0x02;
-  const bool written_by_master = (control & 0x0C) == 0x04;
   node.warn(because("the use \"{use}\" is not known; taken from the control byte 0x{control}", use,
                     fmt::format("{:02x}", control)));
-  if (mailbox) return written_by_master ? SyncManagerType::kMailboxOut : SyncManagerType::kMailboxIn;
-  return written_by_master ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
+  return sync_manager_type(SyncManager{.control = control});
 }
 
 SyncManagerDescription read_device_sync_manager(const Node& node) {
@@ -60,7 +54,7 @@ SyncManagerDescription read_device_sync_manager(const Node& node) {
   manager.op_only = node.boolean("OpOnly").value_or(false);
   manager.one_byte_mode = node.boolean("OneByteMode").value_or(false);
   manager.watchdog = node.boolean("Watchdog");
-  manager.type = sync_manager_type(node, manager.control_byte);
+  manager.type = type_of(node, manager.control_byte);
   return manager;
 }
 

@@ -28,22 +28,6 @@ std::string_view fmmu_text(FmmuUse use) {
   return "";
 }
 
-std::string_view sync_manager_text(SyncManagerType type) {
-  switch (type) {
-    case SyncManagerType::kUnused:
-      return "";
-    case SyncManagerType::kMailboxOut:
-      return "MBoxOut";
-    case SyncManagerType::kMailboxIn:
-      return "MBoxIn";
-    case SyncManagerType::kOutputs:
-      return "Outputs";
-    case SyncManagerType::kInputs:
-      return "Inputs";
-  }
-  return "";
-}
-
 void write_check(XmlWriter& xml, std::string_view name, const std::optional<bool>& check) {
   if (check) xml.attribute(name, *check ? "EQ" : "NONE");
 }
@@ -166,7 +150,7 @@ void write_sync_manager(XmlWriter& xml, const SyncManagerDescription& manager) {
   flag(xml, "Virtual", manager.is_virtual);
   optional_flag(xml, "Watchdog", manager.watchdog);
   flag(xml, "OpOnly", manager.op_only);
-  xml.text(sync_manager_text(manager.type)).close();
+  xml.text(sync_manager_word(manager.type)).close();
 }
 
 void write_esc(XmlWriter& xml, const DeviceDescription& device) {

@@ -74,14 +74,9 @@ void take_ranges(std::vector<ImageRange> ranges, std::optional<ImageRange>& whol
 }
 
 SyncManagerType read_type(const EniElement& element) {
-  const std::string type = element.text();
-  if (type == "MBoxOut") return SyncManagerType::kMailboxOut;
-  if (type == "MBoxIn") return SyncManagerType::kMailboxIn;
-  if (type == "Outputs") return SyncManagerType::kOutputs;
-  if (type == "Inputs") return SyncManagerType::kInputs;
-  if (element) {
-    element.report(ErrorCode::kXmlBadValue, type);
-  }
+  const std::string word = element.text();
+  if (const auto type = sync_manager_type(word)) return *type;
+  if (element) element.report(ErrorCode::kXmlBadValue, word);
   return SyncManagerType::kUnused;
 }
 

@@ -5,19 +5,10 @@
 namespace syncline::eni {
 namespace {
 
+/// The schema knows no word for one that is not used.
 std::string_view type_name(SyncManagerType type) {
-  switch (type) {
-    case SyncManagerType::kMailboxOut:
-      return "MBoxOut";
-    case SyncManagerType::kMailboxIn:
-      return "MBoxIn";
-    case SyncManagerType::kInputs:
-      return "Inputs";
-    case SyncManagerType::kOutputs:
-    case SyncManagerType::kUnused:
-      break;
-  }
-  return "Outputs";
+  const auto word = sync_manager_word(type);
+  return word.empty() ? sync_manager_word(SyncManagerType::kOutputs) : word;
 }
 
 void write_range(EniText& out, std::string_view element, const ImageRange& range) {

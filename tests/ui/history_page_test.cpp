@@ -81,7 +81,7 @@ class HistoryOfASlave : public ::testing::Test {
   }
   Environment environment() {
     Environment result;
-    result.open_master = [this](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+    result.open_master = [this](const QString&, const Project&) -> Result<std::unique_ptr<BackgroundMaster>> {
       auto master = std::make_unique<test::PatientMaster>();
       master_ = master.get();
       return master;

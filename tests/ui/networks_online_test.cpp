@@ -206,7 +206,7 @@ TEST_F(NetworksOnline, ARecordingThatIsShownKeepsTheNetworkInWork) {
 /// Two masters on one adapter would take each other's frames.
 TEST(NetworksOnOneLink, AreRefused) {
   auto environment = test::virtualEnvironment();
-  environment.open_master = [](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+  environment.open_master = [](const QString&, const Project&) -> Result<std::unique_ptr<BackgroundMaster>> {
     return std::make_unique<test::PatientMaster>(false);
   };
   Workspace workspace(environment);

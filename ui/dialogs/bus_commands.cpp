@@ -75,11 +75,21 @@ void BusCommands::showFound(const QString& link, const ScanOutcome& outcome) {
 
 void BusCommands::goOnline() {
   if (!workspace_.link().isEmpty()) return start();
-  auto* chooser = new LinkChooser(workspace_.environment(), workspace_.usualLink(), tr("Go Online"), &window_);
+  chooseLink(tr("Go Online"), [this] { start(); });
+}
+
+void BusCommands::chooseLink() {
+  chooseLink(tr("Choose"), [] {});
+}
+
+void BusCommands::chooseLink(const QString& action, const std::function<void()>& then) {
+  auto* chooser = new LinkChooser(workspace_.environment(), workspace_.usualLink(), action, &window_);
   chooser->setAttribute(Qt::WA_DeleteOnClose);
-  connect(chooser, &QDialog::accepted, this, [this, chooser] {
+  const auto& slaves = workspace_.document().project().slaves;
+  if (!slaves.empty()) chooser->offerMachine(static_cast<int>(slaves.size()));
+  connect(chooser, &QDialog::accepted, this, [this, chooser, then] {
     workspace_.setLink(chooser->link());
-    start();
+    then();
   });
   chooser->open();
 }

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 
 class QWidget;
 
@@ -26,6 +27,8 @@ class BusCommands final : public QObject {
   /// Goes online; asks for the link when none was chosen.
   void goOnline();
   void goOffline();
+  /// Asks on which bus the machine is to run from now on.
+  void chooseLink();
   /// Asks, then takes the machine offline and starts it with the project as it is now.
   void restart();
   /// Offers to end EEPROM writes that a killed program has left half done; nothing happens when there are none.
@@ -35,6 +38,7 @@ class BusCommands final : public QObject {
   void startDemo(const QString& link);
 
  private:
+  void chooseLink(const QString& action, const std::function<void()>& then);
   void start();
   void onFound(const QString& link, const ScanOutcome& outcome);
   void showFound(const QString& link, const ScanOutcome& outcome);

@@ -11,13 +11,14 @@
 
 #include "ui/text/error_text.h"
 #include "ui/text/joined_text.h"
+#include "ui/text/link_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
 
 LinkChooser::LinkChooser(const Environment& environment, const QString& current, const QString& action, QWidget* parent)
-    : QDialog(parent) {
+    : QDialog(parent), current_(current) {
   setObjectName(QStringLiteral("linkChooser"));
   setWindowTitle(tr("Choose the Bus"));
   setMinimumSize(520, 340);
@@ -30,7 +31,8 @@ LinkChooser::LinkChooser(const Environment& environment, const QString& current,
   const auto& demo_link = environment.demo_link;
   addLink(demo_link, tr("Demonstration machine"),
           tr("Simulated bus with a coupler, terminals and drives; no hardware needed"), QStringLiteral("demo"));
-  if (!current.isEmpty() && current != demo_link && current.startsWith(QLatin1String("sim:"))) {
+  const bool other = !current.isEmpty() && current != demo_link && current != kMachineItself;
+  if (other && current.startsWith(QLatin1String("sim:"))) {
     addLink(current, QFileInfo(current.section(u':', 1)).fileName(), tr("Simulated bus"), QStringLiteral("demo"));
   }
   note_ = new QLabel;
@@ -51,9 +53,21 @@ LinkChooser::LinkChooser(const Environment& environment, const QString& current,
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(list_, &QListWidget::itemActivated, this, &QDialog::accept);
   list_->setCurrentRow(0);
+  select(current);
+}
+
+void LinkChooser::select(const QString& link) {
   for (int row = 0; row < list_->count(); ++row) {
-    if (list_->item(row)->data(Qt::UserRole).toString() == current) list_->setCurrentRow(row);
+    if (list_->item(row)->data(Qt::UserRole).toString() == link) list_->setCurrentRow(row);
   }
+}
+
+void LinkChooser::offerMachine(int slaves) {
+  auto* item = addLink(kMachineItself, linkName(kMachineItself, {}),
+                       tr("Simulated bus of the %n slave(s) of the project, as they are wired there", nullptr, slaves),
+                       QStringLiteral("device"));
+  list_->insertItem(0, list_->takeItem(list_->row(item)));
+  select(current_);
 }
 
 QString LinkChooser::link() const {
@@ -61,11 +75,13 @@ QString LinkChooser::link() const {
   return item == nullptr ? QString() : item->data(Qt::UserRole).toString();
 }
 
-void LinkChooser::addLink(const QString& link, const QString& title, const QString& detail, const QString& icon) {
+QListWidgetItem* LinkChooser::addLink(const QString& link, const QString& title, const QString& detail,
+                                      const QString& icon) {
   auto* item = new QListWidgetItem(theme::icon(icon, palette()), QStringLiteral("%1\n%2").arg(title, detail), list_);
   item->setData(Qt::UserRole, link);
   item->setData(Qt::AccessibleTextRole, QStringLiteral("%1, %2").arg(title, detail));
-  item->setToolTip(link);
+  if (link != kMachineItself) item->setToolTip(link);
+  return item;
 }
 
 void LinkChooser::addAdapters(const AdapterLister& list_adapters) {

@@ -20,8 +20,13 @@
 
 namespace syncline::ui {
 
-/// Makes a master on the bus behind a LINK text ("sim:FILE", "nic:NAME"). Called from the window's thread.
-using MasterOpener = std::function<Result<std::unique_ptr<BackgroundMaster>>(const QString& link)>;
+/// The LINK of the simulated bus that a project itself describes: as it is wired there, with the devices of its ESI.
+inline constexpr QLatin1String kMachineItself{"sim:"};
+
+/// Makes a master on the bus behind a LINK text ("sim:FILE", "nic:NAME", kMachineItself for that of `machine`). Called
+/// from the window's thread.
+using MasterOpener =
+    std::function<Result<std::unique_ptr<BackgroundMaster>>(const QString& link, const Project& machine)>;
 
 /// Scans the bus behind a LINK text; `look_only`: without writing anything to it. `tell` gets progress and warnings, in
 /// the calling thread; ends early when `cancelled`. Called from the scan's thread.

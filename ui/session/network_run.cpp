@@ -32,7 +32,7 @@ RequestDesk* NetworkRun::requests() const { return master_ ? &master_->channels(
 
 Status NetworkRun::goOnline(const QString& link, RunOrigin origin) {
   if (phase_ != Phase::kOffline) shutDown();
-  auto master = opener_(link);
+  auto master = opener_(link, origin.project);
   if (!master) return tl::unexpected(master.error());
   master_ = std::move(*master);
   link_ = link;

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include "ui/session/bus_connection.h"
+
 namespace syncline::ui {
 
 bool isAdapter(const QString& link) { return link.startsWith(QLatin1String("nic:")); }
@@ -14,6 +16,7 @@ QString linkName(const QString& link, const QString& demo_link) {
     return QCoreApplication::translate("Link", "Demonstration machine (simulated)");
   }
   const auto target = file.section(u':', 1);
+  if (link == kMachineItself) return QCoreApplication::translate("Link", "This machine (simulated)");
   if (isAdapter(file)) return QCoreApplication::translate("Link", "Network card %1").arg(target);
   if (file.startsWith(QLatin1String("sim:"))) {
     return QCoreApplication::translate("Link", "Simulated: %1").arg(QFileInfo(target).fileName());
