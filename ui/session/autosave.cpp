@@ -4,12 +4,12 @@
 #include <QDir>
 #include <QFile>
 #include <QLockFile>
-#include <QMetaObject>
 #include <QUuid>
 #include <algorithm>
 #include <chrono>
 
 #include "reasons/because.h"
+#include "ui/session/post.h"
 #include "ui/session/project_document.h"
 
 namespace syncline::ui {
@@ -77,8 +77,7 @@ void Autosave::keep() {
                       static_cast<int>(document_.project().slaves.size())};
   writer_.start([this, file = file_, work, machine = document_.machine()] {
     const auto status = keepWork(file, work, machine);
-    QMetaObject::invokeMethod(
-        this, [this, status] { done(status); }, Qt::QueuedConnection);
+    post(*this, [this, status] { done(status); });
   });
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/comparison.h"
 
-#include <QMetaObject>
 #include <utility>
 
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
 #include "ui/session/file_kind.h"
+#include "ui/session/post.h"
 
 namespace syncline::ui {
 namespace {
@@ -85,8 +85,7 @@ void Comparison::work(Request request) {
     } else {
       *outcome = tl::unexpected(bus.error());
     }
-    QMetaObject::invokeMethod(
-        this, [this, outcome] { deliver(std::move(*outcome)); }, Qt::QueuedConnection);
+    post(*this, [this, outcome] { deliver(std::move(*outcome)); });
   });
 }
 

@@ -2,12 +2,12 @@
 #include "ui/session/device_catalogue.h"
 
 #include <QFileInfo>
-#include <QMetaObject>
 #include <QPointer>
 #include <algorithm>
 #include <utility>
 
 #include "eni/catalogue/usual_sources.h"
+#include "ui/session/post.h"
 
 namespace syncline::ui {
 namespace {
@@ -64,23 +64,19 @@ void DeviceCatalogue::run() {
   }
 }
 
-void DeviceCatalogue::post(std::function<void()> call) {
-  QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
-}
-
 bool DeviceCatalogue::tellProgress(const eni::IndexProgress& now) {
   const auto done = static_cast<int>(now.files_done), files = static_cast<int>(now.files);
-  post([this, done, files, file = QString::fromStdString(now.file)] { Q_EMIT progress(done, files, file); });
+  post(*this, [this, done, files, file = QString::fromStdString(now.file)] { Q_EMIT progress(done, files, file); });
   return !cancelled_;
 }
 
 void DeviceCatalogue::open(eni::EsiCatalogue& catalogue) {
   const auto errors = eni::add_usual_sources(catalogue, pathsOf(folders_),
                                              [this](const eni::IndexProgress& now) { return tellProgress(now); });
-  for (const auto& error : errors) post([this, error] { Q_EMIT failed(error); });
-  for (const auto& note : catalogue.notes()) post([this, note] { Q_EMIT noted(note); });
+  for (const auto& error : errors) post(*this, [this, error] { Q_EMIT failed(error); });
+  for (const auto& note : catalogue.notes()) post(*this, [this, note] { Q_EMIT noted(note); });
   const bool cancelled = cancelled_;
-  post([this, cancelled] { Q_EMIT added(0, cancelled); });
+  post(*this, [this, cancelled] { Q_EMIT added(0, cancelled); });
 }
 
 void DeviceCatalogue::add(const QStringList& paths) {
@@ -95,16 +91,16 @@ void DeviceCatalogue::addNow(eni::EsiCatalogue& catalogue, const QStringList& pa
         eni::add_source(catalogue, path, [this](const eni::IndexProgress& now) { return tellProgress(now); });
     // What was read before somebody had enough is found at later starts, too, where the folder is looked into again.
     const auto kept = report ? catalogue.remember_folder(path) : Status(tl::unexpected(report.error()));
-    if (!kept) post([this, error = kept.error()] { Q_EMIT failed(error); });
+    if (!kept) post(*this, [this, error = kept.error()] { Q_EMIT failed(error); });
     for (const auto& error : report ? eni::unreadable_folders(*report) : std::vector<Error>{})
-      post([this, error] { Q_EMIT failed(error); });
+      post(*this, [this, error] { Q_EMIT failed(error); });
     if (cancelled_) break;
   }
   tellProblems(catalogue, paths);
   const auto devices = catalogue.device_count();
   const auto fresh = static_cast<int>(devices - std::min(before, devices));
   const bool cancelled = cancelled_;
-  post([this, fresh, cancelled] { Q_EMIT added(fresh, cancelled); });
+  post(*this, [this, fresh, cancelled] { Q_EMIT added(fresh, cancelled); });
 }
 
 /// What the files that were just added have wrong.
@@ -116,7 +112,7 @@ void DeviceCatalogue::tellProblems(const eni::EsiCatalogue& catalogue, const QSt
       return file == canonical || file.startsWith(canonical + u'/');
     });
     if (!ours) continue;
-    post([this, warning] { Q_EMIT warned(warning); });
+    post(*this, [this, warning] { Q_EMIT warned(warning); });
   }
 }
 
@@ -143,7 +139,7 @@ void DeviceCatalogue::search(const eni::CatalogueSearch& search, QObject* contex
       if (more) entries.resize(search.limit);
       return CatalogueAnswer{search, std::move(entries), catalogue.device_count(), more};
     });
-    post([last, number, here, then, answer = std::move(answer)] {
+    post(*this, [last, number, here, then, answer = std::move(answer)] {
       if (here && number == *last) then(answer);
     });
   });
@@ -158,7 +154,7 @@ void DeviceCatalogue::devices(std::vector<Identity> identities, QObject* context
       const auto match = catalogue.find(identity);
       if (match && match->exact_revision) found.push_back(*match->device);
     }
-    post([here, then, found = std::move(found)] {
+    post(*this, [here, then, found = std::move(found)] {
       if (here) then(found);
     });
   });
@@ -169,7 +165,7 @@ void DeviceCatalogue::read(const eni::CatalogueEntry& entry, QObject* context,
   ask([this, entry, here = QPointer<QObject>(context), then = std::move(then)](eni::EsiCatalogue& catalogue) {
     const auto device = catalogue.device(entry);
     Result<DeviceDescription> copy = device ? Result<DeviceDescription>(**device) : tl::unexpected(device.error());
-    post([here, then, copy = std::move(copy)] {
+    post(*this, [here, then, copy = std::move(copy)] {
       if (here) then(copy);
     });
   });
@@ -185,7 +181,7 @@ void DeviceCatalogue::revisions(const Identity& identity, QObject* context,
     search.with_hidden = true;
     search.limit = 500;
     const auto entries = catalogue.search(search);
-    post([here, then, entries] {
+    post(*this, [here, then, entries] {
       if (here) then(entries);
     });
   });

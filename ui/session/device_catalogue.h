@@ -81,8 +81,6 @@ class DeviceCatalogue final : public QObject {
   void tellProblems(const eni::EsiCatalogue& catalogue, const QStringList& below);
   bool tellProgress(const eni::IndexProgress& progress);
   [[nodiscard]] LastQuestion lastQuestionOf(QObject* asker);
-  /// In the window's thread.
-  void post(std::function<void()> call);
 
   QStringList folders_;
   std::thread worker_;

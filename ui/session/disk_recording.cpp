@@ -2,7 +2,6 @@
 #include "ui/session/disk_recording.h"
 
 #include <QFileInfo>
-#include <QMetaObject>
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "eni/project/project_file.h"
 #include "reasons/because.h"
 #include "ui/session/network_run.h"
+#include "ui/session/post.h"
 #include "ui/session/run_findings.h"
 
 namespace syncline::ui {
@@ -107,8 +107,7 @@ Status DiskRecording::start(const QString& path) {
   options.by_clock = !run_.isVirtual();
   options.wait_for_disk = run_.isVirtual();
   auto recorder = Recorder::start(path.toStdString(), about(), options, [this, number](const Recorder::Stop& stop) {
-    QMetaObject::invokeMethod(
-        this, [this, number, stop] { onStopped(number, stop); }, Qt::QueuedConnection);
+    post(*this, [this, number, stop] { onStopped(number, stop); });
   });
   if (!recorder) return tl::unexpected(recorder.error());
   recorder_ = std::move(*recorder);
@@ -139,8 +138,7 @@ void DiskRecording::stop() {
   ending.thread = std::thread(
       [this, number = number_, ended, recorder = std::shared_ptr<Recorder>(std::move(recorder_)), findings = found()] {
         const auto status = recorder->finish(ended ? "end of the run" : "stopped by the user", findings);
-        QMetaObject::invokeMethod(
-            this, [this, number, status] { onFinished(number, status); }, Qt::QueuedConnection);
+        post(*this, [this, number, status] { onFinished(number, status); });
       });
   Q_EMIT changed();
 }
@@ -221,13 +219,10 @@ Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString&
       if (auto words = words_of ? words_of(event) : std::nullopt) run->events.push_back(std::move(*words));
     }
     const auto status = save_recent(path.toStdString(), *run);
-    QMetaObject::invokeMethod(
-        this,
-        [this, path, status] {
-          saving_ = false;
-          Q_EMIT saved(path, status ? std::nullopt : std::optional(status.error()));
-        },
-        Qt::QueuedConnection);
+    post(*this, [this, path, status] {
+      saving_ = false;
+      Q_EMIT saved(path, status ? std::nullopt : std::optional(status.error()));
+    });
   });
   return {};
 }

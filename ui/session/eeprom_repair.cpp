@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/eeprom_repair.h"
 
-#include <QMetaObject>
 #include <utility>
+
+#include "ui/session/post.h"
 
 namespace syncline::ui {
 
@@ -24,8 +25,7 @@ void EepromRepair::start(const CutShortWrite& write, bool undo) {
   cancelled_ = false;
   worker_ = std::thread([this, write, undo] {
     auto status = repairs_.end(write, undo, cancelled_);
-    QMetaObject::invokeMethod(
-        this, [this, status = std::move(status)] { deliver(status); }, Qt::QueuedConnection);
+    post(*this, [this, status = std::move(status)] { deliver(status); });
   });
 }
 

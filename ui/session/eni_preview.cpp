@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/eni_preview.h"
 
-#include <QMetaObject>
 #include <chrono>
 #include <utility>
 
 #include "ui/session/eni_writer_thread.h"
+#include "ui/session/post.h"
 #include "ui/session/project_copy.h"
 #include "ui/session/project_document.h"
 
@@ -73,11 +73,10 @@ void EniPreview::ask() {
   const auto since = watched_ ? before() : nullptr;
   if (asked_ == now_ && asked_before_ == since && asked_dialect_ == dialect_ && asked_key_ == key_) return;
   if (writer_ == nullptr) {
-    const auto post = [this](auto call) { QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection); };
     writer_ = std::make_unique<EniWriterThread>(EniWriterThread::Answers{
-        [this, post](std::uint64_t number, const auto& view) { post([this, number, view] { take(number, view); }); },
-        [this, post](std::uint64_t number, const auto& check) {
-          post([this, number, check] { takeCheck(number, check); });
+        [this](std::uint64_t number, const auto& view) { post(*this, [this, number, view] { take(number, view); }); },
+        [this](std::uint64_t number, const auto& check) {
+          post(*this, [this, number, check] { takeCheck(number, check); });
         }});
   }
   computing_ = true;

@@ -2,11 +2,11 @@
 #include "ui/session/frame_keeper.h"
 
 #include <QDir>
-#include <QMetaObject>
 #include <QRegularExpression>
 #include <utility>
 
 #include "ui/session/network_run.h"
+#include "ui/session/post.h"
 
 namespace syncline::ui {
 namespace {
@@ -68,12 +68,9 @@ void FrameKeeper::start() {
                               .description = run_.origin().project.name},
                              [this](const Error&) {
                                // By then it may be another one.
-                               QMetaObject::invokeMethod(
-                                   this,
-                                   [this] {
-                                     if (box_ && box_->report().error) stop();
-                                   },
-                                   Qt::QueuedConnection);
+                               post(*this, [this] {
+                                 if (box_ && box_->report().error) stop();
+                               });
                              });
   if (box) {
     box_ = std::move(*box);
@@ -91,8 +88,7 @@ void FrameKeeper::stop() {
   finishing_ = std::move(box_);
   ender_ = std::thread([this, box = finishing_, number = ++number_] {
     (void)box->finish();
-    QMetaObject::invokeMethod(
-        this, [this, number] { onFinished(number); }, Qt::QueuedConnection);
+    post(*this, [this, number] { onFinished(number); });
   });
   Q_EMIT changed();
 }

@@ -2,7 +2,6 @@
 #include "ui/session/opened_recording.h"
 
 #include <QFileInfo>
-#include <QMetaObject>
 #include <algorithm>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "support/whole_file.h"
 #include "ui/models/message_model.h"
 #include "ui/session/file_kind.h"
+#include "ui/session/post.h"
 #include "ui/text/recorded_text.h"
 
 namespace syncline::ui {
@@ -45,8 +45,7 @@ void OpenedRecording::read(const QString& path) {
   Q_EMIT started(path);
   worker_ = std::thread([this, path] {
     auto outcome = std::make_shared<Outcome>(load(path));
-    QMetaObject::invokeMethod(
-        this, [this, path, outcome] { deliver(path, std::move(*outcome)); }, Qt::QueuedConnection);
+    post(*this, [this, path, outcome] { deliver(path, std::move(*outcome)); });
   });
 }
 
@@ -66,8 +65,7 @@ void OpenedRecording::keepForReplay(const ImportedRun& run, Whole& whole) {
 void OpenedRecording::answer(const QString& path) {
   auto pictures = pictures_.answer(path.toStdString());
   if (!pictures) return;
-  QMetaObject::invokeMethod(
-      this, [this, made = std::move(*pictures)] { Q_EMIT pictured(made); }, Qt::QueuedConnection);
+  post(*this, [this, made = std::move(*pictures)] { Q_EMIT pictured(made); });
 }
 
 /// In the reader's thread.
@@ -83,10 +81,9 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   if (!reader) return tl::unexpected(reader.error());
   auto info = reader->info();
   if (!info) return tl::unexpected(info.error());
-  QMetaObject::invokeMethod(
-      this,
-      [this, outline = Outline{info->begin, info->end, info->cycles, info->about.limits}] { Q_EMIT outlined(outline); },
-      Qt::QueuedConnection);
+  post(*this, [this, outline = Outline{info->begin, info->end, info->cycles, info->about.limits}] {
+    Q_EMIT outlined(outline);
+  });
   answer(path);
   int told = -1;
   ReplayOptions options;
@@ -94,8 +91,7 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
     answer(path);
     const int now = static_cast<int>(done * 1000 / std::max<std::uint64_t>(all, 1));
     if (now != std::exchange(told, now)) {
-      QMetaObject::invokeMethod(
-          this, [this, now] { Q_EMIT progress(now); }, Qt::QueuedConnection);
+      post(*this, [this, now] { Q_EMIT progress(now); });
     }
     return !cancelled_;
   };

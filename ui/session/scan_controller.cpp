@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/scan_controller.h"
 
-#include <QMetaObject>
 #include <utility>
 
 #include "eni/catalogue/usual_sources.h"
 #include "findings/error_text.h"
+#include "ui/session/post.h"
 
 namespace syncline::ui {
 
@@ -28,9 +28,7 @@ void ScanController::start(const QString& link, Depth depth) {
   Q_EMIT started(link);
   worker_ = std::thread([this, link, depth] {
     auto result = run(link, depth);
-    QMetaObject::invokeMethod(
-        this, [this, link, result = std::move(result)]() mutable { deliver(link, std::move(result)); },
-        Qt::QueuedConnection);
+    post(*this, [this, link, result = std::move(result)]() mutable { deliver(link, std::move(result)); });
   });
 }
 
@@ -64,11 +62,9 @@ Result<ScanOutcome> ScanController::run(const QString& link, Depth depth) {
 void ScanController::tell(const Event& event) {
   if (const auto* now = event.as<events::ScanProgress>()) {
     const auto done = static_cast<int>(now->done), all = static_cast<int>(now->found);
-    QMetaObject::invokeMethod(
-        this, [this, done, all] { Q_EMIT progress(done, all); }, Qt::QueuedConnection);
+    post(*this, [this, done, all] { Q_EMIT progress(done, all); });
   } else {
-    QMetaObject::invokeMethod(
-        this, [this, event] { Q_EMIT eventArrived(event); }, Qt::QueuedConnection);
+    post(*this, [this, event] { Q_EMIT eventArrived(event); });
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/study_worker.h"
 
+#include "ui/session/post.h"
+
 #include <utility>
 
 namespace syncline::ui {
@@ -18,13 +20,10 @@ void StudyWorker::start(EvenSamples samples, Nanoseconds longest, double unit) {
   thread_ = std::thread([this, longest, unit, samples = std::move(samples)]() mutable {
     samples.finish(longest);
     std::shared_ptr<const SignalStudy> study = std::make_shared<SignalStudy>(study_of(samples, unit, &stop_));
-    QMetaObject::invokeMethod(
-        this,
-        [this, study = std::move(study)] {
-          busy_ = false;
-          if (!stop_) Q_EMIT finished(study);
-        },
-        Qt::QueuedConnection);
+    post(*this, [this, study = std::move(study)] {
+      busy_ = false;
+      if (!stop_) Q_EMIT finished(study);
+    });
   });
 }
 
