@@ -21,7 +21,7 @@
     <name>Actions</name>
         <message>
             <source>Choose the B&amp;us…</source>
-            <translation>B&amp;us wählen …</translation>
+            <translation>Bus wähle&amp;n …</translation>
         </message>
         <message>
             <source>On which bus the machine runs: a network card, a scenario, or itself, simulated</source>

@@ -145,9 +145,9 @@ class SyncManagerCheck {
     if (manager.is_mailbox()) return manager.ecat_writes() ? "a mailbox for requests" : "a mailbox for answers";
     return manager.ecat_writes() ? "a buffer for outputs" : "a buffer for inputs";
   }
-  static std::string_view type_name(SyncManagerType type) {
+  static std::string type_name(SyncManagerType type) {
     const auto word = sync_manager_word(type);
-    return word.empty() ? "nothing" : word;
+    return std::string(word.empty() ? "nothing" : word);
   }
 
   std::size_t slave_;

@@ -15,7 +15,7 @@ namespace syncline {
 namespace {
 
 TEST(NetworkRun, TellsOfCommandsThatNobodyTakes) {
-  ui::NetworkRun run([](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+  ui::NetworkRun run([](const QString&, const Project&) -> Result<std::unique_ptr<BackgroundMaster>> {
     return std::make_unique<test::PatientMaster>();
   });
   std::vector<Error> told;
@@ -36,7 +36,7 @@ TEST(NetworkRun, TellsOfCommandsThatNobodyTakes) {
 class AppliedRun : public testing::Test {
  protected:
   AppliedRun()
-      : run_([this](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+      : run_([this](const QString&, const Project&) -> Result<std::unique_ptr<BackgroundMaster>> {
           auto master = std::make_unique<test::PatientMaster>();
           master_ = master.get();
           return master;

@@ -19,7 +19,7 @@ using requests::RegisterRead;
 class RequestsOfTheWindow : public ::testing::Test {
  protected:
   RequestsOfTheWindow()
-      : run_([this](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+      : run_([this](const QString&, const Project&) -> Result<std::unique_ptr<BackgroundMaster>> {
           auto master = std::make_unique<test::PatientMaster>();
           master_ = master.get();
           return master;
@@ -163,7 +163,7 @@ TEST_F(RequestsOfTheWindow, AreAnsweredAlsoWhenAnotherRunIsShown) {
   EXPECT_FALSE(requests_.writing());
   requests_.post(requests::RegisterWrite{3, 2, {1}}, page_, [](const RequestOutcome&) {});
   EXPECT_TRUE(requests_.writing());
-  NetworkRun other([](const QString&) -> Result<std::unique_ptr<BackgroundMaster>> {
+  NetworkRun other([](const QString&, const Project&) -> Result<std::unique_ptr<BackgroundMaster>> {
     return std::make_unique<test::PatientMaster>();
   });
   live_.show(other);

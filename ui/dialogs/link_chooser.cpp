@@ -52,13 +52,14 @@ LinkChooser::LinkChooser(const Environment& environment, const QString& current,
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(list_, &QListWidget::itemActivated, this, &QDialog::accept);
-  list_->setCurrentRow(0);
-  select(current);
+  select();
 }
 
-void LinkChooser::select(const QString& link) {
+/// The present link, or the first one.
+void LinkChooser::select() {
+  list_->setCurrentRow(0);
   for (int row = 0; row < list_->count(); ++row) {
-    if (list_->item(row)->data(Qt::UserRole).toString() == link) list_->setCurrentRow(row);
+    if (list_->item(row)->data(Qt::UserRole).toString() == current_) list_->setCurrentRow(row);
   }
 }
 
@@ -67,7 +68,7 @@ void LinkChooser::offerMachine(int slaves) {
                        tr("Simulated bus of the %n slave(s) of the project, as they are wired there", nullptr, slaves),
                        QStringLiteral("device"));
   list_->insertItem(0, list_->takeItem(list_->row(item)));
-  select(current_);
+  select();
 }
 
 QString LinkChooser::link() const {

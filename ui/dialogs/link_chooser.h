@@ -27,7 +27,7 @@ class LinkChooser final : public QDialog {
 
  private:
   QListWidgetItem* addLink(const QString& link, const QString& title, const QString& detail, const QString& icon);
-  void select(const QString& link);
+  void select();
   void addAdapters(const AdapterLister& list_adapters);
   void browse();
 
