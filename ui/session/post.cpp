@@ -49,8 +49,8 @@ class Courier final : public QObject {
  public:
   Courier() { moveToThread(QCoreApplication::instance()->thread()); }
   bool event(QEvent* event) override {
-    if (event->type() != kCall) return QObject::event(event);
     take(event);
+    if (event->type() != kCall) return QObject::event(event);
     static_cast<CallEvent*>(event)->run();
     return true;
   }
