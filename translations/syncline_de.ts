@@ -45,7 +45,7 @@
     </message>
         <message>
             <source>Ne&amp;w Machine…</source>
-            <translation>Neue &amp;Maschine…</translation>
+            <translation>Neue &amp;Maschine …</translation>
         </message>
         <message>
             <source>Make a machine step by step: slaves, cycle, clocks, operation modes</source>
@@ -277,7 +277,7 @@
         </message>
         <message>
             <source>O&amp;verlay Another Recording…</source>
-            <translation>Andere Aufzeichnung dar&amp;überlegen…</translation>
+            <translation>Andere Aufzeichnung dar&amp;überlegen …</translation>
         </message>
         <message>
             <source>Lay the curves of another recording over those of the one that is shown</source>
@@ -339,27 +339,27 @@
     <name>ExportMenu</name>
         <message>
             <source>&amp;C Header of the Process Image…</source>
-            <translation>&amp;C-Header des Prozessabbilds…</translation>
+            <translation>&amp;C-Header des Prozessabbilds …</translation>
         </message>
         <message>
             <source>&amp;Process Image (CSV)…</source>
-            <translation>&amp;Prozessabbild (CSV)…</translation>
+            <translation>&amp;Prozessabbild (CSV) …</translation>
         </message>
         <message>
             <source>P&amp;DOs and Their Entries (CSV)…</source>
-            <translation>P&amp;DOs und ihre Einträge (CSV)…</translation>
+            <translation>P&amp;DOs und ihre Einträge (CSV) …</translation>
         </message>
         <message>
             <source>&amp;Init Commands (CSV)…</source>
-            <translation>&amp;Init-Kommandos (CSV)…</translation>
+            <translation>&amp;Init-Kommandos (CSV) …</translation>
         </message>
         <message>
             <source>&amp;Slaves (CSV)…</source>
-            <translation>&amp;Slaves (CSV)…</translation>
+            <translation>&amp;Slaves (CSV) …</translation>
         </message>
         <message>
             <source>&amp;Topology (SVG)…</source>
-            <translation>&amp;Topologie (SVG)…</translation>
+            <translation>&amp;Topologie (SVG) …</translation>
         </message>
         <message>
             <source>Export Ta&amp;bles and Code</source>
@@ -1024,7 +1024,7 @@
         </message>
         <message>
             <source>Limit in the project…</source>
-            <translation>Grenze im Projekt…</translation>
+            <translation>Grenze im Projekt …</translation>
         </message>
         <message>
             <source>Distance of the Cursors</source>
@@ -1040,7 +1040,7 @@
         </message>
         <message>
             <source>Distance of the cursors…</source>
-            <translation>Abstand der Cursor…</translation>
+            <translation>Abstand der Cursor …</translation>
         </message>
         <message>
             <source>Cursors stay on the screen</source>
@@ -1088,7 +1088,7 @@
         </message>
         <message>
             <source>Value limits of this plot…</source>
-            <translation>Grenzen der Werte dieses Diagramms…</translation>
+            <translation>Grenzen der Werte dieses Diagramms …</translation>
         </message>
         <message>
             <source>Own time axis of this plot</source>
@@ -1100,7 +1100,7 @@
         </message>
         <message>
             <source>Note here…</source>
-            <translation>Notiz hier…</translation>
+            <translation>Notiz hier …</translation>
         </message>
         <message>
             <source>Export the episode</source>
@@ -2372,7 +2372,7 @@
         </message>
         <message>
             <source>Choose EN&amp;I…</source>
-            <translation>EN&amp;I wählen…</translation>
+            <translation>EN&amp;I wählen …</translation>
         </message>
         <message>
             <source>All that a saved project holds, under a new name. The file stays as it is.</source>
@@ -2380,7 +2380,7 @@
         </message>
         <message>
             <source>Choose &amp;Project…</source>
-            <translation>&amp;Projekt wählen…</translation>
+            <translation>&amp;Projekt wählen …</translation>
         </message>
         <message>
             <source>&amp;Scan of a bus</source>
@@ -2412,7 +2412,7 @@
         </message>
         <message>
             <source>Choose &amp;Bus and Scan…</source>
-            <translation>&amp;Bus wählen und scannen…</translation>
+            <translation>&amp;Bus wählen und scannen …</translation>
         </message>
         <message>
             <source>Choose a bus and scan it</source>
@@ -2597,7 +2597,7 @@
         </message>
         <message>
             <source>Bro&amp;wse…</source>
-            <translation>&amp;Durchsuchen…</translation>
+            <translation>&amp;Durchsuchen …</translation>
         </message>
         <message>
             <source>Choose the file of the ENI</source>
@@ -2641,7 +2641,7 @@
         </message>
         <message>
             <source>The ENI is being checked…</source>
-            <translation>Die ENI wird geprüft…</translation>
+            <translation>Die ENI wird geprüft …</translation>
         </message>
         <message>
             <source>The check of project and ENI found nothing.</source>
@@ -2756,7 +2756,7 @@
     <name>MasterGeneralPage</name>
         <message>
             <source>Accepted…</source>
-            <translation>Angenommen…</translation>
+            <translation>Angenommen …</translation>
         </message>
         <message>
             <source>Cycles that the slaves accept</source>
@@ -3378,6 +3378,10 @@ Einstellung %2</translation>
             <translation>%1 (Objekt %2:%3)</translation>
         </message>
         <message>
+            <source>%1 (computed: it has no counter)</source>
+            <translation>%1 (berechnet: er hat keinen Zähler)</translation>
+        </message>
+        <message>
             <source>Does not follow</source>
             <translation>Folgt nicht</translation>
         </message>
@@ -3497,7 +3501,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>&amp;Read into File…</source>
-            <translation>In Datei &amp;lesen…</translation>
+            <translation>In Datei &amp;lesen …</translation>
         </message>
         <message>
             <source>Copy the slave&apos;s file into a file here</source>
@@ -3505,7 +3509,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>&amp;Write from File…</source>
-            <translation>Aus Datei &amp;schreiben…</translation>
+            <translation>Aus Datei &amp;schreiben …</translation>
         </message>
         <message>
             <source>Give a file to the slave</source>
@@ -8442,7 +8446,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>Watch others…</source>
-            <translation>Andere beobachten…</translation>
+            <translation>Andere beobachten …</translation>
         </message>
 </context>
 <context>
@@ -9680,7 +9684,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>Save…</source>
-            <translation>Sichern…</translation>
+            <translation>Sichern …</translation>
         </message>
         <message>
             <source>Export the episode as CSV</source>
@@ -9688,7 +9692,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>CSV…</source>
-            <translation>CSV…</translation>
+            <translation>CSV …</translation>
         </message>
         <message>
             <source>The samples of the chosen episode, before and after included, as comma-separated values</source>
@@ -11492,7 +11496,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>Rename…</source>
-            <translation>Umbenennen…</translation>
+            <translation>Umbenennen …</translation>
         </message>
         <message>
             <source>Duplicate</source>
@@ -11504,7 +11508,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>Watch variables…</source>
-            <translation>Variablen beobachten…</translation>
+            <translation>Variablen beobachten …</translation>
         </message>
         <message>
             <source>Rename View</source>
@@ -11523,7 +11527,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>Signals…</source>
-            <translation>Signale…</translation>
+            <translation>Signale …</translation>
         </message>
         <message>
             <source>Choose signals and axes</source>
@@ -11555,7 +11559,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>Nothing chosen yet: Signals…</source>
-            <translation>Noch nichts gewählt: Signale…</translation>
+            <translation>Noch nichts gewählt: Signale …</translation>
         </message>
         <message>
             <source>min %1   max %2</source>
@@ -11563,7 +11567,7 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         </message>
         <message>
             <source>Signals and axes…</source>
-            <translation>Signale und Achsen…</translation>
+            <translation>Signale und Achsen …</translation>
         </message>
         <message>
             <source>Value scale</source>

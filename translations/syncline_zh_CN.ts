@@ -3366,6 +3366,10 @@ Setting %2</source>
             <translation>%1（对象 %2:%3）</translation>
         </message>
         <message>
+            <source>%1 (computed: it has no counter)</source>
+            <translation>%1（计算值：它没有计数器）</translation>
+        </message>
+        <message>
             <source>Does not follow</source>
             <translation>不跟随</translation>
         </message>

@@ -54,7 +54,9 @@ Json sm2_other(const Sm2MissedStatus& status) {
           {"value", status.other_value}};
 }
 
-std::string sm2_object(const Sm2MissedStatus& status) {
+/// Of one that has no counter nothing is read: its misses are computed.
+Json sm2_object(const Sm2MissedStatus& status) {
+  if (status.sub_index == 0) return nullptr;
   return fmt::format("0x{:04X}:{:02X}", status.index, status.sub_index);
 }
 
@@ -74,7 +76,7 @@ Json slave_json(const RunReport::Slave& slave, Nanoseconds now) {
           {"deviation_age_ms", age_json(slave.deviation_time, now)},
           {"deviation_max_ns", or_null(slave.deviation_max_ns)},
           {"sm2_missed", sm2_missed(slave)},
-          {"sm2_object", slave.sm2_missed ? Json(sm2_object(*slave.sm2_missed)) : Json(nullptr)},
+          {"sm2_object", slave.sm2_missed ? sm2_object(*slave.sm2_missed) : Json(nullptr)},
           {"sm2_integrator_max", slave.sm2_missed ? Json(slave.sm2_missed->integrator_highest) : Json(nullptr)},
           {"sm2_limit", slave.sm2_missed ? Json(slave.sm2_missed->limit) : Json(nullptr)},
           {"sm2_other", slave.sm2_missed ? sm2_other(*slave.sm2_missed) : Json(nullptr)},

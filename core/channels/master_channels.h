@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 
 #include "channels/command_queue.h"
@@ -24,6 +25,10 @@ struct MasterChannels {
   SnapshotBox snapshot;
   ImageBox image;
   SampleRing samples;
+  /// Of who drives the master in a thread of his own, on the virtual clock, and cannot take samples while it works (a
+  /// bring-up is one step of it, however long it takes): called in the cycle in which the ring is half full. Set before
+  /// the master is driven; null where somebody else takes them.
+  std::function<void()> relieve{};
   /// Closed until somebody opens it, who may read on when the master has gone.
   std::shared_ptr<FrameRing> frames = std::make_shared<FrameRing>();
   std::atomic<bool> cancel{false};  // ends a scan or a bring-up within a cycle

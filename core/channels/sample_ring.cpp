@@ -19,6 +19,10 @@ bool SampleRing::push(const CycleSample& sample) {
   return true;
 }
 
+bool SampleRing::is_half_full() const {
+  return head_.load(std::memory_order_relaxed) - tail_.load(std::memory_order_acquire) >= slots_.size() / 2;
+}
+
 std::size_t SampleRing::pop(std::vector<CycleSample>& out, std::size_t at_most) {
   const auto tail = tail_.load(std::memory_order_relaxed);
   const auto available = head_.load(std::memory_order_acquire) - tail;

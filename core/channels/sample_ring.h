@@ -17,6 +17,7 @@ class SampleRing {
   explicit SampleRing(std::size_t capacity = 1U << 16);
   bool push(const CycleSample& sample);                                            // producer only
   std::size_t pop(std::vector<CycleSample>& out, std::size_t at_most = SIZE_MAX);  // consumer only; appends
+  [[nodiscard]] bool is_half_full() const;                                         // producer only
   [[nodiscard]] std::uint64_t overruns() const { return overruns_.load(std::memory_order_relaxed); }
 
  private:

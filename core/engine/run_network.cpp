@@ -11,7 +11,8 @@
 namespace syncline {
 namespace {
 
-/// Small enough that the sample ring never fills between two drains, at the shortest cycle too.
+/// Small enough that the sample ring never fills between two drains, at the shortest cycle too. On the virtual clock
+/// the master asks for them, too: a bring-up is one step of it.
 constexpr Nanoseconds kDrainPeriod = 100 * kMillisecond;
 
 /// Tells once when the capture is lost.
@@ -107,10 +108,12 @@ RunOutcome run_on(std::unique_ptr<BackgroundMaster> master, Clock& clock, const 
   const auto end = clock.now() + request.duration;
 
   if (clock.is_virtual()) {
+    channels.relieve = [&drain] { drain(); };
     while (clock.now() < end && !stopped(request) && !drain.failed()) {
       master->run_for(std::min(kDrainPeriod, end - clock.now()));
       drain();
     }
+    channels.relieve = nullptr;
     auto outcome = drain.outcome();
     channels.commands.push(GoOfflineCommand{});
     while (master->online() && master->step()) {

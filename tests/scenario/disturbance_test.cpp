@@ -4,10 +4,8 @@
 
 #include <algorithm>
 
-#include "app/cli/event_text.h"
-#include "master/master_service.h"
+#include "tests/scenario/machine_run.h"
 #include "tests/support/event_match.h"
-#include "tests/support/simulated_network.h"
 
 namespace syncline {
 namespace {
@@ -17,61 +15,13 @@ test::EventMatch recovery(Stage stage) { return test::with(&events::RecoveryStep
 test::EventMatch group(events::HotConnect::What what) { return test::with(&events::HotConnect::what, what); }
 
 /// A line of drives and terminals on the simulated bus, disturbed while it runs.
-class Disturbance : public ::testing::Test {
+class Disturbance : public test::MachineRun {
  protected:
-  VirtualClock clock;
-  test::SimulatedNetwork network;
-  std::unique_ptr<MasterService> service;
-  std::vector<Event> events;
-  std::vector<CycleSample> samples;
-  Snapshot snapshot;
-  Nanoseconds start = 0;
-
   void SetUp() override {
     network.add(test::servo(), "servo-y");
     network.add(test::io8());
     network.add(test::servo(), "servo-y");
     network.add(test::io8());
-  }
-  void fault(FaultKind kind, int slave, Nanoseconds at, Nanoseconds until = 0, std::uint32_t count = 1) {
-    FaultConfig fault;
-    fault.kind = kind;
-    fault.slave = slave;
-    fault.at = at;
-    fault.until = until;
-    fault.count = count;
-    network.sim.faults.push_back(fault);
-  }
-  void go_online() {
-    start = clock.now();
-    auto link = network.link(clock);
-    ASSERT_TRUE(link);
-    service = std::make_unique<MasterService>(std::move(link), clock);
-    service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
-    (void)service->step();
-    drain();
-  }
-  void drain() {
-    for (auto& event : service->channels().events.drain()) events.push_back(std::move(event));
-    service->channels().samples.pop(samples);
-    service->channels().snapshot.read(snapshot);
-  }
-  void run_until(Nanoseconds time) {
-    while (clock.now() < start + time) {
-      service->run_for(std::min<Nanoseconds>(100 * kMillisecond, start + time - clock.now()));
-      drain();
-    }
-  }
-  [[nodiscard]] std::string log() const {
-    std::string text;
-    for (const auto& event : events) {
-      if (const auto line = cli::event_text(event, start); !line.empty()) text += line + "\n";
-    }
-    return text;
-  }
-  [[nodiscard]] std::size_t count(EventKind kind, int slave = -2) const {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        events, [&](const Event& e) { return e.kind() == kind && (slave == -2 || e.slave == slave); }));
   }
   /// Index of the first such event; behind the last one when there is none.
   [[nodiscard]] std::size_t first(const test::EventMatch& match, int slave) const {

@@ -5,26 +5,16 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/cli/event_text.h"
-#include "master/master_service.h"
 #include "support/random.h"
-#include "tests/support/event_match.h"
-#include "tests/support/simulated_network.h"
+#include "tests/scenario/machine_run.h"
 #include "tests/support/small_machines.h"
 
 namespace syncline {
 namespace {
 
 /// A slave goes away while the bus is brought up: as when it is lost in OP, the others go on, and it is brought back.
-class LostAtStart : public ::testing::Test {
+class LostAtStart : public test::MachineRun {
  protected:
-  VirtualClock clock;
-  test::SimulatedNetwork network;
-  std::unique_ptr<MasterService> service;
-  std::vector<Event> events;
-  Snapshot snapshot;
-  Nanoseconds start = 0;
-
   void make(std::uint64_t seed) {
     network = {};
     network.add(test::io8());
@@ -33,53 +23,15 @@ class LostAtStart : public ::testing::Test {
     network.add(test::servo(), "servo-y");
     Random random(seed);
     test::give_random_clocks(network, random);
+    network.sim.host_jitter = JitterProfile::quiet();
     network.project.master.dc.sync_window.enabled = true;
-  }
-  void away(FaultKind kind, int slave, Nanoseconds at, Nanoseconds until) {
-    FaultConfig fault;
-    fault.kind = kind;
-    fault.slave = slave;
-    fault.at = at;
-    fault.until = until;
-    network.sim.faults.push_back(fault);
-  }
-  void go_online() {
-    events.clear();
-    snapshot = {};
-    start = clock.now();
-    auto link = network.link(clock);
-    ASSERT_TRUE(link);
-    service = std::make_unique<MasterService>(std::move(link), clock);
-    service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
-    (void)service->step();
-    drain();
-  }
-  void drain() {
-    for (auto& event : service->channels().events.drain()) events.push_back(std::move(event));
-    service->channels().snapshot.read(snapshot);
-  }
-  void run_until(Nanoseconds time) {
-    while (clock.now() < start + time) {
-      service->run_for(std::min<Nanoseconds>(100 * kMillisecond, start + time - clock.now()));
-      drain();
-    }
-  }
-  [[nodiscard]] std::string log() const {
-    std::string text;
-    for (const auto& event : events) {
-      if (const auto line = cli::event_text(event, start); !line.empty()) text += line + "\n";
-    }
-    return text;
-  }
-  [[nodiscard]] std::size_t count(EventKind kind) const {
-    return static_cast<std::size_t>(std::ranges::count(events, kind, [](const Event& e) { return e.kind(); }));
   }
 };
 
 TEST_F(LostAtStart, OthersReachOpWithoutIt) {
   make(1);
   // Until long after the start: pulled in PREOP.
-  away(FaultKind::kCableBreak, 3, 3500 * kMillisecond, 30 * kSecond);
+  fault(FaultKind::kCableBreak, 3, 3500 * kMillisecond, 30 * kSecond);
   go_online();
   EXPECT_EQ(count(kind_of<events::SlaveLost>), 1U) << log();
   EXPECT_EQ(count(kind_of<events::Failure>), 0U) << "the lost slave is told as that: " << log();
@@ -103,7 +55,7 @@ TEST_F(LostAtStart, AllAreInOpInTheEndWhoeverGoesWhenForHowLong) {
     // From when there is a cycle until all have been in OP for a while.
     const auto begin = static_cast<Nanoseconds>(1.2e9 + 3e9 * random.uniform());
     const auto length = static_cast<Nanoseconds>(1e8 * std::pow(30.0, random.uniform()));
-    away(kind, slave, begin, begin + length);
+    fault(kind, slave, begin, begin + length);
     go_online();
     run_until(begin + length + 12 * kSecond);
     const auto name = fmt::format("case {}: {} of slave {} at {} ms for {} ms\n", i,

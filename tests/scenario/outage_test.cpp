@@ -7,30 +7,18 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/cli/event_text.h"
 #include "app/cli/run_json.h"
-#include "master/master_service.h"
 #include "support/random.h"
+#include "tests/scenario/machine_run.h"
 #include "tests/support/event_match.h"
-#include "tests/support/simulated_network.h"
 #include "tests/support/small_machines.h"
-#include "trace/run_report.h"
 
 namespace syncline {
 namespace {
 
 /// A small machine of which something goes away and comes back: what it says meanwhile, and how it ends.
-class Outage : public ::testing::Test {
+class Outage : public test::MachineRun {
  protected:
-  VirtualClock clock;
-  test::SimulatedNetwork network;
-  NetworkConfig config;
-  std::unique_ptr<MasterService> service;
-  std::unique_ptr<RunRecorder> recorder;
-  std::vector<Event> events;
-  Snapshot snapshot;
-  Nanoseconds start = 0;
-
   /// A terminal, two drives, and a terminal (or a bridge) at the end.
   void make(DcmMode mode, std::uint64_t seed) {
     network = {};
@@ -60,50 +48,13 @@ class Outage : public ::testing::Test {
     network.project.slaves[0].dc.op_mode = "";
     network.project.master.dc.reference_clock = 1;
   }
-  void fault(FaultKind kind, int slave, Nanoseconds at, Nanoseconds until = 0, std::uint32_t count = 1) {
-    FaultConfig fault;
-    fault.kind = kind;
-    fault.slave = slave;
-    fault.at = at;
-    fault.until = until;
-    fault.count = count;
-    network.sim.faults.push_back(fault);
-  }
-  void go_online() {
-    events.clear();
-    snapshot = {};
+  /// A quiet host, the same for all.
+  [[nodiscard]] std::unique_ptr<Link> make_link() override {
     const auto jitter = JitterProfile::quiet();
     clock.set_wakeup_jitter(jitter, 3);
-    start = clock.now();
     auto bus = sim::SimBus::create(network.sim, clock.now());
-    ASSERT_TRUE(bus);
-    config = network.compiled();
-    recorder = std::make_unique<RunRecorder>(config);
-    auto link = make_simulated_link("sim", std::move(*bus), clock, SimulatedHost{jitter.stamp_error, 4});
-    service = std::make_unique<MasterService>(std::move(link), clock);
-    service->channels().commands.push(GoOnlineCommand{config, AlState::kOp});
-    (void)service->step();
-    drain();
-  }
-  void drain() {
-    for (auto& event : service->channels().events.drain()) events.push_back(std::move(event));
-    service->channels().snapshot.read(snapshot);
-    std::vector<CycleSample> samples;
-    service->channels().samples.pop(samples);
-    recorder->add(samples);
-  }
-  void run_until(Nanoseconds time) {
-    while (clock.now() < start + time) {
-      service->run_for(std::min<Nanoseconds>(100 * kMillisecond, start + time - clock.now()));
-      drain();
-    }
-  }
-  [[nodiscard]] std::string log() const {
-    std::string text;
-    for (const auto& event : events) {
-      if (const auto line = cli::event_text(event, start); !line.empty()) text += line + "\n";
-    }
-    return text;
+    if (!bus) return nullptr;
+    return make_simulated_link("sim", std::move(*bus), clock, SimulatedHost{jitter.stamp_error, 4});
   }
   /// Times of such events from `begin` on, since the start.
   [[nodiscard]] std::vector<Nanoseconds> times(const test::EventMatch& match, Nanoseconds begin, int slave = -2) const {

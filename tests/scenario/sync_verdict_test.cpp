@@ -4,29 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/event_text.h"
-#include "link/simulated_host.h"
-#include "master/master_service.h"
 #include "support/random.h"
-#include "tests/support/simulated_network.h"
+#include "tests/scenario/machine_run.h"
 #include "trace/csv.h"
-#include "trace/run_report.h"
 
 /// Whether what is said about synchronisation is so, on machines with something known wrong, or nothing.
 namespace syncline {
 namespace {
 
-class SyncVerdictOfAMachine : public ::testing::TestWithParam<std::uint64_t> {
+class SyncVerdictOfAMachine : public test::MachineRun, public ::testing::WithParamInterface<std::uint64_t> {
  protected:
-  VirtualClock clock;
   Random random{GetParam()};
-  test::SimulatedNetwork network;
-  std::unique_ptr<MasterService> service;
-  std::unique_ptr<RunRecorder> recorder;
-  std::vector<Event> events;
-  std::vector<CycleSample> samples;
-  Snapshot snapshot;
-  Nanoseconds start = 0;
 
   void SetUp() override {
     network.sim.seed = GetParam();
@@ -46,48 +34,9 @@ class SyncVerdictOfAMachine : public ::testing::TestWithParam<std::uint64_t> {
     add(test::servo(), "servo-y");
     add(test::servo(), "servo-y");
   }
-  FaultConfig& fault(FaultKind kind, int slave, Nanoseconds at) {
-    FaultConfig fault;
-    fault.kind = kind;
-    fault.slave = slave;
-    fault.at = at;
-    network.sim.faults.push_back(fault);
-    return network.sim.faults.back();
-  }
   Nanoseconds step() {
     const auto size = static_cast<Nanoseconds>(random.uniform(20'000, 60'000));
     return random.uniform() < 0.5 ? -size : size;
-  }
-  void go_online() {
-    start = clock.now();
-    const auto host = set_up_host(clock, network.sim);
-    auto bus = sim::SimBus::create(network.sim, clock.now());
-    ASSERT_TRUE(bus);
-    service = std::make_unique<MasterService>(make_simulated_link("sim", std::move(*bus), clock, host), clock);
-    recorder = std::make_unique<RunRecorder>(network.compiled());
-    service->channels().commands.push(GoOnlineCommand{network.compiled(), AlState::kOp});
-    (void)service->step();
-    drain();
-  }
-  void drain() {
-    for (auto& event : service->channels().events.drain()) events.push_back(std::move(event));
-    const auto seen = samples.size();
-    service->channels().samples.pop(samples);
-    recorder->add(std::span(samples).subspan(seen));
-    service->channels().snapshot.read(snapshot);
-  }
-  void run_until(Nanoseconds time) {
-    while (clock.now() < start + time) {
-      service->run_for(std::min<Nanoseconds>(100 * kMillisecond, start + time - clock.now()));
-      drain();
-    }
-  }
-  [[nodiscard]] std::string log() const {
-    std::string text;
-    for (const auto& event : events) {
-      if (const auto line = cli::event_text(event, start); !line.empty()) text += line + "\n";
-    }
-    return text;
   }
   /// First event of a kind, told at or after a time of the scenario.
   [[nodiscard]] const Event* first(EventKind kind, Nanoseconds after) const {

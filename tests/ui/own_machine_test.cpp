@@ -66,6 +66,10 @@ TEST_F(OwnMachine, GoesOnlineOnASimulatedBusOfItsOwn) {
   EXPECT_EQ(snapshot.state, AlState::kOp);
   EXPECT_EQ(snapshot.slaves.size(), 3U);
   EXPECT_EQ(snapshot.dcm.state, SyncState::kInSync);
+  // Its drives have no counter of missed events: what the master computes of each cycle counts, and is none.
+  const auto& missed = workspace_.live().run().record()->overview().missed;
+  EXPECT_TRUE(missed.known);
+  EXPECT_EQ(missed.count, 0U);
   EXPECT_FALSE(action("actionChooseLink")->isEnabled()) << "it runs";
   workspace_.live().shutDown();
   // As it is now, not as it was when the bus was chosen; and nobody is asked again.

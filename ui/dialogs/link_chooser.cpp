@@ -66,7 +66,7 @@ void LinkChooser::select() {
 void LinkChooser::offerMachine(int slaves) {
   auto* item = addLink(kMachineItself, linkName(kMachineItself, {}),
                        tr("Simulated bus of the %n slave(s) of the project, as they are wired there", nullptr, slaves),
-                       QStringLiteral("device"));
+                       QStringLiteral("demo"));
   list_->insertItem(0, list_->takeItem(list_->row(item)));
   select();
 }

@@ -183,12 +183,15 @@ void SlaveDcPage::showLive(const Snapshot& snapshot) {
                           ? signedTimeText(status->deviation_ns)
                           : noText());
   delay_->setText(status != nullptr && status->dc_enabled ? timeText(status->propagation_delay_ns) : noText());
-  missed_->setText(
-      status != nullptr && status->sm2_missed.valid
-          ? tr("%1 (object %2:%3)")
-                .arg(countText(status->sm2_missed.known ? status->sm2_missed.missed : status->sm2_missed.value),
-                     hexText(status->sm2_missed.index, 4), hexText(status->sm2_missed.sub_index, 2).mid(2))
-          : noText());
+  missed_->setText(status == nullptr ? noText() : missedText(status->sm2_missed));
+}
+
+QString SlaveDcPage::missedText(const Sm2MissedStatus& missed) {
+  if (missed.valid) {
+    return tr("%1 (object %2:%3)")
+        .arg(countText(missed.total()), hexText(missed.index, 4), hexText(missed.sub_index, 2).mid(2));
+  }
+  return missed.known ? tr("%1 (computed: it has no counter)").arg(countText(missed.missed)) : noText();
 }
 
 }  // namespace syncline::ui

@@ -34,6 +34,7 @@ class SlaveDcPage final : public Page {
   void buildTiming(Card& card);
   void refreshRegisters();
   void refreshTiming();
+  [[nodiscard]] static QString missedText(const Sm2MissedStatus& missed);
   void showRegister(QLabel& label, const QString& compiled, const std::optional<QString>& read);
 
   QLabel *description_, *assign_activate_, *bus_cycle_;

@@ -308,9 +308,11 @@ void CyclicTaskRunner::finish_sample(CycleSample& sample) {
   watched_.fill(sample);
   snapshot.time = sample.send_time;
   ++snapshot.cycles;
-  (void)run_.channels().samples.push(sample);
+  auto& channels = run_.channels();
+  (void)channels.samples.push(sample);
+  if (channels.relieve && channels.samples.is_half_full()) channels.relieve();
   const auto unread = clock_.is_virtual() ? kUnreadVirtualPeriod : kUnreadPeriod;
-  const auto period = run_.channels().snapshot.taken() ? kPublishPeriod : unread;
+  const auto period = channels.snapshot.taken() ? kPublishPeriod : unread;
   if (sample.send_time - last_published_ >= period) publish();
 }
 

@@ -159,7 +159,7 @@ void SyncEventWatch::tell(CycleSample& sample) {
   if (!news_) return;
   for (auto& slave : slaves_) {
     const auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
-    if (!status.known || status.missed == slave.told) continue;
+    if (!status.known || slave.told == status.missed) continue;
     slave.told = status.missed;
     sample.sm2_position = static_cast<std::int16_t>(slave.position);
     sample.slave_sm2_missed = status.missed;

@@ -43,7 +43,8 @@ class SyncEventWatch {
     Nanoseconds wire = 0;  // until the frame with its outputs has passed
     std::optional<dc::SyncEventAccount> account;
     std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
-    std::uint32_t limit = 0, told = 0;
+    std::uint32_t limit = 0;
+    std::optional<std::uint32_t> told;
     Nanoseconds need = 0;  // see SyncEventAccount::Cycle
     std::optional<Nanoseconds> in_op_since, at_limit_since;
     // While all of its cycles are regular they are counted only, and the account gets them when it is asked:
