@@ -17,11 +17,9 @@
 #include "record/recording.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"
+#include "ui/text/link_text.h"
 
 namespace syncline::ui {
-
-/// The LINK of the simulated bus that a project itself describes: as it is wired there, with the devices of its ESI.
-inline constexpr QLatin1String kMachineItself{"sim:"};
 
 /// Makes a master on the bus behind a LINK text ("sim:FILE", "nic:NAME", kMachineItself for that of `machine`). Called
 /// from the window's thread.

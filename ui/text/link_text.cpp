@@ -4,8 +4,6 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
-#include "ui/session/bus_connection.h"
-
 namespace syncline::ui {
 
 bool isAdapter(const QString& link) { return link.startsWith(QLatin1String("nic:")); }

@@ -9,25 +9,33 @@
 namespace syncline::diagnosis {
 namespace {
 
-/// Frames that are on time leave it less than it needs: each cycle uses outputs of the one before, whatever it misses.
+/// Frames that are on time leave it less than it needs: each cycle uses outputs of the one before.
 bool nominally_too_short(const RunReport::Slave& slave) {
   return slave.sync0_margin && slave.evidence.calc_and_copy_ns > *slave.sync0_margin;
 }
 
+bool is_found(const Findings& findings, const RunReport::Slave& slave, std::string_view code) {
+  return std::ranges::any_of(
+      findings, [&](const Finding& finding) { return finding.place.slave == slave.position && finding.code == code; });
+}
+
 /// It counts outputs that came too late for SYNC0 where it misses them altogether: one cause, which is told with more.
 bool misses_told(const Findings& findings, const RunReport::Slave& slave) {
-  return std::ranges::any_of(findings, [&](const Finding& finding) {
-    return finding.place.slave == slave.position &&
-           (finding.code == code::kSlaveFellByLateFrames || finding.code == code::kMissedByLateFrames ||
-            finding.code == code::kMissedUnlocked);
-  });
+  return is_found(findings, slave, code::kSlaveFellByLateFrames) ||
+         is_found(findings, slave, code::kMissedByLateFrames) || is_found(findings, slave, code::kMissedUnlocked);
+}
+
+/// What it missed in thousands of cycles that were all late is the least of it.
+bool is_mostly_late(const RunReport& report, const RunReport::Slave& slave, const Findings& findings) {
+  constexpr std::uint64_t kFarMore = 10;
+  if (!was_locked(report) || !nominally_too_short(slave) || !slave.sm2_missed) return false;
+  const auto times = slave.evidence.outputs.shift_too_short.total;
+  return times >= kFarMore * slave.sm2_missed->total() && !is_found(findings, slave, code::kSlaveFellByLateFrames);
 }
 
 /// It fell by misses where frames slid through its SYNC0: its finding says so.
 bool fell_unlocked(const RunReport& report, const Findings& findings, const RunReport::Slave& slave) {
-  return !was_locked(report) && std::ranges::any_of(findings, [&](const Finding& finding) {
-    return finding.place.slave == slave.position && finding.code == code::kSlaveFellByMisses;
-  });
+  return !was_locked(report) && is_found(findings, slave, code::kSlaveFellByMisses);
 }
 
 /// Frames that slide through SYNC0 are too late for it now and then, wherever it is.
@@ -43,7 +51,7 @@ Finding slid(const RunReport& report, const RunReport::Slave& slave) {
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
-  const bool by_misses = misses_told(findings, slave) && !(was_locked(report) && nominally_too_short(slave));
+  const bool by_misses = misses_told(findings, slave) && !is_mostly_late(report, slave, findings);
   const bool told = by_misses || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
   if (outputs.total > 0 && !told && !was_locked(report)) {
     findings.push_back(slid(report, slave));
@@ -73,9 +81,7 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
 
 /// Another finding says that frames come too late for this slave's SYNC0, and by how much.
 bool is_told(const Findings& findings, const RunReport::Slave& slave) {
-  return misses_told(findings, slave) || std::ranges::any_of(findings, [&](const Finding& finding) {
-           return finding.place.slave == slave.position && finding.code == code::kShiftTooShort;
-         });
+  return misses_told(findings, slave) || is_found(findings, slave, code::kShiftTooShort);
 }
 
 /// The usual lateness does not fit between frame and SYNC0: known before anything is missed, and true also where

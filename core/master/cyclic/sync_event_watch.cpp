@@ -32,7 +32,7 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
     place_[i] = slaves_.size();
     // Until it is read, the limit is what its start-up commands write, or what its family is delivered with.
     const auto limit = families::error_limit(slaves[i]).value_or(0);
-    slaves_.push_back({i, period, dc->shift_time, outputs_wire_time(run.config(), i), {}, {}, limit, 0, 0, {}, {}});
+    slaves_.push_back({i, period, dc->shift_time, outputs_wire_time(run.config(), i), {}, {}, limit, {}, 0, {}, {}});
   }
 }
 
