@@ -35,7 +35,7 @@ QAction* Actions::add(const char* name, const QString& text, const char* icon, c
 
 Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
   create = add("actionNew", tr("&New"), "new", tr("New project"), QKeySequence::New);
-  new_machine = add("actionNewMachine", tr("Ne&w Machine…"), "device",
+  new_machine = add("actionNewMachine", tr("Ne&w Machine…"), "machine",
                     tr("Make a machine step by step: slaves, cycle, clocks, operation modes"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
   open = add("actionOpen", tr("&Open…"), "open",

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -15,7 +16,7 @@ namespace {
 /// A slave goes away while the bus is brought up: as when it is lost in OP, the others go on, and it is brought back.
 class LostAtStart : public test::MachineRun {
  protected:
-  void make(std::uint64_t seed) {
+  void make(std::uint64_t seed, DcmMode mode = DcmMode::kBusShift) {
     network = {};
     network.add(test::io8());
     network.add(test::servo(), "servo-y");
@@ -25,6 +26,9 @@ class LostAtStart : public test::MachineRun {
     test::give_random_clocks(network, random);
     network.sim.host_jitter = JitterProfile::quiet();
     network.project.master.dc.sync_window.enabled = true;
+    network.project.master.dc.dcm.mode = mode;
+    // The host's jitter reaches the reference clock as it is.
+    if (mode == DcmMode::kMasterRefClock) network.project.master.dc.sync_window.exponent = 9;
   }
 };
 
@@ -46,10 +50,13 @@ TEST_F(LostAtStart, OthersReachOpWithoutIt) {
 /// SYNCLINE_OUTAGES=n tries n moments and lengths.
 TEST_F(LostAtStart, AllAreInOpInTheEndWhoeverGoesWhenForHowLong) {
   const char* wish = std::getenv("SYNCLINE_OUTAGES");
-  const int tries = wish != nullptr ? std::atoi(wish) : 24;
+  const int tries = wish != nullptr ? std::atoi(wish) : 60;
+  constexpr std::array kModes{DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kMasterRefClock,
+                              DcmMode::kLinkLayerRefClock};
   Random random(7);
   for (int i = 1; i <= tries; ++i) {
-    make(static_cast<std::uint64_t>(i));
+    const auto mode = kModes[static_cast<std::size_t>(i) % kModes.size()];
+    make(static_cast<std::uint64_t>(i), mode);
     const auto kind = random.uniform() < 0.5 ? FaultKind::kCableBreak : FaultKind::kSlaveOff;
     const auto slave = static_cast<int>(random.uniform(0, 4));
     // From when there is a cycle until all have been in OP for a while.
@@ -58,7 +65,7 @@ TEST_F(LostAtStart, AllAreInOpInTheEndWhoeverGoesWhenForHowLong) {
     fault(kind, slave, begin, begin + length);
     go_online();
     run_until(begin + length + 12 * kSecond);
-    const auto name = fmt::format("case {}: {} of slave {} at {} ms for {} ms\n", i,
+    const auto name = fmt::format("case {}, {}: {} of slave {} at {} ms for {} ms\n", i, dcm_mode_name(mode),
                                   kind == FaultKind::kCableBreak ? "cable" : "power", slave, begin / kMillisecond,
                                   length / kMillisecond);
     EXPECT_EQ(snapshot.state, AlState::kOp) << name << log();

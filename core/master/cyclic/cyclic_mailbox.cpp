@@ -54,13 +54,19 @@ void CyclicMailbox::take(Nanoseconds now) {
   if (busy_) work().take(now);
 }
 
+void CyclicMailbox::give_up() {
+  if (!busy_ || work().over()) return;
+  if (fetching()) {
+    fetch_.give_up();
+  } else {
+    sdo_.give_up({.code = ErrorCode::kMailboxTimeout});
+  }
+}
+
 std::optional<CyclicMailbox::Answer> CyclicMailbox::answer() {
   if (!busy_) return std::nullopt;
   // A slave that stays silent costs its turn, no more; one that is gone not even that.
-  if (!run_.snapshot.slaves[current_.slave].present && !work().over()) {
-    if (fetching()) fetch_.give_up();
-    if (!fetching()) sdo_.give_up({.code = ErrorCode::kMailboxTimeout});
-  }
+  if (!run_.snapshot.slaves[current_.slave].present) give_up();
   if (!work().over()) return std::nullopt;
   busy_ = run_.mailboxes[current_.slave].taken = false;
   judge();

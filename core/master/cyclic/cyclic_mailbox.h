@@ -39,6 +39,8 @@ class CyclicMailbox {
   void hold() { ++holds_; }
   void release() { --holds_; }
   [[nodiscard]] bool idle() const { return !busy_; }
+  /// What is under way gets no answer: its slave is gone, or set up anew.
+  void give_up();
   /// Something may be begun with this slave: nothing is under way, and its mailbox works in its state.
   [[nodiscard]] bool ready_for(std::size_t slave) const;
 

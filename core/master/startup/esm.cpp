@@ -75,6 +75,7 @@ void Esm::abandon() {
   bus_.set_pump(nullptr);
   bus_.exchange().missing().forget_all();
   task_.acyclic().requests().give_up_mailboxes();
+  task_.acyclic().mailbox().give_up();
   task_.working_counter().set_joining(false);
   task_.working_counter().set_judging(false);
   task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
