@@ -96,6 +96,20 @@ class Drain {
   std::optional<Error> error_;
 };
 
+/// While it lives the master asks for room in the sample ring (MasterChannels::relieve).
+class Relief {
+ public:
+  Relief(MasterChannels& channels, Drain& drain) : channels_(channels) {
+    channels_.relieve = [&drain] { drain(); };
+  }
+  ~Relief() { channels_.relieve = nullptr; }
+  Relief(const Relief&) = delete;
+  Relief& operator=(const Relief&) = delete;
+
+ private:
+  MasterChannels& channels_;
+};
+
 bool stopped(const RunRequest& request) { return request.stop != nullptr && request.stop->load(); }
 
 /// The master goes at the end, and takes the slaves to INIT whatever ends the run, an exception too.
@@ -108,12 +122,12 @@ RunOutcome run_on(std::unique_ptr<BackgroundMaster> master, Clock& clock, const 
   const auto end = clock.now() + request.duration;
 
   if (clock.is_virtual()) {
-    channels.relieve = [&drain] { drain(); };
+    std::optional<Relief> relief(std::in_place, channels, drain);
     while (clock.now() < end && !stopped(request) && !drain.failed()) {
       master->run_for(std::min(kDrainPeriod, end - clock.now()));
       drain();
     }
-    channels.relieve = nullptr;
+    relief.reset();
     auto outcome = drain.outcome();
     channels.commands.push(GoOfflineCommand{});
     while (master->online() && master->step()) {
