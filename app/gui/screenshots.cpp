@@ -18,6 +18,7 @@
 #include "app/gui/picture_run.h"
 #include "settings/settings_table.h"
 #include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/commissioning_dialog.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/found_dialog.h"
@@ -310,7 +311,8 @@ void takeDialogs(Camera& camera, ui::MainWindow& window, ui::Workspace& workspac
   ui::AboutDialog about(workspace.environment().version, &window);
   about.show();
   camera.take(about, theme + QStringLiteral("-about"));
-  ui::LinkChooser chooser(workspace.environment(), {}, ui::MainWindow::tr("Scan"), &window);
+  ui::LinkChooser chooser(workspace.environment(), {}, ui::BusCommands::tr("Go Online"), &window);
+  chooser.offerMachine(static_cast<int>(workspace.document().project().slaves.size()));
   chooser.show();
   camera.take(chooser, theme + QStringLiteral("-link-chooser"));
   ui::CommissioningDialog commissioning(workspace, &window);

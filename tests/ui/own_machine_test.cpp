@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 
@@ -70,6 +71,9 @@ TEST_F(OwnMachine, GoesOnlineOnASimulatedBusOfItsOwn) {
   const auto& missed = workspace_.live().run().record()->overview().missed;
   EXPECT_TRUE(missed.known);
   EXPECT_EQ(missed.count, 0U);
+  window_.selectNode(1);
+  workspace_.live().advance(kSecond);
+  EXPECT_EQ(test::find<QLabel>(window_, "slaveMissed")->text(), QStringLiteral("0 (computed: it has no counter)"));
   EXPECT_FALSE(action("actionChooseLink")->isEnabled()) << "it runs";
   workspace_.live().shutDown();
   // As it is now, not as it was when the bus was chosen; and nobody is asked again.

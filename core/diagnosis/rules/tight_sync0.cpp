@@ -25,7 +25,8 @@ bool misses_told(const Findings& findings, const RunReport::Slave& slave) {
          is_found(findings, slave, code::kMissedByLateFrames) || is_found(findings, slave, code::kMissedUnlocked);
 }
 
-/// What it missed in thousands of cycles that were all late is the least of it.
+/// What it missed in thousands of cycles that were all late is the least of it. A fall by late frames is not: it says
+/// by how much they were late, and asks for that and what the slave needs.
 bool is_mostly_late(const RunReport& report, const RunReport::Slave& slave, const Findings& findings) {
   constexpr std::uint64_t kFarMore = 10;
   if (!was_locked(report) || !nominally_too_short(slave) || !slave.sm2_missed) return false;
