@@ -14,6 +14,7 @@
 #include "engine/background_master.h"
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
+#include "families/families.h"
 #include "findings/error_text.h"
 #include "link/simulated_link.h"
 #include "sim/sim_bus.h"
@@ -172,9 +173,9 @@ SimConfig simulated(const SlaveSettings& slave) {
   SimConfig sim;
   auto& device = sim.slaves.emplace_back();
   device.name = slave.name;
-  device.behaviour = "generic";
   const auto effective = compiler::effective_slave(slave);
   device.device = effective ? effective->device : slave.device;
+  device.behaviour = families::behaviour_of(device.device);
   device.oscillator.ppm = 3;
   if (slave.device.fmmu_count) device.fmmu_count = *slave.device.fmmu_count;
   if (slave.device.sync_manager_count) device.sync_manager_count = *slave.device.sync_manager_count;

@@ -28,6 +28,7 @@ constexpr Family el6751() {
   family.name = "EL6751";
   family.devices = "gateways";
   family.match = {0x0002, 0x1A5F'3052, 0x1A5F'3052, {}};
+  family.behaviour = "can-gateway";
   family.counters = SyncCounters{0x0B, 0x0C, 0x0D, false, "ESI of the EL6751, 0x1C32 and 0x1C33"};
   family.gateway = kGateway;
   family.sync_types = {kOutputTypes, kInputTypes, 1, 0x22, true, true, "ESI of the EL6751, 0x1C32 and 0x1C33"};

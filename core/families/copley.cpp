@@ -43,6 +43,7 @@ constexpr Family copley() {
   family.name = "Copley Controls";
   family.devices = "drives";
   family.match = {0x00AB, 0, 0xFFFF'FFFF, {}};
+  family.behaviour = "drive-c";
   family.counters = SyncCounters{0x0B, 0x0C, 0x0D, false, "ESI of Copley XE2, 0x1C32"};
   family.cycle =
       CycleLimits{62'500, 250 * kMicrosecond, "only the current loop is synchronised then, the position loop is not",

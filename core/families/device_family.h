@@ -150,7 +150,7 @@ struct Family {
   std::string_view name{};     // in sentences: "Yaskawa Sigma-5 drives take ..."
   std::string_view devices{};  // plural noun: "drives", "gateways"
   Match match{};
-  std::string_view behaviour{};  // of the simulated device that has these habits; "" = none
+  std::string_view behaviour{};  // of the simulated device that stands for it; "" = "generic"
   std::optional<SyncCounters> counters{};
   std::optional<CycleLimits> cycle{};
   std::optional<ErrorLimit> error_limit{};

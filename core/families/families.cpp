@@ -65,7 +65,14 @@ const Family* find(const DeviceDescription& device) {
 
 const Family* of_behaviour(std::string_view behaviour) {
   if (behaviour.empty()) return nullptr;
-  return first_that([&](const Family& family) { return family.behaviour == behaviour; });
+  const auto families = simulated_families();
+  const auto found = std::ranges::find(families, behaviour, &Family::behaviour);
+  return found == families.end() ? nullptr : &*found;
+}
+
+std::string_view behaviour_of(const DeviceDescription& device) {
+  const Family* family = find(device);
+  return family == nullptr || family->behaviour.empty() ? "generic" : family->behaviour;
 }
 
 std::optional<Nanoseconds> minimum_cycle(const DeviceDescription& device) {

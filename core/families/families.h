@@ -24,8 +24,11 @@ namespace syncline::families {
 [[nodiscard]] const Family* find(const Identity& identity);
 /// The same; also by the beginning of the type's name.
 [[nodiscard]] const Family* find(const DeviceDescription& device);
-/// The family whose habits a simulated device with this behaviour has ("servo-y", "drive-c", "can-gateway").
+/// The simulated device's own family with this behaviour ("servo-y", "drive-c", "can-gateway", "analog-input"); null
+/// for any other word.
 [[nodiscard]] const Family* of_behaviour(std::string_view behaviour);
+/// What a simulated device of this kind behaves as, where nobody says it: as its family's, else "generic".
+[[nodiscard]] std::string_view behaviour_of(const DeviceDescription& device);
 
 /// The shortest cycle that the device's own dictionary names (default of 0x1C32:05 and 0x1C33:05), ns.
 [[nodiscard]] std::optional<Nanoseconds> minimum_cycle(const DeviceDescription& device);

@@ -28,6 +28,7 @@ constexpr Family sigma(std::string_view id, std::string_view name, Match match, 
   family.name = name;
   family.devices = "drives";
   family.match = match;
+  family.behaviour = "servo-y";
   family.cycle = cycle;
   // 7.2: 9 is the third missed event in a row, 15 the fifth; 0x603F has the alarm's number.
   family.error_limit = ErrorLimit{9, 15, 0x001A, 0x0A12, "Yaskawa AN.MTN.01, 7.2"};

@@ -6,6 +6,7 @@
 #include "compile/compile.h"
 #include "compile/effective_slave.h"
 #include "config/entry_ports.h"
+#include "families/families.h"
 #include "recover/recovered_device.h"
 #include "recover/register_writes.h"
 
@@ -111,8 +112,8 @@ void wire(SimConfig& config, std::span<const std::optional<PreviousPort>> previo
 SimSlaveConfig simulated_slave(const SlaveConfig& slave, Nanoseconds cycle) {
   SimSlaveConfig simulated;
   simulated.name = slave.name;
-  simulated.behaviour = "generic";
   simulated.device = recover::recovered_device(slave, cycle);
+  simulated.behaviour = families::behaviour_of(simulated.device);
   simulated.alias = slave.alias;
   if (slave.hot_connect && slave.hot_connect->alias()) simulated.alias = *slave.hot_connect->alias();
   if (slave.identification) simulated.device_id = static_cast<std::uint16_t>(slave.identification->value);
@@ -177,7 +178,7 @@ SimConfig simulated_network(const Project& project) {
     const SlaveSettings& slave = effective ? *effective : project.slaves[i];
     SimSlaveConfig& added = simulated.slaves.emplace_back();
     added.name = slave.name;
-    added.behaviour = "generic";
+    added.behaviour = families::behaviour_of(slave.device);
     added.device = slave.device;
     added.alias = slave.alias;
     added.device_id = slave.check.device_id.value_or(0);

@@ -42,16 +42,24 @@ class Generic final : public Device {
   std::optional<Nanoseconds> busy_until_;
 };
 
-DriveHabits servo_habits() {
+/// Of the device's own family, where that is one of these servos; what is not known of it is the simulated servo's.
+DriveHabits servo_habits(const DeviceDescription& device) {
   constexpr std::uint16_t kSupported =
       SyncHabits::kFreeRun | SyncHabits::kSync0 | SyncHabits::kLocalShift | SyncHabits::kMeasures;
-  return {*families::of_behaviour("servo-y"), kSupported};
+  constexpr std::string_view kBehaviour = "servo-y";
+  const families::Family& usual = *families::of_behaviour(kBehaviour);
+  const families::Family* own = families::find(device);
+  families::Family family = own != nullptr && own->behaviour == kBehaviour ? *own : usual;
+  if (!family.times) family.times = usual.times;
+  // Of a family whose places the sources disagree about: those of ETG.1020.
+  if (!family.counters) family.counters = families::SyncCounters{};
+  return {family, kSupported};
 }
 
 }  // namespace
 
 std::unique_ptr<Device> make_device(const SimSlaveConfig& config, Esc& esc) {
-  if (config.behaviour == "servo-y") return std::make_unique<Drive>(config, esc, servo_habits());
+  if (config.behaviour == "servo-y") return std::make_unique<Drive>(config, esc, servo_habits(config.device));
   if (config.behaviour == "drive-c") return std::make_unique<DriveC>(config, esc);
   if (config.behaviour == "can-gateway") return std::make_unique<CanGateway>(config, esc);
   if (config.behaviour == "analog-input") return std::make_unique<AnalogInput>(config, esc);

@@ -68,9 +68,12 @@ void SyncObject::add_entries(const char* name) {
   command.on_write = [this](std::span<const std::uint8_t> data) { return start_measurement(data); };
   delay_ = time(kDelay, habits_.delay_name, habits_.delay);
   sync0_cycle_ = time(kSync0Cycle, "Sync0 cycle time", 0);
-  missed_ = ObjectValue<std::uint16_t>(word(habits_.counters.missed, habits_.missed_name, 0));
-  exceeded_ = ObjectValue<std::uint16_t>(word(habits_.counters.cycle_exceeded, habits_.exceeded_name, 0));
-  shift_too_short_ = ObjectValue<std::uint16_t>(word(habits_.counters.shift_too_short, habits_.too_short_name, 0));
+  const auto counter = [&](std::uint8_t sub_index, std::string_view text) {
+    return sub_index == 0 ? std::nullopt : std::optional(ObjectValue<std::uint16_t>(word(sub_index, text, 0)));
+  };
+  missed_ = counter(habits_.counters.missed, habits_.missed_name);
+  exceeded_ = counter(habits_.counters.cycle_exceeded, habits_.exceeded_name);
+  shift_too_short_ = counter(habits_.counters.shift_too_short, habits_.too_short_name);
   auto& error = d.add<std::uint8_t>(index_, kSyncError, "Sync error", 0);
   error.data_type = kBoolean;
   error.bit_length = 1;
@@ -83,7 +86,9 @@ bool SyncObject::supports(std::uint16_t type) const {
 }
 
 void SyncObject::clear_counters() {
-  for (auto* counter : {&missed_, &exceeded_, &shift_too_short_}) counter->set(0);
+  for (auto* counter : {&missed_, &exceeded_, &shift_too_short_}) {
+    if (*counter) (*counter)->set(0);
+  }
   set_sync_error(false);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "families/device_family.h"
@@ -87,7 +88,9 @@ class SyncObject {
   void add_entries(const char* name);
   [[nodiscard]] bool supports(std::uint16_t type) const;
   static constexpr std::uint32_t kNoiseFactor = 1'664'525, kNoiseSum = 1'013'904'223;
-  static void count(ObjectValue<std::uint16_t>& counter) { counter.set(static_cast<std::uint16_t>(counter.get() + 1)); }
+  static void count(std::optional<ObjectValue<std::uint16_t>>& counter) {
+    if (counter) counter->set(static_cast<std::uint16_t>(counter->get() + 1));
+  }
   std::uint32_t start_measurement(std::span<const std::uint8_t> data);
   [[nodiscard]] Nanoseconds vary(std::uint32_t worst);
   void next_noise() { noise_ = noise_ * kNoiseFactor + kNoiseSum; }
@@ -97,7 +100,8 @@ class SyncObject {
   ObjectDictionary& dictionary_;
   std::uint16_t index_;
   SyncHabits habits_;
-  ObjectValue<std::uint16_t> type_, missed_, exceeded_, shift_too_short_;
+  ObjectValue<std::uint16_t> type_;
+  std::optional<ObjectValue<std::uint16_t>> missed_, exceeded_, shift_too_short_;  // empty: the family has none
   ObjectValue<std::uint32_t> cycle_, shift_, minimum_cycle_, calc_and_copy_, delay_, sync0_cycle_;
   ObjectValue<std::uint8_t> sync_error_;
   std::uint32_t noise_ = 1;

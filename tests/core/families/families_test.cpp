@@ -26,6 +26,12 @@ std::string id_of(const Identity& device) {
   return family == nullptr ? "" : std::string(family->id);
 }
 
+DeviceDescription device(const Identity& identity) {
+  DeviceDescription device;
+  device.identity = identity;
+  return device;
+}
+
 SlaveConfig with_limit(const Identity& device, std::vector<std::uint8_t> data) {
   SlaveConfig slave;
   slave.identity = device;
@@ -108,6 +114,10 @@ TEST(Families, SimulatedDevicesHaveTheHabitsOfTheirFamily) {
     ASSERT_NE(simulated, nullptr) << behaviour;
     EXPECT_EQ(simulated->counters, find(real)->counters) << behaviour;
   }
+  for (const auto& identity : {kSigma5, kSigma7, kSigmaX}) EXPECT_EQ(behaviour_of(device(identity)), "servo-y");
+  EXPECT_EQ(behaviour_of(device(kXe2)), "drive-c");
+  EXPECT_EQ(behaviour_of(device(kEl6751)), "can-gateway");
+  EXPECT_EQ(behaviour_of(device(identity(1, 1))), "generic");
   EXPECT_EQ(of_behaviour("generic"), nullptr);
   EXPECT_EQ(of_behaviour(""), nullptr);
 }

@@ -146,6 +146,8 @@ TEST(SimulatedNetwork, HasTheWiringIdentitiesAndObjectsOfTheEni) {
   EXPECT_EQ(simulated.slaves[4].parent, 3);
   const auto& dictionary = simulated.slaves[4].device.dictionary;
   EXPECT_TRUE(std::ranges::any_of(dictionary, [](const ObjectDescription& object) { return object.index == 0x60C2; }));
+  EXPECT_EQ(simulated.slaves[0].behaviour, "generic");
+  EXPECT_EQ(simulated.slaves[4].behaviour, "servo-y");
 }
 
 }  // namespace
