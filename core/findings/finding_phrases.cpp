@@ -55,6 +55,7 @@ constexpr std::string_view kPhrases[] = {
     // devices
     "drives",
     "gateways",
+    "terminals",
     "none",
     "only the current loop is synchronised then, the position loop is not",
     "Interpolated position mode 1 needs SYNC0; only its mode 2 works without",

@@ -5089,6 +5089,10 @@
         <translation>Gateways</translation>
     </message>
     <message>
+        <source>terminals</source>
+        <translation>Klemmen</translation>
+    </message>
+    <message>
         <source>general error</source>
         <translation>allgemeiner Fehler</translation>
     </message>

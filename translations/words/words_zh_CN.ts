@@ -5089,6 +5089,10 @@
         <translation>网关</translation>
     </message>
     <message>
+        <source>terminals</source>
+        <translation>端子模块</translation>
+    </message>
+    <message>
         <source>general error</source>
         <translation>一般错误</translation>
     </message>

@@ -137,6 +137,7 @@ TEST(SimulatedNetwork, HasTheWiringIdentitiesAndObjectsOfTheEni) {
   auto config = compiled(machine(), EniDialect::kEcEngineer);
   config.slaves[3].previous = PreviousPort{0, 3};
   config.slaves[4].previous = PreviousPort{0, 1};
+  config.slaves[4].identity = {0x5C17, 0x7001, 0x10000, 0};
   const auto simulated = simulated_network(config);
   ASSERT_EQ(simulated.slaves.size(), 5U);
   EXPECT_EQ(simulated.slaves[4].alias, 77);
