@@ -17,6 +17,8 @@ struct Names {
   Name operator()(const events::StateChanged&) const { return "state"; }
   Name operator()(const events::AlStatusError&) const { return "al_status_error"; }
   Name operator()(const events::SlaveLost&) const { return "slave_lost"; }
+  Name operator()(const events::LeftUnasked&) const { return "left_unasked"; }
+  Name operator()(const events::BusWasRunning&) const { return "bus_was_running"; }
   Name operator()(const events::SlaveFound&) const { return "slave_found"; }
   Name operator()(const events::HotConnect&) const { return "hot_connect"; }
   Name operator()(const events::RecoveryStep&) const { return "recovery"; }

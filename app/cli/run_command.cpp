@@ -216,7 +216,11 @@ void execute(Context& context, const RunOptions& options) {
   print(context.console.err, compiled->findings);
   if (has_errors(compiled->findings)) {
     context.exit_code = kAnswerIsNo;
-    return;
+    if (!options.json) return;
+    Json findings = Json::array();
+    for (const auto& finding : compiled->findings) findings.push_back(to_json(finding));
+    context.print({{"findings", std::move(findings)}});
+    return context.note_error("the project has errors, so that there is nothing to run");
   }
 
   const bool log_is_on = options.dcm_log.empty() && compiled->config.dc.dcm.log;

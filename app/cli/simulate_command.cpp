@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "app/cli/context.h"
 #include "app/cli/counted.h"
@@ -11,6 +14,7 @@
 #include "app/cli/run_json.h"
 #include "app/composition/load_scenario.h"
 #include "engine/simulate_bus.h"
+#include "findings/fold.h"
 #include "protocol/al_state.h"
 
 namespace syncline::cli {
@@ -69,10 +73,16 @@ void print_summary(std::ostream& out, const SimulateReport& report) {
   if (!report.refused.empty()) {
     out << fmt::format("answers may have been late: {}; this grants it: {}\n", report.refused, permission_command());
   }
+  std::map<std::pair<std::uint16_t, std::uint16_t>, std::vector<int>> left;  // by AL status and its code
   for (std::size_t i = 0; i < report.al_status.size(); ++i) {
-    if ((report.al_status[i] & kAlErrorFlag) == 0) continue;
-    out << fmt::format("slave {} is left in {} with AL status code 0x{:04X}: {}\n", i, state_text(report.al_status[i]),
-                       report.al_status_code[i], al_status_code_text(report.al_status_code[i]).meaning);
+    if ((report.al_status[i] & kAlErrorFlag) != 0)
+      left[{report.al_status[i], report.al_status_code[i]}].push_back(static_cast<int>(i));
+  }
+  for (const auto& [state, slaves] : left) {
+    const bool one = slaves.size() == 1;
+    out << fmt::format("{} {} {} left in {} with AL status code 0x{:04X}: {}\n", one ? "slave" : "slaves",
+                       ranges_text(slaves), one ? "is" : "are", state_text(state.first), state.second,
+                       al_status_code_text(state.second).meaning);
   }
 }
 

@@ -24,22 +24,44 @@ bool is_xml(const std::filesystem::path& path) {
   return extension == ".xml";
 }
 
-Result<std::vector<std::string>> files_of(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) return std::vector<std::string>{path};
+Error unreadable(const std::string& path, const std::error_code& error) {
+  const bool missing = error == std::errc::no_such_file_or_directory;
+  return {.code = missing ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable,
+          .detail = Reason::phrase(error.message()),
+          .file = path};
+}
+
+/// The ESI files of a folder and of those below it, and what of them cannot be looked into.
+struct FoundFiles {
   std::vector<std::string> files;
-  for (std::filesystem::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
-    if (is_xml(it->path()) && !it->is_directory() && !is_stream(it->path().string()))
-      files.push_back(it->path().string());
+  std::vector<Error> unreadable;
+
+  [[nodiscard]] std::error_code add(const std::filesystem::path& folder) {
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+      std::error_code none;
+      if (it->is_directory(none)) {
+        // A link to a folder may lead back up.
+        if (it->is_symlink(none)) continue;
+        if (const auto below = add(it->path())) unreadable.push_back(syncline::unreadable(it->path().string(), below));
+      } else if (is_xml(it->path()) && !is_stream(it->path().string())) {
+        files.push_back(it->path().string());
+      }
+    }
+    return error;
   }
-  if (error) {
-    const bool missing = error == std::errc::no_such_file_or_directory;
-    return fail(Error{.code = missing ? ErrorCode::kFileNotFound : ErrorCode::kFileNotReadable,
-                      .detail = Reason::phrase(error.message()),
-                      .file = path});
+};
+
+Result<FoundFiles> files_of(const std::string& path) {
+  FoundFiles found;
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error)) {
+    found.files.push_back(path);
+    return found;
   }
-  std::ranges::sort(files);  // the same folder gives the same report on every machine
-  return files;
+  if (const auto failed = found.add(path)) return fail(unreadable(path, failed));
+  std::ranges::sort(found.files);  // the same folder gives the same report on every machine
+  return found;
 }
 
 TriedDevice rejected(const Error& error) {
@@ -50,8 +72,16 @@ TriedDevice rejected(const Error& error) {
           .reason = "the ESI file does not describe it: " + describe(error)};
 }
 
-/// "Maker_Drives-": what the ENI of each of its devices begins with.
-std::string kept_stem(const std::string& file) { return std::filesystem::path(file).stem().string() + '-'; }
+/// "Maker_Drives-": what the ENI of each of its devices begins with; "below-Maker_Drives-" for a file in a folder
+/// below.
+std::string kept_stem(const std::string& file, const std::string& folder) {
+  const auto path = std::filesystem::path(file);
+  auto stem = path == std::filesystem::path(folder)
+                  ? path.stem().string()
+                  : path.lexically_relative(folder).replace_extension().generic_string();
+  std::ranges::replace(stem, '/', '-');
+  return stem + '-';
+}
 
 /// No ESI file has a name that the ENI of another's device will get. Which numbers there are is known only when all are
 /// read, and by then the first are written: any number counts.
@@ -59,8 +89,8 @@ Status check_kept(const TryRequest& request, const std::vector<std::string>& fil
   std::error_code error;
   for (std::filesystem::directory_iterator it(request.keep, error), end; !error && it != end; it.increment(error)) {
     const auto name = it->path().filename().string();
-    const auto may_become = [&name](const std::string& file) {
-      const auto stem = kept_stem(file);
+    const auto may_become = [&](const std::string& file) {
+      const auto stem = kept_stem(file, request.path);
       const auto number = name.size() > stem.size() ? name.substr(stem.size(), name.rfind('.') - stem.size()) : "";
       return name.starts_with(stem) && name.ends_with(".xml") && !number.empty() &&
              number.find_first_not_of("0123456789") == std::string::npos;
@@ -77,8 +107,10 @@ Status check_kept(const TryRequest& request, const std::vector<std::string>& fil
 /// Files are taken by the threads one by one; each has its place in the report.
 class Trial {
  public:
-  Trial(const TryRequest& request, std::vector<std::string> files)
-      : request_(request), files_(std::move(files)), of_file_(files_.size()) {}
+  Trial(const TryRequest& request, FoundFiles found)
+      : request_(request), files_(std::move(found.files)), of_file_(files_.size()) {
+    report_.unreadable = std::move(found.unreadable);
+  }
 
   TryReport run() {
     const unsigned processors = std::max(std::thread::hardware_concurrency(), 1U);
@@ -129,7 +161,7 @@ class Trial {
   /// "KEEP/Maker_Drives-3.xml": the third device of Maker_Drives.xml.
   [[nodiscard]] std::string kept_file(const std::string& file, std::size_t device) const {
     if (request_.keep.empty()) return {};
-    const auto name = kept_stem(file) + std::to_string(device + 1) + ".xml";
+    const auto name = kept_stem(file, request_.path) + std::to_string(device + 1) + ".xml";
     return (std::filesystem::path(request_.keep) / name).string();
   }
 
@@ -154,10 +186,10 @@ std::size_t TryReport::count(TryOutcome outcome) const {
 }
 
 Result<TryReport> try_esi(const TryRequest& request) {
-  auto files = files_of(request.path);
-  if (!files) return tl::unexpected(files.error());
-  if (auto status = check_kept(request, *files); !status) return tl::unexpected(status.error());
-  return Trial(request, std::move(*files)).run();
+  auto found = files_of(request.path);
+  if (!found) return tl::unexpected(found.error());
+  if (auto status = check_kept(request, found->files); !status) return tl::unexpected(status.error());
+  return Trial(request, std::move(*found)).run();
 }
 
 }  // namespace syncline

@@ -12,7 +12,7 @@
 namespace syncline {
 
 struct TryRequest {
-  std::string path;                                     // an ESI file, or a folder of them (not recursive)
+  std::string path;                                     // an ESI file, or a folder of them with those below it
   unsigned threads = 0;                                 // 0: as many as the machine has processors, 8 at most
   unsigned every = 1;                                   // tries each n-th device of a file only
   std::string keep{};                                   // folder for the ENI files, one a device; "" = none
@@ -23,7 +23,7 @@ struct TryRequest {
 struct TryReport {
   std::size_t files = 0;
   std::vector<TriedDevice> devices;  // file and device order, whatever the threads did
-  std::vector<Error> unreadable;     // whole files that are no ESI files
+  std::vector<Error> unreadable;     // whole files that are no ESI files, folders that cannot be read
   [[nodiscard]] std::size_t count(TryOutcome outcome) const;
 };
 

@@ -47,7 +47,6 @@ class BusRecorder {
   [[nodiscard]] std::optional<std::size_t> find_request(const SentFrame& frame) const;
   void learn(const Sent& sent, const Sent& returned, std::uint16_t wkc);
   void learn_broadcast(const Sent& sent, std::uint16_t wkc);
-  void note_access(std::size_t position, const Sent& sent, std::span<const std::uint8_t> data);
   void note_write(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
   void note_read(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
   void note_sii(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);

@@ -135,7 +135,7 @@ class ReplayLink final : public Link {
   }
 
   [[nodiscard]] LinkDescription describe() const override {
-    return {"replay:" + path_, "replay", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x02}, true, false};
+    return {"replay:" + path_, "replay", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x02}, true};
   }
 
  private:

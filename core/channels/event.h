@@ -17,19 +17,18 @@
 namespace syncline {
 
 /// One struct a kind. A new one gets its words in core/channels/event_finding.cpp, which does not compile without.
-using EventDetails =
-    std::variant<events::ScanProgress, events::ScanTouchesRunning,  //
-                 events::Online, events::Offline, events::StateChanged, events::AlStatusError, events::SlaveLost,
-                 events::SlaveFound, events::HotConnect, events::RecoveryStep,  //
-                 events::DcInitialised, events::ReferenceClockChanged, events::SlavesInSync, events::SlavesOutOfSync,
-                 events::FramesWayChanged, events::SlavesNotMonitored, events::SlavesSyncUnknown, events::MasterInSync,
-                 events::MasterOutOfSync, events::DcmError, events::DelayFinding, events::DelaysMeasured,  //
-                 events::WkcError, events::WkcExpected, events::FramesLost, events::FramesLate, events::CyclesLeftOut,
-                 events::LinkDown, events::LinkUp, events::BringUpAgain,  //
-                 events::Emergency, events::DiagnosisTold, events::PortErrors, events::WatchdogExpired,
-                 events::LongCycles, events::StaleInputs, events::CableChanged, events::UnknownSlave,  //
-                 events::RealTimeRefused, events::OutputsForced, events::Failure, events::MasterStopped,
-                 events::EventsLost>;
+using EventDetails = std::variant<
+    events::ScanProgress, events::ScanTouchesRunning,  //
+    events::Online, events::Offline, events::StateChanged, events::AlStatusError, events::LeftUnasked,
+    events::BusWasRunning, events::SlaveLost, events::SlaveFound, events::HotConnect, events::RecoveryStep,  //
+    events::DcInitialised, events::ReferenceClockChanged, events::SlavesInSync, events::SlavesOutOfSync,
+    events::FramesWayChanged, events::SlavesNotMonitored, events::SlavesSyncUnknown, events::MasterInSync,
+    events::MasterOutOfSync, events::DcmError, events::DelayFinding, events::DelaysMeasured,  //
+    events::WkcError, events::WkcExpected, events::FramesLost, events::FramesLate, events::CyclesLeftOut,
+    events::LinkDown, events::LinkUp, events::BringUpAgain,  //
+    events::Emergency, events::DiagnosisTold, events::PortErrors, events::WatchdogExpired, events::LongCycles,
+    events::StaleInputs, events::CableChanged, events::UnknownSlave,  //
+    events::RealTimeRefused, events::OutputsForced, events::Failure, events::MasterStopped, events::EventsLost>;
 
 /// Which of the structs, for tables and comparisons: kind_of<events::SlaveLost>.
 class EventKind {

@@ -54,6 +54,11 @@ struct ToldByEvent {
     return tell("event-state", subject(), fig::phrase<"from">(name(e.from)), fig::phrase<"to">(name(e.to)));
   }
   Told operator()(const events::AlStatusError& e) const;
+  Told operator()(const events::LeftUnasked& e) const {
+    return tell("event-left-unasked", subject(), fig::phrase<"from">(al_state_name(e.from)),
+                fig::phrase<"to">(al_state_name(e.to)));
+  }
+  Told operator()(const events::BusWasRunning&) const { return tell("event-bus-was-running"); }
   Told operator()(const events::SlaveLost&) const { return tell("event-slave-lost", subject()); }
   Told operator()(const events::SlaveFound&) const { return tell("event-slave-found", subject()); }
   Told operator()(const events::HotConnect& e) const;

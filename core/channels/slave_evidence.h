@@ -56,6 +56,7 @@ struct SlaveEvidence {
   Nanoseconds ports_time = 0;                 // of the newest reading of the ports; 0: never
   EvidenceCount process_data_watchdog;        // 0x0442: expirations
   EvidenceCount pdi_watchdog;                 // 0x0443: the firmware was silent for so long (0x0410)
+  bool pdi_silent = false;                    // 0x0110 bit 1 clear: and is still; read of who was silent once
   std::int16_t speed_counter_difference = 0;  // 0x0932: how much this clock is slowed or sped up
   Nanoseconds speed_counter_time = 0;
   SyncObjectCounts outputs, inputs;    // 0x1C32, 0x1C33

@@ -5,13 +5,14 @@
 #include <unordered_map>
 
 #include "check/network_view.h"
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 
 namespace syncline::checker {
 namespace {
 
 constexpr std::uint16_t kSmallestCoeMailbox = 16;  // header, CoE header, an expedited SDO
-constexpr std::uint16_t kLargestDatagram = 1486;
+constexpr auto kLargestDatagram = static_cast<std::uint16_t>(kMaxDatagramData);
 
 class MailboxCheck {
  public:

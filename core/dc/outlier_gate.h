@@ -17,7 +17,6 @@ class OutlierGate {
   Verdict judge(double surprise, bool trusted);
   /// The same of a reading that is not counted.
   [[nodiscard]] bool is_far(double surprise) const;
-  [[nodiscard]] double scatter() const { return scatter_; }  // mean of |surprise|, ns
 
  private:
   [[nodiscard]] double gate() const;

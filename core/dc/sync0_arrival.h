@@ -39,4 +39,11 @@ struct Sync0Arrival {
   return {number, phase, phase == 0 ? 0 : grid.period - phase};
 }
 
+/// From the moment at which a slave has its outputs to the SYNC0 that uses them, where frames pass the reference clock
+/// `set_value` in front of the SYNC grid. `first`: of its SYNC0, behind that grid.
+[[nodiscard]] constexpr Nanoseconds nominal_margin(Nanoseconds set_value, const Sync0Grid& grid, Nanoseconds delay,
+                                                   Nanoseconds wire) {
+  return sync0_arrival(grid, outputs_arrival(-set_value, delay, wire)).margin;
+}
+
 }  // namespace syncline::dc

@@ -198,6 +198,16 @@ void SyncEventAccount::left_op() {
   settle_peaks();
 }
 
+void SyncEventAccount::gave_up_late() {
+  if (integrator_ >= limit_) return;
+  const auto more = (limit_ - integrator_ + kMiss - 1) / kMiss;
+  integrator_ += more * kMiss;
+  highest_ = std::max(highest_, integrator_);
+  computed_ += more;
+  at(by_cause_, MissCause::kFrameLate) += more;
+  uncounted_ = true;
+}
+
 /// What no reading will tell any more is taken as it was presumed; how many.
 std::uint32_t SyncEventAccount::explain_rest() {
   const auto rest = sum(presumed_) + sum(carried_);

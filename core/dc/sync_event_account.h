@@ -57,6 +57,9 @@ class SyncEventAccount {
   void confirm_op();
   /// The slave left OP: what it did not tell any more is taken from what was computed.
   void left_op();
+  /// It left OP by its own count of misses, and its outputs nominally leave less than it needs: what it had missed at
+  /// least, and nobody has read, were late outputs. Behind left_op().
+  void gave_up_late();
   /// OP again, with SYNC0 as it was started this time: the error counter begins at 0; the sums stay.
   void entered_op(const Sync0Grid& grid);
   /// 0x10F1:02, at which the slave gives up; 0: never, or not known.
@@ -66,7 +69,7 @@ class SyncEventAccount {
   [[nodiscard]] std::uint32_t missed() const;
   /// Part of missed() that no reading has confirmed, because the slave fell, or has no such counter.
   [[nodiscard]] std::uint32_t computed() const { return readable_ ? computed_ : missed(); }
-  [[nodiscard]] bool at_least() const { return counter_.at_least(); }
+  [[nodiscard]] bool at_least() const { return counter_.at_least() || uncounted_; }
   [[nodiscard]] MissesByCause by_cause() const;
   [[nodiscard]] std::uint32_t integrator() const;
   /// The most that it has reached. What the slave's next readings may yet take back does not count before they came.
@@ -100,6 +103,7 @@ class SyncEventAccount {
   std::uint32_t unexplained_ = 0;   // told by the last reading, and not presumed yet
   CounterTotal counter_{16, CounterTotal::End::kWraps};
   bool readable_ = false, any_since_reading_ = false;
+  bool uncounted_ = false;                         // it may have missed more than its limit proves
   std::uint32_t computed_ = 0, before_first_ = 0;  // told by the first readings in OP
   MissesByCause by_cause_{};
   std::uint32_t integrator_ = 0, highest_ = 0;

@@ -16,10 +16,24 @@ bool names_its_slave(const Figure& figure, int slave) {
   return figure.unit == Figure::Unit::kSlave && figure.value == slave && figure.other == slave;
 }
 
+/// The sentences that people read say it. Others are evidence, which differs from slave to slave.
+bool is_said(const Finding& finding, std::string_view figure) {
+  const FindingWords* words = find_finding_words(finding.code);
+  const auto names = [figure](std::string_view text) {
+    for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+      const auto end = text.find_first_of("}:", open);
+      if (text.substr(open + 1, end - open - 1) == figure) return true;
+    }
+    return false;
+  };
+  return names(facts_template(finding)) || (words != nullptr && names(words->mend));
+}
+
 /// All that is equal in findings that fold into one. Times differ from slave to slave and do not count.
 std::string likeness(const Finding& finding) {
   std::string text = fmt::format("{}|{}|{}", finding.code, static_cast<int>(finding.severity), facts_template(finding));
   for (const Figure& figure : finding.figures) {
+    if (!is_said(finding, figure.name)) continue;
     const bool own = names_its_slave(figure, finding.place.slave);
     text += fmt::format("|{}={}", figure.name, own ? std::string("its") : figure_text(figure));
   }

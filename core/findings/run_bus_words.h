@@ -94,6 +94,15 @@ inline constexpr FindingWords kRunBus[] = {
      "Its outputs and inputs stood still meanwhile. Look for what stops it: an interrupt storm, a debugger, a crash.",
      "",
      {{"", "The firmware of {slave} was silent at {since}: its PDI watchdog expired {count} (0x0443)."}}},
+    {"firmware-hangs",
+     Severity::kError,
+     "A slave's firmware stands still",
+     "",
+     "Its outputs and inputs stand still. Look for what stops it: an interrupt storm, a debugger, a crash; its power "
+     "has "
+     "to be switched off and on.",
+     "",
+     {{"", "The firmware of {slave} is silent since {since}: its PDI watchdog expired {count} (0x0443)."}}},
     {"firmware-slow",
      Severity::kWarning,
      "A slave needs longer than its cycle",
@@ -166,11 +175,21 @@ inline constexpr FindingWords kRunBus[] = {
      Severity::kWarning,
      "Frames do not come back",
      "",
-     "They are lost between the host and the first slave, or in the network card and its driver.",
+     "Nothing tells where. Look at the cables and plugs, and at the network card and its driver.",
      "",
      {{"",
        "{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and no slave "
        "counted an error at its ports."}}},
+    {"frames-lost-in-front",
+     Severity::kWarning,
+     "Frames are lost in front of a slave",
+     "",
+     "Look at the cables and plugs between the host and it, and at the network card and its driver.",
+     "",
+     {{"",
+       "{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave}, the "
+       "first that counts, missed its outputs with them: they had not got to it. No slave counted an error at its "
+       "ports."}}},
     {"frames-lost-behind",
      Severity::kWarning,
      "Frames are lost behind a slave",
@@ -290,6 +309,16 @@ inline constexpr FindingWords kRunBus[] = {
      {{"",
        "{count:# cycle|# cycles} had a wrong working counter ({received} instead of {expected} last), from {since} "
        "on."}}},
+    {"working-counter-never-right",
+     Severity::kError,
+     "The working counter is never the expected one",
+     "",
+     "The configuration expects what this bus does not give: correct Cnt of the cyclic command, or export it anew for "
+     "these slaves. A slave without LRW (0x0008 bit 9) needs LRD and LWR instead. Inputs are not taken meanwhile.",
+     "",
+     {{"",
+       "{count:# cycle|# cycles} had a wrong working counter, all from {since} on ({received} instead of {expected}), "
+       "although each slave answers and none has fallen."}}},
     {"working-counter-explained",
      Severity::kNote,
      "Working counters are wrong for a known reason",

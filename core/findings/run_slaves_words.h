@@ -87,6 +87,26 @@ inline constexpr FindingWords kRunSlaves[] = {
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good "
        "cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0."}}},
+    {"slave-had-fallen",
+     Severity::kWarning,
+     "A slave had left OP with an error",
+     "",
+     "Check {check}.",
+     "",
+     {{"",
+       "{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), and was led up "
+       "again."},
+      {"absent",
+       "{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), before it "
+       "answered no more."}}},
+    {"slave-left-unasked",
+     Severity::kError,
+     "A slave went down without being asked",
+     "",
+     "Look for another master on this bus, a second program or a second cable; or for a slave that begins anew by "
+     "itself. What clocks and drives did since then is not this master's doing.",
+     "",
+     {{"", "{slave} went from {from} to {to} at {since}, without an error, and this master had not asked it."}}},
     {"slave-refused-state",
      Severity::kError,
      "A slave refuses to go on",
@@ -174,6 +194,17 @@ inline constexpr FindingWords kRunSlaves[] = {
       {"master",
        "A frame that was held up on its way brought the reference clock an old time at {since}: the slaves followed, "
        "and the master found back to it."}}},
+    {"delay-not-measured",
+     Severity::kError,
+     "A propagation delay could not be measured",
+     "",
+     "Its receive times (0x0900 to 0x090C) and those of the slave before it contradict each other: one of the two does "
+     "not latch them as it should. Until that is mended these clocks cannot be compared, whatever 0x092C says.",
+     "",
+     {{"",
+       "{slave}: the way to it from the slave before it comes out as {delay}, which cannot be. 0 is taken (0x0928), "
+       "and "
+       "its clock and those behind it are off by what the way really takes; no reading shows it."}}},
     {"frames-way-changed",
      Severity::kWarning,
      "Slaves followed with delays that were not theirs",

@@ -18,6 +18,8 @@ constexpr double kLuckMemory = 0.02, kWorthIt = 0.8;
 /// A reply that is due so soon is waited for awake: woken up by the timer it would leave as much too late as the whole
 /// way through a small segment takes, and a master would measure the host instead of the bus.
 constexpr Nanoseconds kAwake = 60 * kMicrosecond;
+/// Waking up by a timer takes about so long.
+constexpr Nanoseconds kWakeUp = 10 * kMicrosecond;
 
 }  // namespace
 
@@ -61,11 +63,18 @@ Status BusResponder::serve(Nanoseconds end, const std::atomic<bool>& stop) {
       bus_.advance_to(now);
       bus_time_ = now;
     }
-    if (luck_ > kWorthIt && now - last_frame_ < options_.spin) continue;
+    if (looks(now)) continue;
     if (!replies_.empty() && replies_.front().due - now <= kAwake && options_.spin > 0) continue;
     port_.wait(idle_time(now, end));
   }
   return {};
+}
+
+bool BusResponder::looks(Nanoseconds now) const {
+  if (options_.spin == 0) return false;
+  if (luck_ > kWorthIt && now - last_frame_ < options_.spin) return true;
+  const auto window = forecast_.next();
+  return window && now >= window->from - kWakeUp && now <= window->until;
 }
 
 /// A frame has come: would looking for it have been worth the time, as a rule?
@@ -76,6 +85,8 @@ void BusResponder::learn(Nanoseconds now) {
 
 Nanoseconds BusResponder::idle_time(Nanoseconds now, Nanoseconds end) const {
   auto until = bus_time_ + kIdleStep;
+  if (const auto window = options_.spin > 0 ? forecast_.next() : std::nullopt; window && window->from - kWakeUp > now)
+    until = std::min(until, window->from - kWakeUp);
   if (!replies_.empty()) until = std::min(until, replies_.front().due - (options_.spin > 0 ? kAwake : 0));
   if (end > 0) until = std::min(until, end);
   return until - now;
@@ -86,6 +97,7 @@ Result<bool> BusResponder::take_frame() {
   if (!found) return tl::unexpected(found.error());
   if (!*found) return false;
   const auto& frame = **found;
+  forecast_.arrived(frame.arrival_time);
   ++counters_.frames;
   counters_.bytes += frame.bytes.size();
   auto& reply = replies_.emplace_back();

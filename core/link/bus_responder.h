@@ -7,6 +7,7 @@
 #include <deque>
 #include <vector>
 
+#include "link/arrival_forecast.h"
 #include "link/raw_port.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
@@ -37,7 +38,8 @@ class BusResponder {
   struct Options {
     /// After a frame the thread looks for the next one this long before it sleeps: waking up costs more than
     /// executing. Bursts and scans profit; where the next frame mostly comes later, as in a bus cycle, it does not
-    /// look. A reply that is due within 60 us is waited for awake, too. 0 always sleeps.
+    /// look, but is awake when a master that sends in cycles sends its next (a tenth of the cycle at most). A reply
+    /// that is due within 60 us is waited for awake, too. 0 always sleeps.
     Nanoseconds spin = 100 * kMicrosecond;
   };
   /// All three outlive the responder; `clock` is the one on which bus and port run.
@@ -58,6 +60,8 @@ class BusResponder {
   Result<bool> take_frame();
   void learn(Nanoseconds now);
   Status send_due();
+  /// It is worth the processor to look for a frame now.
+  [[nodiscard]] bool looks(Nanoseconds now) const;
   /// How long nothing happens at most.
   [[nodiscard]] Nanoseconds idle_time(Nanoseconds now, Nanoseconds end) const;
 
@@ -70,6 +74,7 @@ class BusResponder {
   Nanoseconds bus_time_ = 0;   // the segment has been executed up to here
   Nanoseconds wire_free_ = 0;  // end of the frame in front
   Nanoseconds last_frame_ = 0;
+  ArrivalForecast forecast_;
   double luck_ = 1;  // share of the frames of late that came while we would have looked
 };
 

@@ -23,7 +23,6 @@ struct LinkDescription {
   std::string kind;  // "simulated", "nic", "replay"
   MacAddress mac{};  // source address for the master's frames
   bool up = false;
-  bool stamps_time = false;         // receive() gives the hardware's or the simulator's arrival time
   bool corrects_send_time = false;  // has send_corrected()
 };
 

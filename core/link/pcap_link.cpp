@@ -38,7 +38,7 @@ class PcapLink final : public Link {
   }
 
   [[nodiscard]] LinkDescription describe() const override {
-    return {"nic:" + port_.adapter().name, "nic", source_, port_.adapter().up, false};
+    return {"nic:" + port_.adapter().name, "nic", source_, port_.adapter().up};
   }
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/operation.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <span>
 #include <utility>
@@ -75,6 +77,10 @@ Status Operation::start(AlState target) {
 
 /// From INIT, whatever the slaves are doing.
 Status Operation::bring_up(AlState target) {
+  std::array<std::uint8_t, 2> al_status{};
+  const auto answered = bus_.exchange(Command::kBrd, 0, reg::kAlStatus, al_status);
+  // Or-ed: the bit of SAFEOP, or of OP.
+  if (answered && *answered > 0 && (al_status[0] & 0x0C) != 0) run_.event(clock_.now(), -1, events::BusWasRunning{});
   if (auto status = esm_.reset(); !status) return status;
   run_.snapshot.link_up = true;  // frames have come back, whatever the adapter says
   return target == AlState::kInit ? Status{} : esm_.change_to(target);
@@ -133,7 +139,10 @@ bool Operation::await_link() {
 }
 
 Status Operation::run_cycle() {
-  if (auto status = task_.run_cycle(delays_.requests(clock_.now())); !status) return status;
+  run_.watch_for_others(true);
+  auto cycle = task_.run_cycle(delays_.requests(clock_.now()));
+  run_.watch_for_others(false);
+  if (!cycle) return cycle;
   delays_.take(clock_.now(), task_.reference().leader());
   unasked_ = true;
   auto status = recovery_.after_cycle();
@@ -218,15 +227,18 @@ void Operation::stop() {
 
 /// Who did not come to INIT is named: he goes on driving until somebody else stops him.
 void Operation::tell_left_behind(const Error& why) {
+  constexpr std::size_t kNamed = 4;  // more are counted
   std::string names;
   std::uint16_t al_status = 0;
+  std::size_t left = 0;
   for (std::size_t i = 0; i < run_.snapshot.slaves.size(); ++i) {
     const auto& slave = run_.snapshot.slaves[i];
     if (!slave.present || al_state_of(slave.al_status) == AlState::kInit) continue;
-    if (names.empty()) al_status = slave.al_status;
-    names += (names.empty() ? "" : ", ") + run_.slave_name(i);
+    if (left == 0) al_status = slave.al_status;
+    if (left++ < kNamed) names += (names.empty() ? "" : ", ") + run_.slave_name(i);
   }
-  if (names.empty()) return;
+  if (left == 0) return;
+  if (left > kNamed) names += fmt::format(" and {} more", left - kNamed);
   Error error{.code = ErrorCode::kAlTimeout, .subject = std::move(names)};
   error.expected = static_cast<std::int64_t>(AlState::kInit);
   error.received = al_status;

@@ -14,15 +14,11 @@ inline constexpr std::array<unsigned, 4> kPortOrder{0, 3, 1, 2};
 struct DlStatus {
   std::uint16_t value = 0;
   bool operator==(const DlStatus&) const = default;
-  [[nodiscard]] bool pdi_operational() const { return (value & 0x0001) != 0; }
   [[nodiscard]] bool physical_link(unsigned port) const { return ((value >> (4 + port)) & 1U) != 0; }
   [[nodiscard]] bool loop_closed(unsigned port) const { return ((value >> (8 + 2 * port)) & 1U) != 0; }
   [[nodiscard]] bool communication(unsigned port) const { return ((value >> (9 + 2 * port)) & 1U) != 0; }
   /// Loop open and communication established: frames pass this port.
   [[nodiscard]] bool active(unsigned port) const { return !loop_closed(port) && communication(port); }
-  [[nodiscard]] unsigned active_count() const {
-    return static_cast<unsigned>(active(0)) + active(1) + active(2) + active(3);
-  }
 };
 
 }  // namespace syncline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,7 +15,10 @@
 namespace syncline::sii {
 
 inline constexpr std::uint16_t kVendorIdWord = 0x0008;  // then product code, revision, serial number
+inline constexpr std::uint16_t kSizeWord = 0x003E;      // in Kbit, minus 1
+inline constexpr std::size_t kSizeStep = 128;           // bytes of a Kbit
 inline constexpr std::uint16_t kCategoriesWord = 0x0040;
+inline constexpr std::size_t kLongestImage = 128 * 1024;  // bytes; 1 Mbit, the largest EEPROM in use
 enum class CategoryType : std::uint16_t {
   kStrings = 10,
   kDataTypes = 20,
@@ -121,6 +125,10 @@ struct Image {
 
 /// CRC-8, polynomial 0x07, start 0xFF, over the first 14 bytes.
 [[nodiscard]] std::uint8_t checksum(std::span<const std::uint8_t> first_14_bytes);
+/// Bytes that the size word says, 128 to 8 Mi. `bytes`: the image's beginning, the size word included.
+[[nodiscard]] std::size_t told_size(std::span<const std::uint8_t> bytes);
+/// The same where an EEPROM can have it; 2048 where it is none (below the header, above kLongestImage).
+[[nodiscard]] std::size_t image_size(std::span<const std::uint8_t> bytes);
 /// EEPROM bytes, filled up with 0xFF to size_bytes (grown when the content needs more).
 [[nodiscard]] std::vector<std::uint8_t> encode(const Image& image);
 /// Never reads outside; a wrong checksum is told in the image, broken categories are an error

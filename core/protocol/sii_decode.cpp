@@ -182,7 +182,7 @@ Image read_fixed(std::span<const std::uint8_t> bytes) {
   image.bootstrap_mailbox = read_mailbox(reader);
   image.mailbox = read_mailbox(reader);
   image.mailbox_protocols = reader.u16();
-  image.size_bytes = (load_le<std::uint16_t>(bytes.subspan(2 * 0x3E)) + 1U) * 128U;
+  image.size_bytes = static_cast<std::uint32_t>(told_size(bytes));
   return image;
 }
 

@@ -11,7 +11,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t kFixedBytes = 2 * kCategoriesWord;
 constexpr std::size_t kChecksumBytes = 14;
-constexpr std::size_t kSizeStep = 128;  // the size word counts Kbit
 constexpr std::size_t kMaxStrings = 255;
 constexpr std::size_t kMaxStringLength = 255;
 
@@ -180,7 +179,7 @@ std::vector<std::uint8_t> encode(const Image& image) {
   const std::size_t wanted = std::max<std::size_t>(bytes.size(), image.size_bytes);
   const std::size_t size = (wanted + kSizeStep - 1) / kSizeStep * kSizeStep;
   const std::span<std::uint8_t> all(bytes);
-  store_le(all.subspan(2 * 0x3E), static_cast<std::uint16_t>(size / kSizeStep - 1));
+  store_le(all.subspan(std::size_t{2} * kSizeWord), static_cast<std::uint16_t>(size / kSizeStep - 1));
   store_le(all.subspan(2 * 0x3F), std::uint16_t{1});  // version
   bytes.resize(size, 0xFF);
   return bytes;

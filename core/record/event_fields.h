@@ -85,6 +85,8 @@ struct EventFields {
   void operator()(events::EventsLost& e) { use(41, e.count); }
   void operator()(events::OutputsForced& e) { use(42, e.bits); }
   void operator()(events::FramesWayChanged& e) { use(43, e.deviation_ns, e.slaves); }
+  void operator()(events::LeftUnasked& e) { use(44, e.from, e.to); }
+  void operator()(events::BusWasRunning&) { use(45); }
 };
 
 }  // namespace syncline

@@ -92,11 +92,6 @@ template <class Automatic>
   setting.automatic = std::move(automatic);
   return setting;
 }
-template <class Works>
-[[nodiscard]] Setting with_works(Setting setting, Works works) {
-  setting.works = std::move(works);
-  return setting;
-}
 
 /// The rows for those devices only that have a use for them.
 [[nodiscard]] inline std::vector<Setting> for_devices(std::vector<Setting> rows,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/dotted_address.h"
+#include "protocol/frame.h"
 #include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
@@ -28,7 +29,7 @@ constexpr Text kHostName{.kind = "host name", .most_bytes = limits::kHostNameByt
 
 Setting size_row(const char* name, const char* label, const char* what, const char* sync_manager,
                  std::optional<std::uint16_t> MailboxSettings::*field) {
-  constexpr std::int64_t kSmallest = 24, kLargest = 1486;
+  constexpr std::int64_t kSmallest = 24, kLargest = kMaxDatagramData;
   return slave_setting(
       fmt::format("mailbox.{}_size", name), integer(kSmallest, kLargest, "bytes"),
       {.label = label,

@@ -46,7 +46,9 @@ struct MeaningOf {
     if (e.stage == Stage::kGivenUp) return kFault;
     return e.stage == Stage::kDone ? kReturnToOrder : kNews;
   }
+  EventMeaning operator()(const events::LeftUnasked&) const { return kFault; }
   // ---- news, and what was asked for
+  EventMeaning operator()(const events::BusWasRunning&) const { return kNews; }
   EventMeaning operator()(const events::ScanProgress&) const { return kNews; }
   EventMeaning operator()(const events::ScanTouchesRunning&) const { return kNews; }
   EventMeaning operator()(const events::Online&) const { return kNews; }

@@ -157,6 +157,16 @@ struct HistoryRecorder::OfRun {
     if (history().way_changes.size() < kMostLosses)
       history().way_changes.push_back({event.time, event.slave, change.deviation_ns, std::nullopt});
   }
+  /// The or-ed deviation shows sooner than a sweep who has gone, and with it the way of those behind.
+  void operator()(const events::SlaveLost&) const {
+    constexpr Nanoseconds kSwept = 500 * kMillisecond;
+    auto& losses = history().slave_losses;
+    if (losses.empty() || losses.back().back || losses.back().obstacle == dc::SyncObstacle::kClockStep) return;
+    const auto& loss = losses.back();
+    if (event.time - loss.time > kSwept || (loss.slave >= 0 && loss.slave <= event.slave)) return;
+    operator()(events::FramesWayChanged{std::abs(loss.size), 0});
+    losses.pop_back();
+  }
   void operator()(const events::DelaysMeasured&) const {
     for (auto& change : history().way_changes) {
       if (!change.renewed) change.renewed = event.time;
@@ -186,6 +196,7 @@ struct HistoryRecorder::OfRun {
 struct HistoryRecorder::OfSlave {
   RunHistory::Slave& slave;
   Nanoseconds time;
+  bool reached_op;
 
   void operator()(const events::SlaveLost&) const {
     slave.absent = true;
@@ -194,8 +205,23 @@ struct HistoryRecorder::OfSlave {
   void operator()(const events::SlaveFound&) const {
     if (std::exchange(slave.absent, false)) slave.absences.note(time, 0, 0, slave.absences.last());
   }
+  void operator()(const events::HotConnect& group) const {
+    if (group.what == events::HotConnect::What::kConnected) return operator()(events::SlaveFound{});
+    operator()(events::SlaveLost{});
+  }
   void operator()(const events::AlStatusError& error) const {
     slave.fall = RunHistory::Fall{time, error.al_status, error.al_status_code};
+    if (reached_op && slave.falls.size() < RunHistory::kMostFalls) slave.falls.push_back(*slave.fall);
+  }
+  void operator()(const events::LeftUnasked& left) const {
+    if (!slave.unasked) slave.unasked = RunHistory::Unasked{time, left.from, left.to};
+  }
+  void operator()(const events::DelayFinding& found) const {
+    // What is not above the slave before it is told of the one whose way made it so; a little below zero is noise.
+    constexpr Nanoseconds kNoise = 100;
+    const bool negative = found.warning == dc::DelayWarning::kNegativeHop && found.value < -kNoise;
+    const bool wrong = negative || found.warning == dc::DelayWarning::kImplausibleHop;
+    if (wrong) slave.delay = RunHistory::DelayTrouble{time, found.value};
   }
   void operator()(const events::Emergency& emergency) const { slave.emergency = emergency.error_code; }
   void operator()(const events::PortErrors& errors) const {
@@ -222,7 +248,7 @@ struct HistoryRecorder::OfSlave {
 void HistoryRecorder::add(const Event& event) {
   if (history_.begin == 0) history_.begin = event.time;
   std::visit(OfRun{*this, event}, event.what);
-  if (auto* slave = slave_at(event.slave)) std::visit(OfSlave{*slave, event.time}, event.what);
+  if (auto* slave = slave_at(event.slave)) std::visit(OfSlave{*slave, event.time, history_.reached_op}, event.what);
 }
 
 void HistoryRecorder::add(const Snapshot& snapshot) {

@@ -52,14 +52,27 @@ struct RunHistory {
     Nanoseconds time = 0;
     std::uint16_t al_status = 0, al_status_code = 0;
   };
+  static constexpr std::size_t kMostFalls = 16;
+  /// Went down without an error and without being asked.
+  struct Unasked {
+    Nanoseconds time = 0;
+    AlState from = AlState::kNone, to = AlState::kNone;
+  };
   struct Cable {
     int near = -1, port = 0;
   };
+  struct DelayTrouble {
+    Nanoseconds time = 0;
+    Nanoseconds measured = 0;  // the way from the slave before it
+  };
   struct Slave {
-    Spells absences;  // count 1 each; the last one may last
+    Spells absences;  // count 1 each; the last one may last. Of a hot-connect group: not connected
     bool absent = false;
     std::optional<Cable> cable;              // over which nothing comes back, as told last
     std::optional<Fall> fall;                // the last AL status error
+    std::vector<Fall> falls;                 // the first kMostFalls once OP was reached, the same
+    std::optional<Unasked> unasked;          // the first time
+    std::optional<DelayTrouble> delay;       // what the last measurement of its propagation delay stumbled over
     std::optional<std::uint16_t> emergency;  // the last error code (0x603F)
     std::array<Spells, 4> port_errors, lost_links;
     Spells unprocessed;  // frames that its processing unit could not use (0x030C)

@@ -23,7 +23,9 @@ RunReport::Slave RunRecorder::configured(const NetworkConfig& config, std::size_
   slave.position = static_cast<std::uint16_t>(position);
   slave.name = from.name;
   slave.identity = from.identity;
-  slave.optional = config.hot_connect_head(position).has_value();
+  const auto head = config.hot_connect_head(position);
+  slave.optional = head.has_value();
+  if (head) slave.group_head = static_cast<int>(*head);
   if (from.previous) {
     slave.parent = from.previous->position;
     slave.parent_port = from.previous->port;
@@ -62,6 +64,16 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
   }
 }
 
+/// Between two snapshots all may have been read; the worst of them is the one that the event names.
+void RunRecorder::add(const Event& event) {
+  history_.add(event);
+  const auto* out = event.as<events::SlavesOutOfSync>();
+  if (out == nullptr || !settled_ || event.slave < 0 || static_cast<std::size_t>(event.slave) >= readings_.size())
+    return;
+  auto& max = readings_[static_cast<std::size_t>(event.slave)].max;
+  max = std::max(max.value_or(0), static_cast<std::int32_t>(std::min<std::int64_t>(out->deviation_ns, INT32_MAX)));
+}
+
 /// A sample tells of one slave's reading; where all were read in one cycle, the snapshot has the others'.
 void RunRecorder::add(const Snapshot& snapshot) {
   history_.add(snapshot);
@@ -90,9 +102,8 @@ namespace {
 
 /// From the nominal moment at which the slave has its outputs to its next SYNC0.
 Nanoseconds sync0_margin(const RunReport::Slave& slave, Nanoseconds set_value) {
-  const auto arrived = dc::outputs_arrival(-set_value, slave.propagation_delay_ns.value_or(0), slave.outputs_wire_time);
-  const auto first = slave.sync0_shift + slave.evidence.sync0.off_ns;
-  return dc::sync0_arrival({first, slave.sync0_cycle}, arrived).margin;
+  return dc::nominal_margin(set_value, {slave.sync0_shift + slave.evidence.sync0.off_ns, slave.sync0_cycle},
+                            slave.propagation_delay_ns.value_or(0), slave.outputs_wire_time);
 }
 
 }  // namespace

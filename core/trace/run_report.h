@@ -39,7 +39,8 @@ struct RunReport {
     SlaveEvidence evidence;
     // out of the configuration
     Identity identity;
-    bool optional = false;                         // of a hot-connect group: may be absent
+    bool optional = false;                         // of a hot-connect group: may be absent with its head
+    int group_head = -1;                           // of that group
     int parent = -1, parent_port = 0;              // whom it is wired to, and by which of its ports; -1: the host
     std::optional<Nanoseconds> sync0_margin;       // from its outputs' nominal arrival to SYNC0; nothing without SYNC0
     Nanoseconds sync0_shift = 0, sync0_cycle = 0;  // ns; cycle 0: no SYNC0
@@ -70,7 +71,7 @@ class RunRecorder {
  public:
   explicit RunRecorder(const NetworkConfig& config);
   void add(std::span<const CycleSample> samples);
-  void add(const Event& event) { history_.add(event); }
+  void add(const Event& event);
   void add(const Snapshot& snapshot);
   [[nodiscard]] RunReport finish(const Snapshot& snapshot) const;
 

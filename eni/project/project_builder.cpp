@@ -79,6 +79,8 @@ DeviceDescription device_of(const ScannedSlave& slave, const EsiCatalogue& catal
 
 /// The ESI says what the type can do, the scan what this one does.
 void follow_hardware(SlaveSettings& slave, const ScannedSlave& scanned, std::vector<Finding>& warnings) {
+  constexpr std::uint16_t kNoLogicalReadWrite = 0x0200;  // 0x0008 bit 9 (ESC data sheet II, ESC features supported)
+  if ((scanned.features & kNoLogicalReadWrite) != 0) slave.device.use_lrd_lwr = true;
   const bool has_clock = scanned.dc == DcCapability::kSystemTime32 || scanned.dc == DcCapability::kSystemTime64;
   if (has_clock || slave.dc.op_mode.empty()) return;
   slave.dc.op_mode.clear();

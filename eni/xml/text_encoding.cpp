@@ -72,7 +72,9 @@ bool looks_chinese(std::string_view text) {
 /// The name by which iconv converts what makers mean: supersets, since they name the page and write the larger one.
 std::string widest(const std::string& declared) {
   if (declared == "GB2312" || declared == "GBK" || declared == "GB_2312-80" || declared == "CP936") return "GB18030";
-  if (declared == "SHIFT_JIS" || declared == "SHIFT-JIS" || declared == "SJIS" || declared == "X-SJIS") return "CP932";
+  if (declared == "SHIFT_JIS" || declared == "SHIFT-JIS" || declared == "SJIS" || declared == "X-SJIS" ||
+      declared == "WINDOWS-31J" || declared == "MS_KANJI")
+    return "CP932";
   if (declared == "KS_C_5601-1987" || declared == "EUC-KR") return "CP949";
   if (declared == "ISO-8859-1" || declared == "LATIN1" || declared == "US-ASCII" || declared == "ASCII")
     return "CP1252";

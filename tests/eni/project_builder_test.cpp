@@ -118,6 +118,15 @@ TEST_F(ProjectBuilder, ScanTakesWiringAndAliasFromTheBus) {
   EXPECT_EQ(built.project.slaves[1].previous, (PreviousPort{0, 2}));
 }
 
+TEST_F(ProjectBuilder, ASlaveThatSaysItCannotDoLrwGetsNone) {
+  BusScan scan;
+  scan.slaves = {scanned(0, 1, 0x10, DcCapability::kNone), scanned(1, 2, 0x20, DcCapability::kNone)};
+  scan.slaves[1].features = 0x020C;
+  const auto built = project_from_scan(scan, catalogue_);
+  EXPECT_FALSE(built.project.slaves[0].device.use_lrd_lwr);
+  EXPECT_TRUE(built.project.slaves[1].device.use_lrd_lwr);
+}
+
 TEST_F(ProjectBuilder, ScanWarnsOfOtherRevisionsAndMissingClocks) {
   BusScan scan;
   scan.slaves = {scanned(0, 1, 0x20, DcCapability::kNone), scanned(1, 3, 1, DcCapability::kReceiveTimesOnly)};

@@ -40,12 +40,16 @@ std::string declared(const std::string& encoding, const std::string& content) {
 }
 
 TEST(TextEncoding, DeclaredCodePagesAreConverted) {
-  const std::tuple<const char*, const char*, const char*> cases[] = {
-      {"gb2312", "GB18030", "速度控制"},     {"GBK", "GBK", "伺服驱动器"},
-      {"Big5", "BIG5", "伺服驅動器"},        {"Shift_JIS", "CP932", "サーボ"},
-      {"euc-kr", "EUC-KR", "드라이브"},      {"windows-1252", "CP1252", "Größe “10 €”"},
-      {"iso-8859-1", "ISO-8859-1", "Größe"}, {"windows-1251", "CP1251", "Привод"},
-      {"iso-8859-2", "ISO-8859-2", "Měření"}};
+  const std::tuple<const char*, const char*, const char*> cases[] = {{"gb2312", "GB18030", "速度控制"},
+                                                                     {"GBK", "GBK", "伺服驱动器"},
+                                                                     {"Big5", "BIG5", "伺服驅動器"},
+                                                                     {"Shift_JIS", "CP932", "サーボ"},
+                                                                     {"Windows-31J", "CP932", "サーボ"},
+                                                                     {"euc-kr", "EUC-KR", "드라이브"},
+                                                                     {"windows-1252", "CP1252", "Größe “10 €”"},
+                                                                     {"iso-8859-1", "ISO-8859-1", "Größe"},
+                                                                     {"windows-1251", "CP1251", "Привод"},
+                                                                     {"iso-8859-2", "ISO-8859-2", "Měření"}};
   for (const auto& [name, written_as, content] : cases) {
     const auto text = declared(name, content);
     EXPECT_EQ(decoded(encode(text, written_as)), text) << name;

@@ -7,6 +7,7 @@
 #include "fuzz/bus_targets.h"
 #include "fuzz/catalogue_target.h"
 #include "fuzz/command_target.h"
+#include "fuzz/import_targets.h"
 #include "fuzz/recording_target.h"
 #include "fuzz/text_targets.h"
 #include "fuzz/wire_targets.h"
@@ -24,6 +25,8 @@ constexpr std::array kTargets{Target{"frame", run_frame, frames, damage_frame, 3
                               Target{"project", run_project, projects, damage_xml_bytes, 1'000},
                               Target{"scenario", run_scenario, scenarios, damage_lines, 3'000},
                               Target{"dcmlog", run_dcm_log, dcm_logs, damage_lines, 10'000},
+                              Target{"table", run_table, tables, damage_lines, 6'000},
+                              Target{"import", run_import, captured_runs, damage_bytes, 6'000},
                               Target{"bus", run_bus, bus_scripts, damage_bytes, 1'500},
                               Target{"master", run_master, master_scripts, damage_bytes, 100},
                               Target{"clients", run_clients, client_scripts, damage_bytes, 3'000},

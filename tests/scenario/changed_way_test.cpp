@@ -76,7 +76,7 @@ TEST_F(ChangedWay, FramesAreLostBehindTheDriveThatHadItsOutputs) {
 
 TEST_F(ChangedWay, FramesAreLostInFrontOfDrivesThatMissedThem) {
   lose_at(1);
-  EXPECT_TRUE(machine.found(code::kFramesLost)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kFramesLostInFront)) << machine.said();
   EXPECT_FALSE(machine.found(code::kFramesLostBehind)) << machine.said();
 }
 

@@ -51,7 +51,7 @@ TEST_F(Diagnosis, NamesLostFramesAsTheCauseOfMissedEvents) {
   for (int i = 0; i < 6; ++i) lose(5 * kSecond + i * 400 * kMillisecond, 1);
   machine.run(9 * kSecond);
   for (const int axis : {1, 2}) EXPECT_TRUE(machine.found(code::kMissedByLostFrames, axis)) << machine.said();
-  EXPECT_TRUE(machine.found(code::kFramesLost)) << machine.said();
+  EXPECT_TRUE(machine.found(code::kFramesLostInFront, 1)) << machine.said();
   EXPECT_EQ(slave(1).sm2_missed->missed, 6U);
   EXPECT_EQ(slave(1).sm2_missed->by_cause[0], 6U);
   EXPECT_EQ(slave(1).sm2_missed->integrator_highest, 3U);

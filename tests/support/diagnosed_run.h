@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -70,6 +71,7 @@ class DiagnosedRun {
   std::map<std::size_t, std::uint32_t> shown_misses;  // the last that the samples said, by position
   std::vector<AwaySpan> adapter_away;
   std::vector<HeldSpan> held_up;
+  std::function<void(NetworkConfig&)> change;  // of what was compiled, before it is run
 
   FaultConfig& fault(FaultKind kind, Nanoseconds at, int slave = -1) {
     FaultConfig fault;
@@ -81,7 +83,8 @@ class DiagnosedRun {
   void run(Nanoseconds duration) {
     VirtualClock clock;
     clock.set_wakeup_jitter(jitter, 1);
-    const auto config = network.compiled();
+    auto config = network.compiled();
+    if (change) change(config);
     RunRecorder recorder(config);
     auto way = std::make_unique<HoldingLink>(network.link(clock), clock, held_up);
     MasterService service(std::make_unique<AwayLink>(std::move(way), clock, adapter_away), clock);

@@ -129,7 +129,7 @@ class TestBus final : public Link {
     std::ranges::copy(bytes, buffer.begin());
     return ReceivedFrame{bytes.size(), time};
   }
-  [[nodiscard]] LinkDescription describe() const override { return {"test", "simulated", {}, true, true}; }
+  [[nodiscard]] LinkDescription describe() const override { return {"test", "simulated", {}, true}; }
 
  private:
   void execute(DatagramView& d) {

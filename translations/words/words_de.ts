@@ -4465,8 +4465,96 @@
         <translation>Es gibt nichts zu vergleichen: EC-Master lässt die Überwachung weg</translation>
     </message>
     <message>
-        <source>They are lost between the host and the first slave, or in the network card and its driver.</source>
-        <translation>Sie gehen zwischen Rechner und erstem Slave verloren, oder in der Netzwerkkarte und ihrem Treiber.</translation>
+        <source>A slave went down unasked</source>
+        <translation>Ein Slave ging ungefragt in einen niedrigeren Zustand</translation>
+    </message>
+    <message>
+        <source>{subject}: {from} -&gt; {to} without an error, and not asked by this master</source>
+        <translation>{subject}: {from} -&gt; {to} ohne Fehler und nicht von diesem Master verlangt</translation>
+    </message>
+    <message>
+        <source>The bus was running already</source>
+        <translation>Der Bus lief schon</translation>
+    </message>
+    <message>
+        <source>slaves are in SAFEOP or OP already: another master operates this bus, or it was left so; they are taken to INIT</source>
+        <translation>Slaves sind schon in SAFEOP oder OP: Ein anderer Master betreibt diesen Bus, oder er wurde so verlassen; sie werden nach INIT geführt</translation>
+    </message>
+    <message>
+        <source>A slave went down without being asked</source>
+        <translation>Ein Slave ging in einen niedrigeren Zustand, ohne gefragt zu sein</translation>
+    </message>
+    <message>
+        <source>Look for another master on this bus, a second program or a second cable; or for a slave that begins anew by itself. What clocks and drives did since then is not this master's doing.</source>
+        <translation>Suchen Sie einen anderen Master an diesem Bus, ein zweites Programm oder ein zweites Kabel; oder einen Slave, der von selbst neu beginnt. Was Uhren und Antriebe seitdem taten, ist nicht das Werk dieses Masters.</translation>
+    </message>
+    <message>
+        <source>{slave} went from {from} to {to} at {since}, without an error, and this master had not asked it.</source>
+        <translation>{slave} ging bei {since} von {from} nach {to}, ohne Fehler, und dieser Master hatte es nicht verlangt.</translation>
+    </message>
+    <message>
+        <source>A slave had left OP with an error</source>
+        <translation>Ein Slave hatte OP mit einem Fehler verlassen</translation>
+    </message>
+    <message>
+        <source>{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), and was led up again.</source>
+        <translation>{slave} war bei {since} mit AL-Statuscode {alcode}{alarm} nach {state} gefallen ({count} insgesamt) und wurde wieder hochgeführt.</translation>
+    </message>
+    <message>
+        <source>{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), before it answered no more.</source>
+        <translation>{slave} war bei {since} mit AL-Statuscode {alcode}{alarm} nach {state} gefallen ({count} insgesamt), bevor er nicht mehr antwortete.</translation>
+    </message>
+    <message>
+        <source>A slave's firmware stands still</source>
+        <translation>Die Firmware eines Slaves steht still</translation>
+    </message>
+    <message>
+        <source>Its outputs and inputs stand still. Look for what stops it: an interrupt storm, a debugger, a crash; its power has to be switched off and on.</source>
+        <translation>Seine Ausgänge und Eingänge stehen still. Suchen Sie, was sie anhält: eine Interruptflut, ein Debugger, ein Absturz; seine Versorgung muss aus- und eingeschaltet werden.</translation>
+    </message>
+    <message>
+        <source>The firmware of {slave} is silent since {since}: its PDI watchdog expired {count} (0x0443).</source>
+        <translation>Die Firmware von {slave} schweigt seit {since}: ihr PDI-Watchdog lief {count} ab (0x0443).</translation>
+    </message>
+    <message>
+        <source>Nothing tells where. Look at the cables and plugs, and at the network card and its driver.</source>
+        <translation>Nichts verrät, wo. Sehen Sie nach Kabeln und Steckern und nach der Netzwerkkarte und ihrem Treiber.</translation>
+    </message>
+    <message>
+        <source>Frames are lost in front of a slave</source>
+        <translation>Frames gehen vor einem Slave verloren</translation>
+    </message>
+    <message>
+        <source>Look at the cables and plugs between the host and it, and at the network card and its driver.</source>
+        <translation>Sehen Sie nach den Kabeln und Steckern zwischen dem Rechner und ihm und nach der Netzwerkkarte und ihrem Treiber.</translation>
+    </message>
+    <message>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave}, the first that counts, missed its outputs with them: they had not got to it. No slave counted an error at its ports.</source>
+        <translation>{count:# Frame kam|# Frames kamen} nicht zurück (bis zu {most} dicht beieinander, zuerst bei {since}), und {slave}, dem ersten, der zählt, fehlten damit seine Ausgänge: Sie waren nicht bis zu ihm gelangt. Kein Slave zählte einen Fehler an seinen Ports.</translation>
+    </message>
+    <message>
+        <source>The working counter is never the expected one</source>
+        <translation>Der Working Counter ist nie der erwartete</translation>
+    </message>
+    <message>
+        <source>The configuration expects what this bus does not give: correct Cnt of the cyclic command, or export it anew for these slaves. A slave without LRW (0x0008 bit 9) needs LRD and LWR instead. Inputs are not taken meanwhile.</source>
+        <translation>Die Konfiguration erwartet, was dieser Bus nicht gibt: Berichtigen Sie Cnt des zyklischen Befehls, oder exportieren Sie sie neu für diese Slaves. Ein Slave ohne LRW (0x0008 Bit 9) braucht stattdessen LRD und LWR. Eingänge werden solange nicht übernommen.</translation>
+    </message>
+    <message>
+        <source>{count:# cycle|# cycles} had a wrong working counter, all from {since} on ({received} instead of {expected}), although each slave answers and none has fallen.</source>
+        <translation>{count:# Zyklus hatte|# Zyklen hatten} einen falschen Working Counter, alle ab {since} ({received} statt {expected}), obwohl jeder Slave antwortet und keiner gefallen ist.</translation>
+    </message>
+    <message>
+        <source>A propagation delay could not be measured</source>
+        <translation>Eine Laufzeit konnte nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>Its receive times (0x0900 to 0x090C) and those of the slave before it contradict each other: one of the two does not latch them as it should. Until that is mended these clocks cannot be compared, whatever 0x092C says.</source>
+        <translation>Seine Empfangszeiten (0x0900 bis 0x090C) und die des Slaves davor widersprechen sich: Einer der beiden hält sie nicht fest, wie er sollte. Bis das behoben ist, lassen sich diese Uhren nicht vergleichen, was immer 0x092C sagt.</translation>
+    </message>
+    <message>
+        <source>{slave}: the way to it from the slave before it comes out as {delay}, which cannot be. 0 is taken (0x0928), and its clock and those behind it are off by what the way really takes; no reading shows it.</source>
+        <translation>{slave}: Der Weg vom Slave davor zu ihm ergibt {delay}, was nicht sein kann. Genommen wird 0 (0x0928), und seine Uhr und die dahinter sind um das falsch, was der Weg wirklich dauert; keine Ablesung zeigt das.</translation>
     </message>
     <message>
         <source>They are part of the assignment and never exchanged</source>

@@ -4465,8 +4465,96 @@
         <translation>没有可比较的对象：EC-Master 不启用监视</translation>
     </message>
     <message>
-        <source>They are lost between the host and the first slave, or in the network card and its driver.</source>
-        <translation>它们在主机与第一个从站之间丢失，或在网卡及其驱动程序中丢失。</translation>
+        <source>A slave went down unasked</source>
+        <translation>从站未经请求进入更低状态</translation>
+    </message>
+    <message>
+        <source>{subject}: {from} -&gt; {to} without an error, and not asked by this master</source>
+        <translation>{subject}：{from} -&gt; {to}，没有错误，也不是此主站请求的</translation>
+    </message>
+    <message>
+        <source>The bus was running already</source>
+        <translation>总线已经在运行</translation>
+    </message>
+    <message>
+        <source>slaves are in SAFEOP or OP already: another master operates this bus, or it was left so; they are taken to INIT</source>
+        <translation>从站已处于 SAFEOP 或 OP：另一个主站正在运行此总线，或总线被遗留在该状态；它们将被带到 INIT</translation>
+    </message>
+    <message>
+        <source>A slave went down without being asked</source>
+        <translation>从站未被请求就进入了更低状态</translation>
+    </message>
+    <message>
+        <source>Look for another master on this bus, a second program or a second cable; or for a slave that begins anew by itself. What clocks and drives did since then is not this master's doing.</source>
+        <translation>请查找此总线上的另一个主站、第二个程序或第二根电缆；或自行重启的从站。此后时钟和驱动器的行为并非此主站所为。</translation>
+    </message>
+    <message>
+        <source>{slave} went from {from} to {to} at {since}, without an error, and this master had not asked it.</source>
+        <translation>{slave} 在 {since} 从 {from} 变为 {to}，没有错误，也未被此主站请求。</translation>
+    </message>
+    <message>
+        <source>A slave had left OP with an error</source>
+        <translation>一个从站曾因错误离开 OP</translation>
+    </message>
+    <message>
+        <source>{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), and was led up again.</source>
+        <translation>{slave} 曾在 {since} 以 AL 状态码 {alcode}{alarm} 跌落到 {state}（共 {count}），后又被带回。</translation>
+    </message>
+    <message>
+        <source>{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), before it answered no more.</source>
+        <translation>{slave} 在不再应答之前，曾在 {since} 以 AL 状态码 {alcode}{alarm} 跌落到 {state}（共 {count}）。</translation>
+    </message>
+    <message>
+        <source>A slave's firmware stands still</source>
+        <translation>从站固件停止运行</translation>
+    </message>
+    <message>
+        <source>Its outputs and inputs stand still. Look for what stops it: an interrupt storm, a debugger, a crash; its power has to be switched off and on.</source>
+        <translation>其输出和输入均已停止。查找使其停止的原因：中断风暴、调试器或崩溃；必须断电后重新上电。</translation>
+    </message>
+    <message>
+        <source>The firmware of {slave} is silent since {since}: its PDI watchdog expired {count} (0x0443).</source>
+        <translation>{slave} 的固件自 {since} 起无响应：其 PDI 看门狗超时 {count}（0x0443）。</translation>
+    </message>
+    <message>
+        <source>Nothing tells where. Look at the cables and plugs, and at the network card and its driver.</source>
+        <translation>无法得知丢失位置。请检查电缆和插头，以及网卡及其驱动。</translation>
+    </message>
+    <message>
+        <source>Frames are lost in front of a slave</source>
+        <translation>帧在某个从站之前丢失</translation>
+    </message>
+    <message>
+        <source>Look at the cables and plugs between the host and it, and at the network card and its driver.</source>
+        <translation>请检查主机与它之间的电缆和插头，以及网卡及其驱动。</translation>
+    </message>
+    <message>
+        <source>{count:# frame|# frames} did not come back (up to {most} close together, first at {since}), and {slave}, the first that counts, missed its outputs with them: they had not got to it. No slave counted an error at its ports.</source>
+        <translation>{count:# 帧|# 帧}未返回（最多 {most} 帧紧邻，首次在 {since}），而第一个进行计数的 {slave} 也因此缺失了输出：这些帧没有到达它。没有从站在其端口上计到错误。</translation>
+    </message>
+    <message>
+        <source>The working counter is never the expected one</source>
+        <translation>工作计数器从未等于预期值</translation>
+    </message>
+    <message>
+        <source>The configuration expects what this bus does not give: correct Cnt of the cyclic command, or export it anew for these slaves. A slave without LRW (0x0008 bit 9) needs LRD and LWR instead. Inputs are not taken meanwhile.</source>
+        <translation>配置所期望的值是此总线给不出的：请更正循环命令的 Cnt，或针对这些从站重新导出。不支持 LRW 的从站（0x0008 位 9）需要改用 LRD 和 LWR。在此期间不采用输入。</translation>
+    </message>
+    <message>
+        <source>{count:# cycle|# cycles} had a wrong working counter, all from {since} on ({received} instead of {expected}), although each slave answers and none has fallen.</source>
+        <translation>{count:# 个周期|# 个周期}的工作计数器错误，自 {since} 起全部如此（{received} 而非 {expected}），尽管每个从站都有应答且无一跌落。</translation>
+    </message>
+    <message>
+        <source>A propagation delay could not be measured</source>
+        <translation>某个传播延迟无法测量</translation>
+    </message>
+    <message>
+        <source>Its receive times (0x0900 to 0x090C) and those of the slave before it contradict each other: one of the two does not latch them as it should. Until that is mended these clocks cannot be compared, whatever 0x092C says.</source>
+        <translation>它的接收时间（0x0900 至 0x090C）与前一个从站的相互矛盾：两者之一没有按应有方式锁存。在修复之前，无论 0x092C 显示什么，这些时钟都无法比较。</translation>
+    </message>
+    <message>
+        <source>{slave}: the way to it from the slave before it comes out as {delay}, which cannot be. 0 is taken (0x0928), and its clock and those behind it are off by what the way really takes; no reading shows it.</source>
+        <translation>{slave}：从前一个从站到它的路径测得 {delay}，这不可能。取 0（0x0928），它及其后的时钟会偏差该路径的真实时间；任何读数都不会显示。</translation>
     </message>
     <message>
         <source>They are part of the assignment and never exchanged</source>

@@ -33,8 +33,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr std::uint32_t kPieceWords = 64;
-constexpr std::size_t kSizeWord = 0x3E, kAliasWord = 4, kChecksumWord = 7, kConfigurationBytes = 16;
-constexpr std::size_t kLargest = 64U << 10;  // bytes
+constexpr std::size_t kAliasWord = 4, kChecksumWord = 7, kConfigurationBytes = 16;
 
 }  // namespace
 
@@ -150,8 +149,7 @@ void SlaveEepromPage::takePiece(std::uint16_t position, std::uint32_t word, cons
   }
   const auto& piece = outcome.answer.data;
   if (word == 0) {
-    const auto kilobits = load_le<std::uint16_t>(std::span(piece).subspan(2 * kSizeWord)) + 1U;
-    const auto bytes = std::clamp<std::size_t>(std::size_t{kilobits} * 128, 2 * kPieceWords, kLargest);
+    const auto bytes = sii::image_size(piece);
     reading_.assign(bytes, 0xFF);
     pieces_ = static_cast<std::uint32_t>((bytes / 2 + kPieceWords - 1) / kPieceWords);
     for (std::uint32_t next = 1; next < pieces_; ++next) readPiece(position, next * kPieceWords);

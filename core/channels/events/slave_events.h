@@ -15,7 +15,7 @@ struct Emergency {
   std::uint16_t error_code = 0;
   std::uint8_t error_register = 0;
   std::array<std::uint8_t, 5> data{};
-  Identity identity{};  // of the slave, by which config/families knows its vendor's alarms
+  Identity identity{};  // of the slave, by which families knows its vendor's alarms
 };
 
 /// New in its history 0x10F3.

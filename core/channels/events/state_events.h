@@ -24,6 +24,15 @@ struct AlStatusError {
   std::uint16_t al_status_code = 0;  // register 0x0134
 };
 
+/// The slave went down without an error, and nobody here has asked it: another master did, or it began anew.
+struct LeftUnasked {
+  AlState from = AlState::kNone;
+  AlState to = AlState::kNone;
+};
+
+/// A bring-up begins, and some slaves are in SAFEOP or OP: another master operates them, or they were left so.
+struct BusWasRunning {};
+
 /// Its state is unknown from then on, until the StateChanged that follows.
 struct SlaveLost {};
 struct SlaveFound {};

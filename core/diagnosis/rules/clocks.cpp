@@ -22,11 +22,16 @@ Figure obstacle_figure(dc::SyncObstacle what) {
   return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
 }
 
+/// It was away just before, and finds its time again.
+bool comes_back(const RunReport& report, const RunReport::Slave& slave, Nanoseconds moment) {
+  return report.history.slaves[slave.position].absences.near({moment, moment, 0, 0}, kSecond);
+}
+
 /// Times in which a slave's own readings were over the limit, those left out that are told as something else.
 Spell times_off(const RunReport& report, const RunReport::Slave& slave) {
   Spell off;
   for (const auto& spell : report.history.slaves[slave.position].off.list()) {
-    if (was_written_late(report, spell.from)) continue;
+    if (was_written_late(report, spell.from) || comes_back(report, slave, spell.from)) continue;
     if (off.count == 0) off.from = spell.from;
     off.to = spell.to;
     off.count += spell.count;
@@ -200,7 +205,7 @@ void find_changed_ways(const RunReport& report, Findings& findings) {
 }  // namespace
 
 void find_clocks(const RunReport& report, Findings& findings) {
-  if (!report.dc.enabled) return;
+  if (!report.dc.enabled || has_other_master(report)) return;
   find_changed_ways(report, findings);
   // Also where nobody follows who leads by now.
   if (!report.dc.monitored || report.dc.state == SyncState::kNotMonitored) return find_unmonitored(report, findings);
@@ -210,7 +215,7 @@ void find_clocks(const RunReport& report, Findings& findings) {
 
 void find_master_sync(const RunReport& report, Findings& findings) {
   const auto& dcm = report.dcm;
-  if (!report.dc.enabled || dcm.mode == DcmMode::kOff) return;
+  if (!report.dc.enabled || dcm.mode == DcmMode::kOff || has_other_master(report)) return;
   std::vector<RunHistory::SyncLoss> losses;
   std::ranges::copy_if(report.history.master_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
     const bool told = loss.back && was_written_late(report, loss.time);

@@ -61,8 +61,9 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
   const auto& history = report.history.slaves[slave.position];
   if (!history.pdi_watchdog.empty()) {
     const auto& hung = history.pdi_watchdog;
-    findings.push_back({code::kFirmwareHung,
-                        still_hangs(report, history) ? Severity::kError : Severity::kWarning,
+    const bool still = slave.present && (slave.evidence.pdi_silent || still_hangs(report, history));
+    findings.push_back({still ? code::kFirmwareHangs : code::kFirmwareHung,
+                        still ? Severity::kError : Severity::kWarning,
                         slave.position,
                         hung.first(),
                         hung.last(),

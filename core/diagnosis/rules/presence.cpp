@@ -6,8 +6,11 @@
 namespace syncline::diagnosis {
 namespace {
 
-bool is_absent(const RunReport& report, std::size_t slave) {
-  return !report.slaves[slave].present && !report.slaves[slave].optional;
+/// A hot-connect group may be away as a whole.
+bool is_absent(const RunReport& report, std::size_t position) {
+  const auto& slave = report.slaves[position];
+  if (slave.present || !slave.optional) return !slave.present;
+  return slave.group_head != slave.position && report.slaves[static_cast<std::size_t>(slave.group_head)].present;
 }
 
 Figure slaves_figure(std::size_t first, std::size_t last) {

@@ -1,7 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "diagnosis/rules/rules.h"
+#include "protocol/al_state.h"
 
 namespace syncline::diagnosis {
+
+namespace {
+
+/// It was never right in OP, as far as anybody has looked, although everybody is there.
+bool is_never_right(const RunReport& report, const Spells& wrong) {
+  constexpr Nanoseconds kNewest = 500 * kMillisecond;
+  const auto cycles = report.cycle_time > 0 ? (report.history.end - wrong.first()) / report.cycle_time : 0;
+  const bool all_in_op = std::ranges::all_of(report.slaves, [](const RunReport::Slave& slave) {
+    return slave.optional || (slave.present && al_state_of(slave.al_status) == AlState::kOp);
+  });
+  // One in ten may be lost, or belong to a slower task.
+  return report.history.reached_op && all_in_op && wrong.last() + kNewest >= report.history.end &&
+         10 * wrong.count() >= 9 * static_cast<std::uint64_t>(std::max<Nanoseconds>(cycles, 1)) && cycles >= 100;
+}
+
+}  // namespace
 
 void find_working_counters(const RunReport& report, Findings& findings) {
   const auto& wrong = report.history.wrong_counters;
@@ -13,9 +32,10 @@ void find_working_counters(const RunReport& report, Findings& findings) {
     (trouble >= 0 ? explained : other).note(spell.to, spell.count, 0, spell.from);
   }
   if (!other.empty()) {
+    const bool never_right = is_never_right(report, other);
     findings.push_back(
-        {code::kWorkingCounter,
-         Severity::kWarning,
+        {never_right ? code::kWorkingCounterNeverRight : code::kWorkingCounter,
+         never_right ? Severity::kError : Severity::kWarning,
          -1,
          other.first(),
          other.last(),

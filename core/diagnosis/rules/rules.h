@@ -23,6 +23,7 @@ void find_link_outages(const RunReport& report, Findings& findings);
 void find_absent_slaves(const RunReport& report, Findings& findings);
 void find_states(const RunReport& report, Findings& findings);
 void find_clocks(const RunReport& report, Findings& findings);
+void find_delays(const RunReport& report, Findings& findings);
 void find_late_writes(const RunReport& report, Findings& findings);
 void find_master_sync(const RunReport& report, Findings& findings);
 void find_misplaced_sync0(const RunReport& report, Findings& findings);
@@ -36,6 +37,9 @@ void find_host(const RunReport& report, Findings& findings);
 void find_working_counters(const RunReport& report, Findings& findings);
 /// The last one: takes its consequences out of what the others found.
 void find_short_cycle(const RunReport& report, Findings& findings);
+
+/// Somebody else led a slave down: another master, whose clocks these are from then on.
+[[nodiscard]] bool has_other_master(const RunReport& report);
 
 // ---- what the rules share -------------------------------------------------------------------------
 

@@ -57,6 +57,11 @@ DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
   });
 }
 
+bool has_other_master(const RunReport& report) {
+  return std::ranges::any_of(report.history.slaves,
+                             [](const RunHistory::Slave& slave) { return slave.unasked.has_value(); });
+}
+
 int slave_in_trouble(const RunReport& report, const Spell& spell) {
   constexpr Nanoseconds kNear = 500 * kMillisecond;
   for (std::size_t i = 0; i < report.history.slaves.size(); ++i) {

@@ -9,18 +9,12 @@
 #include "diagnosis/rules/rules.h"
 #include "families/families.h"
 #include "protocol/al_state.h"
+#include "protocol/al_status_code.h"
 
 namespace syncline::diagnosis {
 namespace {
 
 using Unit = Figure::Unit;
-
-/// AL status codes by which slaves give up for missed SM2 events (ETG.1020, table 11).
-bool is_about_outputs(std::uint16_t code) {
-  constexpr std::uint16_t kSynchronisation = 0x001A, kFatalSync = 0x002C, kSyncError = 0x0033,
-                          kSyncErrorNoOutputs = 0x0034;
-  return code == kSynchronisation || code == kFatalSync || code == kSyncError || code == kSyncErrorNoOutputs;
-}
 
 std::string alarm_text(const RunReport& report, const RunReport::Slave& slave) {
   const auto& emergency = report.history.slaves[slave.position].emergency;
@@ -53,7 +47,9 @@ std::uint64_t integrator_at_fall(const RunReport& report, const RunReport::Slave
 
 /// It had been away shortly before: nobody's outputs came meanwhile, and that is told as its absence.
 bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, const RunHistory::Fall& fall) {
-  return report.history.slaves[slave.position].absences.near({fall.time - kReadLater, fall.time, 0, 0}, 0);
+  const Spell before{fall.time - kReadLater, fall.time, 0, 0};
+  if (adapter_was_away(report, before)) return true;
+  return report.history.slaves[slave.position].absences.near(before, 0);
 }
 
 Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
@@ -115,6 +111,25 @@ Finding refused(const RunReport& report, const RunReport::Slave& slave) {
            phrase_figure("check", al_status_code_text(fall.al_status_code).check)}};
 }
 
+/// What became of it since does not make it undone.
+void find_earlier_falls(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
+  const auto& falls = report.history.slaves[slave.position].falls;
+  const auto own = [&](const RunHistory::Fall& fall) { return !was_cut_off(report, slave, fall); };
+  const auto first = std::ranges::find_if(falls, own);
+  if (first == falls.end()) return;
+  const auto count = static_cast<std::uint64_t>(std::count_if(first, falls.end(), own));
+  Finding finding{code::kSlaveHadFallen, Severity::kWarning, slave.position, first->time, falls.back().time};
+  finding.figures = {slave_figure(report, slave.position),
+                     {"state", Unit::kAlStatus, first->al_status},
+                     {"alcode", Unit::kAlCode, first->al_status_code},
+                     text_figure("alarm", alarm_text(report, slave)),
+                     moment_figure(report, "since", first->time),
+                     times_figure("count", count, falls.size() == RunHistory::kMostFalls),
+                     phrase_figure("check", al_status_code_text(first->al_status_code).check)};
+  if (!slave.present) finding.facts = sentence_of(*find_finding_words(code::kSlaveHadFallen), "absent");
+  findings.push_back(std::move(finding));
+}
+
 }  // namespace
 
 void find_states(const RunReport& report, Findings& findings) {
@@ -123,7 +138,22 @@ void find_states(const RunReport& report, Findings& findings) {
     if (slave.present) highest = std::max(highest, al_state_of(slave.al_status));
   }
   for (const auto& slave : report.slaves) {
-    if (!slave.present || slave.al_status == 0) continue;  // nobody knows
+    const bool known = slave.present && slave.al_status != 0;
+    // Told as what it is in now, where it has not come out of it.
+    if (!known || al_state_of(slave.al_status) == highest) find_earlier_falls(report, slave, findings);
+    if (!known) continue;
+    if (const auto& unasked = report.history.slaves[slave.position].unasked) {
+      findings.push_back({code::kSlaveLeftUnasked,
+                          Severity::kError,
+                          slave.position,
+                          unasked->time,
+                          report.history.end,
+                          {slave_figure(report, slave.position),
+                           {"from", Unit::kAlStatus, static_cast<std::int64_t>(unasked->from)},
+                           {"to", Unit::kAlStatus, static_cast<std::int64_t>(unasked->to)},
+                           moment_figure(report, "since", unasked->time)}});
+      continue;
+    }
     if ((slave.al_status & kAlErrorFlag) != 0) {
       findings.push_back(fallen(report, slave));
     } else if (al_state_of(slave.al_status) < highest) {

@@ -84,17 +84,22 @@ Finding lost(const RunReport& report, std::string_view code, Severity severity, 
            moment_figure(report, "since", losses.first), slave_figure(report, slave)}};
 }
 
-/// The last in frame order whose own counter proves that lost frames had brought it its outputs; -1: none does. Only
-/// who was in OP all the time counts every frame, and only a cycle of one frame has all outputs in that which was lost.
-/// Who stands behind it has missed them: where frames are lost here and there, each slave has missed some of them, and
-/// there is no such place.
-int passed_by_lost_frames(const RunReport& report, const Losses& losses) {
+/// What the slaves' own counters prove of where lost frames were lost.
+struct LostAt {
+  std::string_view code = code::kFramesLost;  // nothing
+  int slave = -1;
+};
+
+/// Behind the last in frame order whose counter says that it had its outputs all the same, or in front of the first one
+/// that counts, when all of them have missed theirs. Only who was in OP all the time counts every frame, and only a
+/// cycle of one frame has all outputs in that which was lost. Where frames are lost here and there, each slave has
+/// missed some of them, and there is no such place.
+LostAt place_of(const RunReport& report, const Losses& losses) {
   constexpr std::uint64_t kEnough = 4;                    // fewer may have fallen into other times
   constexpr std::uint64_t kHadThem = 8, kMissedThem = 2;  // an eighth of them at most, and half of them at least
   constexpr auto kFrameLost = static_cast<std::size_t>(dc::MissCause::kFrameLost);
-  int last = -1;
-  bool missed_before = false;
-  if (losses.count < kEnough || report.wire_time != report.first_wire_time) return last;
+  int last = -1, first_without = -1;
+  if (!report.history.reached_op || report.wire_time != report.first_wire_time) return {};
   for (const auto& slave : report.slaves) {
     const auto& missed = slave.sm2_missed;
     const bool counts =
@@ -103,15 +108,16 @@ int passed_by_lost_frames(const RunReport& report, const Losses& losses) {
     if (!counts || !in_op || report.history.slaves[slave.position].fall) continue;
     const std::uint64_t lost = missed->by_cause[kFrameLost];
     if (kHadThem * lost <= losses.count) {
-      if (missed_before) return -1;
+      if (first_without >= 0) return {};
       last = slave.position;
     } else if (kMissedThem * lost < losses.count) {
-      return -1;
-    } else {
-      missed_before = true;
+      return {};
+    } else if (first_without < 0) {
+      first_without = slave.position;
     }
   }
-  return last;
+  if (last >= 0) return losses.count < kEnough ? LostAt{} : LostAt{code::kFramesLostBehind, last};
+  return first_without < 0 ? LostAt{} : LostAt{code::kFramesLostInFront, first_without};
 }
 
 /// Who lost the link over which frames came to it, shortly after the spell; -1: nobody. Its counters are read in turn.
@@ -203,10 +209,9 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
     }
   }
   if (unexplained.count > 0) {
-    const auto passed = report.history.reached_op ? passed_by_lost_frames(report, unexplained) : -1;
-    const auto code = passed < 0 ? code::kFramesLost : code::kFramesLostBehind;
-    findings.push_back(lost(report, code, Severity::kWarning, passed, unexplained));
-    findings.back().place.slave = passed;
+    const auto [code, slave] = place_of(report, unexplained);
+    findings.push_back(lost(report, code, Severity::kWarning, slave, unexplained));
+    findings.back().place.slave = slave;
   }
   if (by_noise.count > 0) {
     findings.push_back(lost(report, code::kFramesLostByNoise, Severity::kWarning, noisy.slave, by_noise));

@@ -14,6 +14,8 @@ constexpr std::size_t kMostFrames = 8;
 /// As long as the shortest frame of its own keeps the wire busy: 64 bytes, preamble and gap. Outputs are valid, and
 /// inputs come back, later by no more than that, 6.7 us.
 constexpr std::size_t kLongestRide = 84;
+/// What outputs must have left for that.
+constexpr Nanoseconds kRoomToRide = 30 * kMicrosecond;
 
 /// Room that a cycle has for one short datagram, whatever is left of it: registers of 16 bytes, deviations, AL states.
 constexpr std::size_t kLeast = 28;
@@ -112,9 +114,10 @@ bool AcyclicScheduler::add_waiting_one(Datagram& request, std::size_t& frame) {
   return frame < limit_;
 }
 
-void AcyclicScheduler::ride(PendingFrame& cyclic) {
+void AcyclicScheduler::ride(PendingFrame& cyclic, Nanoseconds room) {
   auto& own = frames_.front();
-  if (own.empty() || !frames_[1].empty() || own.size() > kLongestRide || !cyclic.has_room(own)) return;
+  if (room < kRoomToRide || own.empty() || !frames_[1].empty() || own.size() > kLongestRide || !cyclic.has_room(own))
+    return;
   for (auto* datagram : own.datagrams()) (void)cyclic.add(*datagram);
   own.clear();
   carrier_ = &cyclic;

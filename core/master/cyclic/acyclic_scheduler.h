@@ -42,8 +42,10 @@ class AcyclicScheduler {
   void fill(std::span<Datagram* const> waiting, Nanoseconds now);
   [[nodiscard]] std::span<PendingFrame> frames() { return frames_; }
   /// When what goes in this cycle is short, it goes behind the commands of `cyclic`, and no frame of its own is sent:
-  /// that would take longer on the wire, and the host twice as long. Behind fill().
-  void ride(PendingFrame& cyclic);
+  /// that would take longer on the wire, and the host twice as long. Not where a slave has so little `room` for its
+  /// outputs (SyncEventWatch::room()) that they must not come later in one cycle than in the other: they are valid with
+  /// the end of their frame. Behind fill().
+  void ride(PendingFrame& cyclic, Nanoseconds room);
   /// Of all its frames.
   [[nodiscard]] Nanoseconds wire_time() const;
   /// After the frames are back, or not: how many the next cycle can carry.

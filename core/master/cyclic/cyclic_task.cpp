@@ -170,7 +170,7 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
   slaves_.add_to(first, sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
   reference_.add_to(first);
   acyclic_.fill(requests, now);
-  if (!frames_.frames().empty()) acyclic_.ride(*frames_.frames().back());
+  if (!frames_.frames().empty()) acyclic_.ride(*frames_.frames().back(), sync_events_.room());
 }
 
 Nanoseconds CyclicTaskRunner::cyclic_wire_time() {

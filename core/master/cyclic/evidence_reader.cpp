@@ -25,6 +25,7 @@ EvidenceReader::EvidenceReader(RunState& run) : run_(run), totals_(run.config().
 
 bool EvidenceReader::worth_reading() const {
   const auto& slave = run_.snapshot.slaves[slave_];
+  if (what_ == What::kDlStatus) return slave.present && slave.evidence.pdi_watchdog.total > 0;
   return slave.present && (what_ != What::kSpeedCounter || slave.dc_enabled);
 }
 
@@ -38,8 +39,10 @@ Datagram* EvidenceReader::next(Nanoseconds /*now*/) {
   // Whoever is not there costs no cycle, and nobody being there no hang.
   for (std::size_t tried = 0; !worth_reading() && tried < kKinds * 16; ++tried) move_on();
   if (!worth_reading()) return nullptr;
-  constexpr std::array<EvidencePlace, kKinds> kPlaces{
-      {{reg::kRxErrorCounter, 20}, {reg::kWatchdogCounterProcessData, 2}, {reg::kSpeedCounterDiff, 2}}};
+  constexpr std::array<EvidencePlace, kKinds> kPlaces{{{reg::kRxErrorCounter, 20},
+                                                       {reg::kWatchdogCounterProcessData, 2},
+                                                       {reg::kDlStatus, 2},
+                                                       {reg::kSpeedCounterDiff, 2}}};
   const auto place = kPlaces[static_cast<std::size_t>(what_)];
   bytes_.fill(0);
   datagram_ = {Command::kFprd, device_address(run_.config().slaves[slave_].station_address, place.address),
@@ -56,6 +59,9 @@ void EvidenceReader::take(Nanoseconds time) {
         break;
       case What::kWatchdogs:
         take_watchdogs(time);
+        break;
+      case What::kDlStatus:
+        take_dl_status();
         break;
       case What::kSpeedCounter:
         take_speed_counter(time);
@@ -103,6 +109,13 @@ void EvidenceReader::take_watchdogs(Nanoseconds time) {
     run_.event(time, static_cast<int>(slave_),
                events::WatchdogExpired{i == 0 ? Which::kProcessData : Which::kPdi, more});
   }
+}
+
+/// ESC data sheet II, DL status: the watchdog is served again when the firmware works.
+void EvidenceReader::take_dl_status() {
+  constexpr std::uint16_t kPdiWatchdogServed = 0x0002;
+  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  evidence.pdi_silent = (load_le<std::uint16_t>(bytes_) & kPdiWatchdogServed) == 0;
 }
 
 void EvidenceReader::take_speed_counter(Nanoseconds time) {

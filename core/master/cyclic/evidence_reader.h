@@ -28,8 +28,8 @@ class EvidenceReader final : public SlaveWork {
   [[nodiscard]] Status result() const override { return {}; }
 
  private:
-  enum class What : std::uint8_t { kPorts, kWatchdogs, kSpeedCounter };
-  static constexpr std::uint8_t kKinds = 3;
+  enum class What : std::uint8_t { kPorts, kWatchdogs, kDlStatus, kSpeedCounter };
+  static constexpr std::uint8_t kKinds = 4;
   static constexpr CounterTotal kByte{8, CounterTotal::End::kSaturates};
 
   /// By differences, because nobody else's reading shall be disturbed by clearing them.
@@ -48,6 +48,7 @@ class EvidenceReader final : public SlaveWork {
   void take_ports(Nanoseconds time);
   void tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time);
   void take_watchdogs(Nanoseconds time);
+  void take_dl_status();
   void take_speed_counter(Nanoseconds time);
 
   RunState& run_;

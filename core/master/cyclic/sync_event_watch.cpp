@@ -6,6 +6,7 @@
 
 #include "config/frame_time.h"
 #include "families/families.h"
+#include "protocol/al_status_code.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {
@@ -32,7 +33,16 @@ SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
     place_[i] = slaves_.size();
     // Until it is read, the limit is what its start-up commands write, or what its family is delivered with.
     const auto limit = families::error_limit(slaves[i]).value_or(0);
-    slaves_.push_back({i, period, dc->shift_time, outputs_wire_time(run.config(), i), {}, {}, limit, {}, 0, {}, {}});
+    slaves_.push_back({.position = i,
+                       .period = period,
+                       .shift = dc->shift_time,
+                       .wire = outputs_wire_time(run.config(), i),
+                       .account = {},
+                       .before = {},
+                       .limit = limit,
+                       .told = {},
+                       .in_op_since = {},
+                       .at_limit_since = {}});
   }
 }
 
@@ -61,19 +71,60 @@ void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) const {
 
 void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
   const bool op = in_op(run_.snapshot.slaves[slave.position]);
+  if (!op && !slave.in_op_since) note_fall(slave);
   if (op == slave.in_op_since.has_value()) return;
   if (!op) {
     slave.in_op_since.reset();
     slave.before.reset();
     slave.account->left_op();
+    note_fall(slave);
     publish(slave);
     return;
   }
   slave.in_op_since = time;
+  slave.gave_up = slave.fallen = false;
   if (!slave.account) slave.account.emplace(grid_of(slave));
   slave.account->set_limit(slave.limit);
   slave.before = slave.account;
   slave.account->entered_op(grid_of(slave));
+}
+
+/// It may fall before anybody has seen it in OP.
+void SyncEventWatch::note_fall(Slave& slave) {
+  const auto& status = run_.snapshot.slaves[slave.position];
+  const bool fell = (status.al_status & kAlErrorFlag) != 0 && is_about_outputs(status.al_status_code);
+  if (std::exchange(slave.fallen, fell) == fell || !fell) return;
+  slave.gave_up = true;
+  if (!slave.account) slave.account.emplace(grid_of(slave));
+  slave.account->set_limit(slave.limit);
+  explain_fall(slave);
+}
+
+/// Who gives up within a cycle or two has its counter read never, and perhaps what it takes only later.
+void SyncEventWatch::explain_fall(Slave& slave) {
+  if (!slave.gave_up || slave.limit == 0 || slave.need == 0 || nominal_margin(slave) >= slave.need) return;
+  slave.gave_up = false;
+  slave.account->gave_up_late();
+  publish(slave);
+}
+
+Nanoseconds SyncEventWatch::nominal_margin(const Slave& slave) const {
+  const auto& status = run_.snapshot.slaves[slave.position];
+  return dc::nominal_margin(run_.snapshot.dcm.set_value_ns, {slave.shift + status.evidence.sync0.off_ns, slave.period},
+                            status.propagation_delay_ns, slave.wire);
+}
+
+Nanoseconds SyncEventWatch::room() {
+  const auto changes = run_.slave_changes();
+  const auto set_value = run_.snapshot.dcm.set_value_ns;
+  if (!room_ || room_->changes != changes || room_->set_value != set_value) {
+    room_ = {INT64_MAX, changes, set_value};
+    for (const auto& slave : slaves_) {
+      const auto need = slave.need > 0 ? slave.need : slave.period / 2;
+      room_->room = std::min(room_->room, nominal_margin(slave) - need);
+    }
+  }
+  return room_->room;
 }
 
 void SyncEventWatch::observe(CycleSample& sample, bool outputs_back, Nanoseconds held) {
@@ -202,11 +253,16 @@ void SyncEventWatch::set_limit(std::size_t position, std::uint32_t limit) {
   slave->limit = limit;
   if (slave->before) slave->before->set_limit(limit);
   if (slave->account) slave->account->set_limit(limit);
+  explain_fall(*slave);
 }
 
 void SyncEventWatch::set_calc_and_copy(std::size_t position, Nanoseconds time) {
   // With more than its period no outputs would ever be in time, and all would stand in doubt.
-  if (auto* slave = find(position)) slave->need = std::clamp<Nanoseconds>(time, 0, slave->period - 1);
+  auto* slave = find(position);
+  if (slave == nullptr) return;
+  slave->need = std::clamp<Nanoseconds>(time, 0, slave->period - 1);
+  room_.reset();
+  explain_fall(*slave);
 }
 
 void SyncEventWatch::publish(const Slave& slave) {

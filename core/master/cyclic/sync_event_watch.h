@@ -32,6 +32,10 @@ class SyncEventWatch {
   [[nodiscard]] bool follows(std::size_t slave) const { return slave < place_.size() && place_[slave] != kNone; }
   /// What the slave takes from its outputs to SYNC0 (0x1C32:06), ns.
   void set_calc_and_copy(std::size_t slave, Nanoseconds time);
+  /// What the outputs of each slave with SYNC0 nominally have beyond the time that it takes for them, the least of all,
+  /// ns; the end of time where nobody has SYNC0. Of a slave that does not say what it takes half its period is thought
+  /// to be enough.
+  [[nodiscard]] Nanoseconds room();
   /// All that are in OP are looked at together, in closed form, until one of them changes.
   [[nodiscard]] bool together() const { return together_.has_value(); }
 
@@ -47,6 +51,8 @@ class SyncEventWatch {
     std::optional<std::uint32_t> told;
     Nanoseconds need = 0;  // see SyncEventAccount::Cycle
     std::optional<Nanoseconds> in_op_since, at_limit_since;
+    bool fallen = false;   // with an AL status code that says so: it left OP by its own count of misses
+    bool gave_up = false;  // the same, and that is not explained yet
     // While all of its cycles are regular they are counted only, and the account gets them when it is asked:
     std::optional<Nanoseconds> next{};  // begin of the period in which the next outputs are to come
     std::int64_t regular = 0;
@@ -78,6 +84,9 @@ class SyncEventWatch {
   [[nodiscard]] bool observe_regular(Slave& slave, Nanoseconds time) const;
   /// From here on it is the account that counts.
   static void settle(Slave& slave);
+  void note_fall(Slave& slave);
+  void explain_fall(Slave& slave);
+  [[nodiscard]] Nanoseconds nominal_margin(const Slave& slave) const;
   void publish(const Slave& slave);
   void tell(CycleSample& sample);
   /// It found into OP: what it counted on the way there is forgotten.
@@ -88,7 +97,14 @@ class SyncEventWatch {
   const SyncWatch& sync_;
   std::vector<Slave> slaves_;
   std::optional<Together> together_;
-  bool news_ = false;               // a count has changed that may not have been told
+  bool news_ = false;  // a count has changed that may not have been told
+  /// What room() was found of.
+  struct Room {
+    Nanoseconds room = 0;
+    std::uint64_t changes = 0;  // RunState::slave_changes()
+    std::int32_t set_value = 0;
+  };
+  std::optional<Room> room_;
   std::vector<std::size_t> place_;  // in slaves_, by position; npos: it has no SYNC0
 };
 

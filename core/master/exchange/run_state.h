@@ -30,6 +30,8 @@ class RunState {
   /// of all slaves in each cycle stays what it is until then. Whoever changes them in the snapshot by himself tells it.
   [[nodiscard]] std::uint64_t slave_changes() const { return slave_changes_; }
   void note_slave_change() { ++slave_changes_; }
+  /// From here on nobody of ours leads a slave to another state: what goes down was asked by somebody else.
+  void watch_for_others(bool watched) { watched_for_others_ = watched; }
   std::vector<std::uint16_t> deviations_read;  // the slaves whose deviation came with the latest cycle
   std::vector<SlaveMailbox> mailboxes;         // per slave; each with its bit in the process image
 
@@ -72,6 +74,7 @@ class RunState {
   unsigned link_outages_ = 0;
   std::vector<std::uint32_t> losses_;  // per slave
   std::uint64_t slave_changes_ = 0;
+  bool watched_for_others_ = false;
 };
 
 }  // namespace syncline

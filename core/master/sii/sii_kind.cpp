@@ -41,9 +41,9 @@ SiiKind::SiiKind(std::vector<std::size_t> who, std::span<const std::uint8_t> own
 std::size_t SiiKind::word(std::size_t byte) const { return load_le<std::uint16_t>(std::span(bytes_).subspan(byte)); }
 
 std::size_t SiiKind::limit() const {
-  if (bytes_.size() < kSiiSizeByte + 2) return kUnknownSize;
-  const auto size = (word(kSiiSizeByte) + 1) * 128;
-  return size <= kSiiHeaderBytes ? kUnknownSize : std::min(size, kLongestSiiImage);
+  if (bytes_.size() < std::size_t{2} * sii::kSizeWord + 2) return kUnknownSize;
+  const auto size = sii::told_size(bytes_);
+  return size <= kSiiHeaderBytes ? kUnknownSize : std::min(size, sii::kLongestImage);
 }
 
 std::size_t SiiKind::pieces_wanted() const {

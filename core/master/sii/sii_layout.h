@@ -21,9 +21,7 @@ inline constexpr std::size_t kSiiStatusBytes = 6;  // 0x0502 control and status,
 inline constexpr Nanoseconds kSiiBusyLimit = 300 * kMillisecond;
 
 inline constexpr std::size_t kSiiHeaderBytes = 2 * sii::kCategoriesWord;
-inline constexpr std::size_t kSiiSizeByte = 2 * 0x3E;
-inline constexpr std::size_t kSiiPiece = 8;                  // bytes that one command reads at most
-inline constexpr std::size_t kLongestSiiImage = 128 * 1024;  // 1 Mbit, the largest EEPROM in use
-inline constexpr std::uint32_t kSiiConfigurationWords = 8;   // the last one holds the checksum
+inline constexpr std::size_t kSiiPiece = 8;                 // bytes that one command reads at most
+inline constexpr std::uint32_t kSiiConfigurationWords = 8;  // the last one holds the checksum
 
 }  // namespace syncline

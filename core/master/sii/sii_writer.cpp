@@ -15,7 +15,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::size_t kUsualSize = 2048;
 constexpr std::size_t kAliasByte = 8, kChecksumByte = 14;
 
 /// One slave's EEPROM while it is in our hands.
@@ -58,11 +57,6 @@ class Eeprom {
   SlaveAddress slave_;
   SiiAccess access_;
 };
-
-std::size_t size_of(std::span<const std::uint8_t> header) {
-  const auto size = (load_le<std::uint16_t>(header.subspan(kSiiSizeByte)) + std::size_t{1}) * 128;
-  return size < kSiiHeaderBytes || size > kLongestSiiImage ? kUsualSize : size;
-}
 
 struct Differences {
   std::size_t count = 0, first = 0, end = 0;  // words
@@ -131,7 +125,7 @@ Result<std::vector<std::uint8_t>> read_eeprom(Bus& bus, const SlaveAddress& slav
     std::vector<std::uint8_t> bytes;
     const auto header = bytes_wanted > 0 ? std::size_t{0} : kSiiHeaderBytes;
     if (auto status = eeprom.read(bytes, header, {}, 0); !status) return tl::unexpected(status.error());
-    const auto size = bytes_wanted > 0 ? bytes_wanted : size_of(bytes);
+    const auto size = bytes_wanted > 0 ? bytes_wanted : sii::image_size(bytes);
     if (auto status = eeprom.read(bytes, size, progress, size / 2); !status) return tl::unexpected(status.error());
     bytes.resize(size);
     return bytes;
@@ -145,7 +139,7 @@ Result<SiiWriteReport> write_eeprom(Bus& bus, const SlaveAddress& slave, std::sp
   return eeprom.with([&]() -> Result<SiiWriteReport> {
     std::vector<std::uint8_t> before;
     if (auto status = eeprom.read(before, kSiiHeaderBytes, {}, 0); !status) return tl::unexpected(status.error());
-    const auto room = std::max(size_of(before), size_of(image));
+    const auto room = std::max(sii::image_size(before), sii::image_size(image));
     if (image.size() > room) {
       return fail(ErrorCode::kBadValue, "SII image",
                   because("its {bytes} bytes are more than the EEPROM's {room}", image.size(), room));

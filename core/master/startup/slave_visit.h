@@ -25,7 +25,6 @@ class SlaveVisit {
   /// Reads AL status, station address and mailbox. kNoResponse when there is no such slave.
   Status look();
   [[nodiscard]] AlState found() const { return al_state_of(found_status_); }
-  [[nodiscard]] std::uint16_t found_status() const { return found_status_; }
   [[nodiscard]] AlState state() const { return al_state_of(status_); }
   [[nodiscard]] const std::string& name() const { return name_; }
 

@@ -29,7 +29,6 @@ class SyncGenerator {
   [[nodiscard]] bool sync0_pending() const { return active_ && settings_.sync0 && !first0_done_; }
   [[nodiscard]] bool sync1_pending() const { return active_ && settings_.sync1 && !first1_done_; }
   [[nodiscard]] std::optional<std::uint64_t> next_sync0() const { return next0_; }
-  [[nodiscard]] std::optional<std::uint64_t> next_sync1() const { return next1_; }
   /// The last SYNC1 that was set up, to come or past; 0: none yet.
   [[nodiscard]] std::uint64_t latest_sync1() const { return latest1_; }
   /// The earliest signal; SYNC0 before a coincident SYNC1.

@@ -54,12 +54,6 @@ void SiiInterface::configuration_written() {
   if ((memory_.u8(reg::kSiiConfiguration) & 0x02) != 0) memory_.set<std::uint8_t>(reg::kSiiPdiAccess, 0);
 }
 
-bool SiiInterface::set_pdi_access(bool take) {
-  if (take && (done_at_ || (memory_.u8(reg::kSiiConfiguration) & 0x01) == 0)) return false;
-  memory_.set<std::uint8_t>(reg::kSiiPdiAccess, take ? 1 : 0);
-  return true;
-}
-
 void SiiInterface::control_written(Nanoseconds time) {
   const auto control = memory_.u16(reg::kSiiControl);
   command_ = control & kCommandMask;

@@ -28,8 +28,6 @@ class SiiInterface {
   /// When that will be; the end of time: nothing is in work.
   [[nodiscard]] Nanoseconds due() const { return done_at_.value_or(INT64_MAX); }
 
-  /// The firmware takes the EEPROM, when it is offered, or gives it back; false: it may not.
-  bool set_pdi_access(bool take);
   /// The first eight words are those that their checksum was made of.
   [[nodiscard]] bool checksum_ok() const;
   [[nodiscard]] const std::vector<std::uint8_t>& content() const { return content_; }

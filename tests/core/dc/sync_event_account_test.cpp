@@ -405,5 +405,29 @@ TEST(SyncEventAccount, CountingRegularCyclesAtOnceIsObservingEach) {
   }));
 }
 
+/// Nobody has read its counter, and it clears it: its limit proves what it missed at least.
+TEST(SyncEventAccount, WhoGivesUpLateHasMissedWhatItsLimitProves) {
+  SyncEventAccount account({kFirst, kPeriod});
+  account.set_limit(9);
+  account.observe({kPeriod, true, 0});
+  account.left_op();
+  account.gave_up_late();
+  EXPECT_EQ(account.missed(), 3U);
+  EXPECT_TRUE(account.at_least());
+  EXPECT_GE(account.integrator_highest(), 9U);
+  EXPECT_EQ(account.by_cause()[static_cast<std::size_t>(MissCause::kFrameLate)], 3U);
+  // What was computed up to the limit is enough.
+  SyncEventAccount counted({kFirst, kPeriod});
+  counted.set_limit(3);
+  counted.observe({kPeriod, true, 0});
+  counted.observe({3 * kPeriod, true, 1});
+  counted.left_op();
+  const auto missed = counted.missed();
+  ASSERT_GE(missed, 1U);
+  counted.gave_up_late();
+  EXPECT_EQ(counted.missed(), missed);
+  EXPECT_FALSE(counted.at_least());
+}
+
 }  // namespace
 }  // namespace syncline::dc

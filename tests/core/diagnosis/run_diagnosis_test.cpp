@@ -205,7 +205,7 @@ TEST(RunDiagnosis, FirmwareThatGoesOnIsAWarningAndOneThatHangsAnError) {
   history.mailbox_silences = 12;
   history.silent_from = kStart + 6 * kSecond;
   history.silent_to = report.history.end - kSecond;
-  EXPECT_EQ(diagnose(report)[0].code, code::kFirmwareHung);
+  EXPECT_EQ(diagnose(report)[0].code, code::kFirmwareHangs);
   EXPECT_EQ(diagnose(report)[0].severity, Severity::kError);
 }
 

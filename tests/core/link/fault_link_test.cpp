@@ -30,7 +30,7 @@ class LateEchoLink final : public Link {
     std::ranges::copy(bytes, buffer.begin());
     return ReceivedFrame{bytes.size(), time};
   }
-  [[nodiscard]] LinkDescription describe() const override { return {"echo", "simulated", {}, true, true}; }
+  [[nodiscard]] LinkDescription describe() const override { return {"echo", "simulated", {}, true}; }
   int executed = 0;
 
  private:

@@ -51,7 +51,7 @@ class MailboxSlave final : public Link {
     std::ranges::copy(bytes, buffer.begin());
     return ReceivedFrame{bytes.size(), time};
   }
-  [[nodiscard]] LinkDescription describe() const override { return {"mailbox", "simulated", {}, true, true}; }
+  [[nodiscard]] LinkDescription describe() const override { return {"mailbox", "simulated", {}, true}; }
   [[nodiscard]] MailboxPort port() const {
     MailboxPort port;
     port.name = "slave";

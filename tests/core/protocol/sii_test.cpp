@@ -170,6 +170,18 @@ TEST(Sii, GrowsWhenTheContentNeedsMore) {
   EXPECT_EQ(decoded->general->order, "SERVO");
 }
 
+TEST(Sii, AnImageIsAsLongAsAnEepromCanBe) {
+  for (const std::size_t size : {128U, 2048U, 65'536U, 131'072U}) {
+    auto image = small_image();
+    image.size_bytes = static_cast<std::uint32_t>(std::max<std::size_t>(size, 256));
+    const auto bytes = encode(image);
+    EXPECT_EQ(told_size(bytes), bytes.size());
+    EXPECT_EQ(image_size(std::span(bytes).first(128)), std::max<std::size_t>(size, 256));
+  }
+  EXPECT_EQ(image_size(Bytes(128, 0xFF)), 2048U) << "an EEPROM that was never written does not have 8 MiB";
+  EXPECT_EQ(told_size(Bytes(128, 0xFF)), 8U << 20U);
+}
+
 TEST(Sii, WrongChecksumIsToldNotRefused) {
   auto bytes = encode(small_image());
   bytes[14] ^= 0x01;

@@ -56,6 +56,24 @@ TEST_F(RunHistoryTest, KnowsHowLongTheHostStoodStill) {
   EXPECT_EQ(recorder.history().stalls.first(), kSecond);
 }
 
+/// Who goes changes the way of those behind it at once; the sweep that misses it comes a little later.
+TEST_F(RunHistoryTest, ALossBehindWhoGoesJustThenIsAChangedWay) {
+  recorder.add(Event{kSecond, -1, events::Online{}});
+  recorder.add(Event{8 * kSecond, 2, events::SlavesOutOfSync{1078, 1}});
+  ASSERT_EQ(recorder.history().slave_losses.size(), 1U);
+  recorder.add(Event{8 * kSecond + 2 * kMillisecond, 1, events::SlaveLost{}});
+  EXPECT_TRUE(recorder.history().slave_losses.empty());
+  ASSERT_EQ(recorder.history().way_changes.size(), 1U);
+  EXPECT_EQ(recorder.history().way_changes[0].slave, 1);
+  EXPECT_EQ(recorder.history().way_changes[0].deviation, 1078);
+  // In front of who goes, or long before, it is another matter.
+  recorder.add(Event{9 * kSecond, 0, events::SlavesOutOfSync{500, 1}});
+  recorder.add(Event{9 * kSecond + 2 * kMillisecond, 1, events::SlaveLost{}});
+  recorder.add(Event{10 * kSecond, 2, events::SlavesOutOfSync{500, 1}});
+  recorder.add(Event{12 * kSecond, 1, events::SlaveLost{}});
+  EXPECT_EQ(recorder.history().slave_losses.size(), 2U);
+}
+
 TEST_F(RunHistoryTest, CallsAClockOffOnlyAfterItWasNear) {
   auto reading = sample(kSecond);
   reading.slave_position = 1;
