@@ -59,6 +59,7 @@ inline constexpr std::string_view kFileReasons[] = {
     "it holds nothing of the recording, which is {time} s long",
     "it has no rows",
     "of {other} cells it has only {count}",
+    "its cycle {cycle} does not come behind that of the line before",
     "it holds no cyclic frame that came back",
     "its times do not tell the cycles apart",
     "a log of the master synchronisation, or the table that \"synclinectl run --csv\" writes",

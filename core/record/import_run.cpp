@@ -20,13 +20,22 @@
 #include "trace/untold.h"
 
 namespace syncline {
+namespace {
+
+/// Files hold any times: 0 where the later one is not later, or by more than can be told.
+Nanoseconds distance_between(const CycleSample& earlier, const CycleSample& later) {
+  Nanoseconds distance = 0;
+  return __builtin_sub_overflow(later.send_time, earlier.send_time, &distance) || distance < 0 ? 0 : distance;
+}
+
+}  // namespace
 
 Nanoseconds cycle_time_of(const std::vector<CycleSample>& samples) {
   std::vector<Nanoseconds> distances;
   distances.reserve(samples.size());
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const auto cycles = static_cast<Nanoseconds>(samples[i].cycle - samples[i - 1].cycle);
-    if (const auto distance = samples[i].send_time - samples[i - 1].send_time; distance > 0 && cycles > 0)
+    if (const auto distance = distance_between(samples[i - 1], samples[i]); distance > 0 && cycles > 0)
       distances.push_back(distance / cycles);
   }
   if (distances.empty()) return 0;
@@ -35,21 +44,24 @@ Nanoseconds cycle_time_of(const std::vector<CycleSample>& samples) {
   std::ranges::nth_element(distances, middle);
   // The mean of those that are no gaps: a jitter that comes again and again moves the middle one.
   const auto usual = *middle;
-  Nanoseconds sum = 0, count = 0;
+  double off = 0;  // from the usual one, and so within half of it
+  std::size_t count = 0;
   for (const auto distance : distances) {
-    if (distance * 2 < usual || distance > usual + usual / 2) continue;
-    sum += distance;
+    if (distance < usual / 2 || distance - usual > usual / 2) continue;
+    off += static_cast<double>(distance - usual);
     ++count;
   }
-  return std::max((sum / count + kGrain / 2) / kGrain * kGrain, Nanoseconds{1});
+  const auto mean = usual + static_cast<Nanoseconds>(off / static_cast<double>(count));
+  return std::max(mean / kGrain * kGrain + (mean % kGrain >= kGrain / 2 ? kGrain : 0), Nanoseconds{1});
 }
 
 void count_cycles(std::vector<CycleSample>& samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].cycle = i;
   const auto cycle = cycle_time_of(samples);
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    const auto distance = samples[i].send_time - samples[i - 1].send_time;
-    const auto steps = cycle > 0 ? std::max<Nanoseconds>((distance + cycle / 2) / cycle, 1) : 1;
+    const auto distance = distance_between(samples[i - 1], samples[i]);
+    const auto steps =
+        cycle > 0 ? std::max<Nanoseconds>(distance / cycle + (distance % cycle >= cycle / 2 ? 1 : 0), 1) : 1;
     samples[i].cycle = samples[i - 1].cycle + static_cast<std::uint64_t>(steps);
   }
 }
@@ -99,6 +111,14 @@ Finding unended(int line, bool kept) {
 
 // ---- log of the master synchronisation -----------------------------------------------------------------------------
 
+/// At most by so much that it can be added to any date.
+std::int64_t later_by(std::int64_t time, std::int64_t begin) {
+  constexpr std::int64_t kMost = 900'000'000 * kSecond;
+  std::int64_t distance = 0;
+  if (__builtin_sub_overflow(time, begin, &distance)) return time < begin ? -kMost : kMost;
+  return std::clamp(distance, -kMost, kMost);
+}
+
 /// By the host's clock where its column tells the cycles apart, else by the bus's.
 Status put_times(const DcmLogTable& log, std::vector<CycleSample>& samples, const std::string& name) {
   const auto& rows = log.rows;
@@ -110,7 +130,7 @@ Status put_times(const DcmLogTable& log, std::vector<CycleSample>& samples, cons
   const auto begin = has_bus_time && rows.front().bus_time_ns > kFirstDate ? rows.front().bus_time_ns : kNoDate;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto since = by_host ? std::llround(std::clamp((rows[i].time_ms - rows.front().time_ms) * 1e6, 0.0, 9e17))
-                               : rows[i].bus_time_ns - rows.front().bus_time_ns;
+                               : later_by(rows[i].bus_time_ns, rows.front().bus_time_ns);
     samples[i].send_time = begin + since;
   }
   return {};
@@ -310,7 +330,9 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
     if (line.empty()) continue;
     CycleSample sample;
     sample.flags = untold;
-    const auto wrong = table.read(line, sample);
+    auto wrong = table.read(line, sample);
+    if (wrong.empty() && !run.samples.empty() && sample.cycle <= run.samples.back().cycle)
+      wrong = because("its cycle {cycle} does not come behind that of the line before", sample.cycle);
     if (!ended) run.findings.push_back(unended(number, wrong.empty()));
     if (!wrong.empty() && !ended) break;
     if (!wrong.empty()) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/whole_file.h"
 #include "tests/app/cli_runner.h"
 #include "tests/support/source_dir.h"
 #include "trace/dcm_log.h"
@@ -51,11 +52,17 @@ TEST(CliRun, ReadsObjectsWhileTheBusRuns) {
     EXPECT_NE(with(bad).err.find("--sdo-read"), std::string::npos) << bad;
 }
 
-/// On a bus that is simulated out of a project its drives have no 0x1C32: their misses are computed, and read nowhere.
+/// On a bus that is simulated out of a project drives of no known family have no 0x1C32: their misses are computed, and
+/// read nowhere.
 TEST(CliRun, NamesNoObjectOfACounterThatIsNotThere) {
   const TemporaryFolder folder;
   (void)export_demo(folder, "bus");
   const auto project = folder.file("m.syncline");
+  auto text = read_whole_file(project).value();
+  constexpr std::string_view kVendor = "#x00005c17";
+  for (auto at = text.find(kVendor); at != std::string::npos; at = text.find(kVendor, at + 1))
+    text.replace(at, kVendor.size(), "#x00000a11");
+  ASSERT_TRUE(write_whole_file(project, std::string_view(text)));
   const auto run = cli_run({"run", project, "--link", "sim:" + project + "?virtual", "--for", "8s", "--json"});
   const auto report = run.json();
   int computed = 0;

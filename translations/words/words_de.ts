@@ -4269,6 +4269,10 @@
         <translation>eine Aufzeichnung, die hier gezeigt wird</translation>
     </message>
     <message>
+        <source>its cycle {cycle} does not come behind that of the line before</source>
+        <translation>ihr Zyklus {cycle} folgt nicht auf den der Zeile davor</translation>
+    </message>
+    <message>
         <source>of {other} cells it has only {count}</source>
         <translation>von {other} Zellen hat sie nur {count}</translation>
     </message>

@@ -4269,6 +4269,10 @@
         <translation>此处显示的记录</translation>
     </message>
     <message>
+        <source>its cycle {cycle} does not come behind that of the line before</source>
+        <translation>其周期 {cycle} 不在前一行的周期之后</translation>
+    </message>
+    <message>
         <source>of {other} cells it has only {count}</source>
         <translation>在 {other} 个单元格中只有 {count} 个</translation>
     </message>

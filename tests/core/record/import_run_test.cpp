@@ -214,6 +214,9 @@ TEST(ImportRun, SaysWhatIsWrong) {
   EXPECT_EQ(code("cycle,send_time_ns,lateness_ns\n"), ErrorCode::kBadValue);
   EXPECT_EQ(code("Time[ms];CtlErr [ns]\n"), ErrorCode::kBadValue);
   EXPECT_EQ(code("Time[ms];CtlErr [ns]\n0;soon\n"), ErrorCode::kMalformedData);
+  const auto back = import_table("cycle,send_time_ns,lateness_ns\n4,1000,2\n4,2000,2\n5,3000,1\n", "x.csv");
+  ASSERT_FALSE(back);
+  EXPECT_EQ(back.error().line, 3);
   const auto bad = import_table("cycle,send_time_ns,lateness_ns\n0,1000,2\n1,2000,late\n", "x.csv");
   ASSERT_FALSE(bad.has_value());
   EXPECT_EQ(bad.error().line, 3);
