@@ -177,10 +177,11 @@ class ThousandSlaves {
     explorer.setView(ui::ExplorerPanel::View::kTopology);
     add("paint the topology", [&] { explorer.topology().viewport()->repaint(); });
     explorer.setView(ui::ExplorerPanel::View::kClassic);
-    add("edit one", [&] {
+    add("edit one, until it is compiled", [&] {
       const auto& alias = settings::row("slave.N.alias");
       const settings::Place place{.slave = static_cast<std::size_t>(round = (round + 371) % 1000)};
       static_cast<void>(workspace_.document().set(QStringLiteral("alias"), {{&alias, place, std::int64_t{round}}}));
+      static_cast<void>(workspace_.configuration().current());
     });
     addSearch();
     addFrames();
