@@ -2936,7 +2936,7 @@
         </message>
         <message>
             <source>Bytes on the wire and time for them at 100 Mbit/s, in a cycle; the page Frames and Cost says more</source>
-            <translation>Bytes auf der Leitung und ihre Zeit bei 100 Mbit/s, in einem Zyklus; mehr sagt die Seite Frames und Kosten</translation>
+            <translation>Bytes auf der Leitung und ihre Zeit bei 100 Mbit/s, in einem Zyklus; mehr sagt die Seite Frames und Aufwand</translation>
         </message>
 </context>
 <context>
