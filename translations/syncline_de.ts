@@ -1003,6 +1003,10 @@
             <source>Scenarios (*.toml)</source>
             <translation>Szenarien (*.toml)</translation>
         </message>
+        <message>
+            <source>driver %1</source>
+            <translation>Treiber %1</translation>
+        </message>
 </context>
 <context>
     <name>LiveStrip</name>
@@ -1479,6 +1483,14 @@
             <source>Re&amp;play</source>
             <translation>&amp;Wiedergabe</translation>
         </message>
+        <message>
+            <source>&amp;Help on the Field</source>
+            <translation>&amp;Hilfe zum Feld</translation>
+        </message>
+        <message>
+            <source>Range, default and key of the field that has the focus</source>
+            <translation>Bereich, Vorgabe und Schlüssel des Feldes, das den Fokus hat</translation>
+        </message>
 </context>
 <context>
     <name>MasterDcPage</name>
@@ -1541,10 +1553,6 @@
         <message>
             <source>Set value automatic</source>
             <translation>Sollwert automatisch</translation>
-        </message>
-        <message>
-            <source>Two thirds of the cycle</source>
-            <translation>Zwei Drittel des Zyklus</translation>
         </message>
         <message>
             <source>Slaves in sync</source>
@@ -1649,6 +1657,10 @@
         <message>
             <source>%1 ago</source>
             <translation>vor %1</translation>
+        </message>
+        <message>
+            <source>Two thirds of the cycle, and later on long buses</source>
+            <translation>Zwei Drittel des Zyklus, auf langen Bussen später</translation>
         </message>
 </context>
     <context>
@@ -2799,24 +2811,12 @@
             <translation>Eingänge</translation>
         </message>
         <message>
-            <source>Input process image (ENI ProcessImage/Inputs)</source>
-            <translation>Prozessabbild der Eingänge (ENI ProcessImage/Inputs)</translation>
-        </message>
-        <message>
             <source>Outputs</source>
             <translation>Ausgänge</translation>
         </message>
         <message>
-            <source>Output process image (ENI ProcessImage/Outputs)</source>
-            <translation>Prozessabbild der Ausgänge (ENI ProcessImage/Outputs)</translation>
-        </message>
-        <message>
             <source>Cyclic frames</source>
             <translation>Zyklische Frames</translation>
-        </message>
-        <message>
-            <source>Bytes and time on the wire at 100 Mbit/s, each cycle</source>
-            <translation>Byte und Zeit auf der Leitung bei 100 Mbit/s, je Zyklus</translation>
         </message>
         <message>
             <source>State Machine</source>
@@ -2925,6 +2925,18 @@
         <message>
             <source>Real Time</source>
             <translation>Echtzeit</translation>
+        </message>
+        <message>
+            <source>Process data of all slaves to the master</source>
+            <translation>Prozessdaten aller Slaves zum Master</translation>
+        </message>
+        <message>
+            <source>Process data of the master to all slaves</source>
+            <translation>Prozessdaten des Masters an alle Slaves</translation>
+        </message>
+        <message>
+            <source>Bytes on the wire and time for them at 100 Mbit/s, in a cycle; the page Frames and Cost says more</source>
+            <translation>Bytes auf der Leitung und ihre Zeit bei 100 Mbit/s, in einem Zyklus; mehr sagt die Seite Frames und Aufwand</translation>
         </message>
 </context>
 <context>
@@ -4354,6 +4366,34 @@ Einstellung %2</translation>
             <source>Replay</source>
             <translation>Wiedergabe</translation>
         </message>
+        <message>
+            <source>Controller log</source>
+            <translation>Reglerprotokoll</translation>
+        </message>
+        <message>
+            <source>Written to %1</source>
+            <translation>Wird geschrieben nach %1</translation>
+        </message>
+        <message>
+            <source>Lies in %1</source>
+            <translation>Liegt in %1</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>Master</translation>
+        </message>
+        <message>
+            <source>The master gives no sign of life: its thread hangs, or the adapter's driver does. What the slaves do now is not known, and no values are shown until it answers again. Go offline (Shift+F5); where it does not answer then either, restart the program.</source>
+            <translation>Der Master gibt kein Lebenszeichen: Sein Thread hängt, oder der Treiber der Netzwerkkarte. Was die Slaves jetzt tun, ist nicht bekannt, und bis er wieder antwortet, werden keine Werte gezeigt. Gehen Sie offline (Umschalt+F5); antwortet er auch dann nicht, starten Sie das Programm neu.</translation>
+        </message>
+        <message>
+            <source>The master answers again.</source>
+            <translation>Der Master antwortet wieder.</translation>
+        </message>
+        <message>
+            <source>The master did not go offline in time and is left to itself: the slaves may still be in OP, and it may still send. Make the machine safe by other means, and restart the program before you go online again.</source>
+            <translation>Der Master ist nicht rechtzeitig offline gegangen und bleibt sich selbst überlassen: Die Slaves sind womöglich noch in OP, und er sendet womöglich noch. Bringen Sie die Maschine auf anderem Weg in einen sicheren Zustand, und starten Sie das Programm neu, bevor Sie wieder online gehen.</translation>
+        </message>
 </context>
 <context>
     <name>Finding</name>
@@ -4435,16 +4475,16 @@ Einstellung %2</translation>
 <context>
     <name>FindingsPanel</name>
         <message>
-            <source>Findings about the running bus</source>
-            <translation>Befunde zum laufenden Bus</translation>
-        </message>
-        <message>
-            <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
-            <translation>Nichts gefunden. Was am laufenden Bus nicht stimmt, steht hier, mit Ursache und Abhilfe.</translation>
-        </message>
-        <message>
             <source>A moment of a recording is shown. Findings are of the whole run: they stand at its end.</source>
             <translation>Ein Zeitpunkt einer Aufzeichnung wird gezeigt. Befunde gelten dem ganzen Lauf: Sie stehen an dessen Ende.</translation>
+        </message>
+        <message>
+            <source>Findings about the project and the running bus</source>
+            <translation>Befunde zum Projekt und zum laufenden Bus</translation>
+        </message>
+        <message>
+            <source>Nothing found. What is wrong with the project, and what the running bus shows to be wrong, stands here with its cause and what to do.</source>
+            <translation>Kein Befund. Was am Projekt falsch ist und was der laufende Bus an Fehlern zeigt, steht hier mit Ursache und Abhilfe.</translation>
         </message>
 </context>
 <context>
@@ -5417,6 +5457,102 @@ Einstellung %2</translation>
             <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
             <translation>IDN, die bei diesen Übergängen geschrieben wird, K zählt ab 0; die Nummer hinter der letzten fügt eine hinzu.</translation>
         </message>
+        <message>
+            <source>1..255 bytes of text</source>
+            <translation>1..255 Byte Text</translation>
+        </message>
+        <message>
+            <source>1..32 bytes of text</source>
+            <translation>1..32 Byte Text</translation>
+        </message>
+        <message>
+            <source>six hexadecimal bytes with colons</source>
+            <translation>sechs hexadezimale Bytes mit Doppelpunkten</translation>
+        </message>
+        <message>
+            <source>four numbers 0..255 with dots</source>
+            <translation>vier Zahlen 0..255 mit Punkten</translation>
+        </message>
+        <message>
+            <source>six numbers 0..255 with dots</source>
+            <translation>sechs Zahlen 0..255 mit Punkten</translation>
+        </message>
+        <message>
+            <source>name of a master.sync_unit.K</source>
+            <translation>Name einer master.sync_unit.K</translation>
+        </message>
+        <message>
+            <source>name of the group</source>
+            <translation>Name der Gruppe</translation>
+        </message>
+        <message>
+            <source>POSITION:A..D of another slave</source>
+            <translation>POSITION:A..D eines anderen Slaves</translation>
+        </message>
+        <message>
+            <source>NAME xMULTIPLE, 1..1000 bus cycles; nothing removes it</source>
+            <translation>NAME xMULTIPLE, 1..1000 Buszyklen; nichts entfernt sie</translation>
+        </message>
+        <message>
+            <source>NAME, NAME@TASK; nothing removes it</source>
+            <translation>NAME, NAME@TASK; nichts entfernt sie</translation>
+        </message>
+        <message>
+            <source>TRANSITIONS DRIVE:IDN=HEX [fixed] [off] [timeout=MS] [# comment]; IDN like S-0-0047; nothing removes it</source>
+            <translation>TRANSITIONS DRIVE:IDN=HEX [fixed] [off] [timeout=MS] [# Kommentar]; IDN wie S-0-0047; nichts entfernt es</translation>
+        </message>
+        <message>
+            <source>TRANSITIONS INDEX:SUB=HEX [complete] [fixed] [off] [adapt] [timeout=MS] [# comment]; nothing removes it</source>
+            <translation>TRANSITIONS INDEX:SUB=HEX [complete] [fixed] [off] [adapt] [timeout=MS] [# Kommentar]; nichts entfernt es</translation>
+        </message>
+        <message>
+            <source>indices of the device with commas, or nothing</source>
+            <translation>Indizes des Geräts mit Kommas, oder nichts</translation>
+        </message>
+        <message>
+            <source>INDEX:SUB:BITS with commas; INDEX 0 is padding</source>
+            <translation>INDEX:SUB:BITS mit Kommas; INDEX 0 ist Füllung</translation>
+        </message>
+        <message>
+            <source>0..last slave</source>
+            <translation>0..letzter Slave</translation>
+        </message>
+        <message>
+            <source>ident of a module that fits place K</source>
+            <translation>Kennung eines Moduls, das auf Platz K passt</translation>
+        </message>
+        <message>
+            <source>OSMin..OSMax of the PDO in the ESI</source>
+            <translation>OSMin..OSMax des PDO in der ESI</translation>
+        </message>
+        <message>
+            <source>a name of the ESI's OpMode</source>
+            <translation>ein Name eines OpMode der ESI</translation>
+        </message>
+        <message>
+            <source>words of the device family: nothing, sync0, frames, servo-period</source>
+            <translation>Wörter der Gerätefamilie: nothing, sync0, frames, servo-period</translation>
+        </message>
+        <message>
+            <source>its device's</source>
+            <translation>wie sein Gerät</translation>
+        </message>
+        <message>
+            <source>1001 + N</source>
+            <translation>1001 + N</translation>
+        </message>
+        <message>
+            <source>the first of the ESI</source>
+            <translation>die erste der ESI</translation>
+        </message>
+        <message>
+            <source>those of the ESI</source>
+            <translation>die der ESI</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>nichts</translation>
+        </message>
 </context>
 <context>
     <name>FieldBinder</name>
@@ -5564,6 +5700,14 @@ Einstellung %2</translation>
         <message>
             <source>An EEPROM gets back what it held; a slave that has half of a file may not come up any more.</source>
             <translation>Ein EEPROM bekommt zurück, was es enthielt; ein Slave, der eine halbe Datei hat, kommt vielleicht nicht mehr hoch.</translation>
+        </message>
+        <message>
+            <source>The slaves may still be in OP.</source>
+            <translation>Die Slaves sind womöglich noch in OP.</translation>
+        </message>
+        <message>
+            <source>The master did not go offline in time: it ends with the program, and nobody has taken the slaves to INIT. Make the machine safe by other means.</source>
+            <translation>Der Master ist nicht rechtzeitig offline gegangen: Er endet mit dem Programm, und niemand hat die Slaves nach INIT gebracht. Bringen Sie die Maschine auf anderem Weg in einen sicheren Zustand.</translation>
         </message>
 </context>
 <context>
@@ -7020,6 +7164,10 @@ Einstellung %2</translation>
             <source>What became of the last request</source>
             <translation>Was aus der letzten Anfrage wurde</translation>
         </message>
+        <message>
+            <source>The master does not answer.</source>
+            <translation>Der Master antwortet nicht.</translation>
+        </message>
 </context>
 <context>
     <name>SlaveObjectsPage</name>
@@ -7996,14 +8144,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Gehe zu</translation>
         </message>
         <message>
-            <source>Slave, setting or command to go to</source>
-            <translation>Slave, Einstellung oder Befehl, zu dem es geht</translation>
-        </message>
-        <message>
-            <source>Name, position or address of a slave, a setting, its key, or a command</source>
-            <translation>Name, Position oder Adresse eines Slaves, eine Einstellung, ihr Schlüssel oder ein Befehl</translation>
-        </message>
-        <message>
             <source>What can be gone to</source>
             <translation>Wohin es gehen kann</translation>
         </message>
@@ -8022,6 +8162,18 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>command</source>
             <translation>Befehl</translation>
+        </message>
+        <message>
+            <source>Slave, setting, object or command to go to</source>
+            <translation>Slave, Einstellung, Objekt oder Befehl, zu dem es gehen soll</translation>
+        </message>
+        <message>
+            <source>A slave, a setting or its key, an object (6040, name), a command</source>
+            <translation>Ein Slave, eine Einstellung oder ihr Schlüssel, ein Objekt (6040, Name), ein Befehl</translation>
+        </message>
+        <message>
+            <source>Nothing fits. Slaves are found by name, position, address and type, settings by label and key, objects of their ESI by index and name.</source>
+            <translation>Nichts passt. Slaves finden sich nach Name, Position, Adresse und Typ, Einstellungen nach Bezeichnung und Schlüssel, Objekte ihrer ESI nach Index und Name.</translation>
         </message>
 </context>
 <context>
@@ -10249,6 +10401,13 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>Settings</source>
             <translation>Einstellungen</translation>
         </message>
+        <message numerus="yes">
+            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up of a slave.</source>
+            <translation>
+                <numerusform>%n Kommando, in der Reihenfolge der ENI. Eigene werden auf der Seite Start eines Slaves hinzugefügt.</numerusform>
+                <numerusform>%n Kommandos, in der Reihenfolge der ENI. Eigene werden auf der Seite Start eines Slaves hinzugefügt.</numerusform>
+            </translation>
+        </message>
 </context>
 <context>
     <name>FramesPage</name>
@@ -10498,6 +10657,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message>
+            <source>No answer</source>
+            <translation>Keine Antwort</translation>
         </message>
 </context>
 <context>

@@ -492,6 +492,13 @@
                 <numerusform>%n commands, in the order of the ENI. Own ones are added on the page Start-up.</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up of a slave.</source>
+            <translation>
+                <numerusform>%n command, in the order of the ENI. Own ones are added on the page Start-up of a slave.</numerusform>
+                <numerusform>%n commands, in the order of the ENI. Own ones are added on the page Start-up of a slave.</numerusform>
+            </translation>
+        </message>
 </context>
 <context>
     <name>NetworkCommands</name>

@@ -1000,6 +1000,10 @@
             <source>Scenarios (*.toml)</source>
             <translation>场景 (*.toml)</translation>
         </message>
+        <message>
+            <source>driver %1</source>
+            <translation>驱动 %1</translation>
+        </message>
 </context>
 <context>
     <name>LiveStrip</name>
@@ -1476,6 +1480,14 @@
             <source>Re&amp;play</source>
             <translation>回放(&amp;P)</translation>
         </message>
+        <message>
+            <source>&amp;Help on the Field</source>
+            <translation>字段帮助(&amp;H)</translation>
+        </message>
+        <message>
+            <source>Range, default and key of the field that has the focus</source>
+            <translation>当前字段的范围、默认值和键</translation>
+        </message>
 </context>
 <context>
     <name>MasterDcPage</name>
@@ -1538,10 +1550,6 @@
         <message>
             <source>Set value automatic</source>
             <translation>设定值自动</translation>
-        </message>
-        <message>
-            <source>Two thirds of the cycle</source>
-            <translation>周期的三分之二</translation>
         </message>
         <message>
             <source>Slaves in sync</source>
@@ -1646,6 +1654,10 @@
         <message>
             <source>%1 ago</source>
             <translation>%1 前</translation>
+        </message>
+        <message>
+            <source>Two thirds of the cycle, and later on long buses</source>
+            <translation>周期的三分之二，总线较长时更晚</translation>
         </message>
 </context>
     <context>
@@ -2787,24 +2799,12 @@
             <translation>输入</translation>
         </message>
         <message>
-            <source>Input process image (ENI ProcessImage/Inputs)</source>
-            <translation>输入过程映像 (ENI ProcessImage/Inputs)</translation>
-        </message>
-        <message>
             <source>Outputs</source>
             <translation>输出</translation>
         </message>
         <message>
-            <source>Output process image (ENI ProcessImage/Outputs)</source>
-            <translation>输出过程映像 (ENI ProcessImage/Outputs)</translation>
-        </message>
-        <message>
             <source>Cyclic frames</source>
             <translation>循环帧</translation>
-        </message>
-        <message>
-            <source>Bytes and time on the wire at 100 Mbit/s, each cycle</source>
-            <translation>每个周期的字节数和 100 Mbit/s 下的线上时间</translation>
         </message>
         <message>
             <source>State Machine</source>
@@ -2913,6 +2913,18 @@
         <message>
             <source>Real Time</source>
             <translation>实时</translation>
+        </message>
+        <message>
+            <source>Process data of all slaves to the master</source>
+            <translation>所有从站发往主站的过程数据</translation>
+        </message>
+        <message>
+            <source>Process data of the master to all slaves</source>
+            <translation>主站发往所有从站的过程数据</translation>
+        </message>
+        <message>
+            <source>Bytes on the wire and time for them at 100 Mbit/s, in a cycle; the page Frames and Cost says more</source>
+            <translation>一个周期内线路上的字节数及 100 Mbit/s 下所需时间；详见“帧与开销”页面</translation>
         </message>
 </context>
 <context>
@@ -4334,6 +4346,34 @@ Setting %2</source>
             <source>Replay</source>
             <translation>回放</translation>
         </message>
+        <message>
+            <source>Controller log</source>
+            <translation>控制器日志</translation>
+        </message>
+        <message>
+            <source>Written to %1</source>
+            <translation>正在写入 %1</translation>
+        </message>
+        <message>
+            <source>Lies in %1</source>
+            <translation>位于 %1</translation>
+        </message>
+        <message>
+            <source>Master</source>
+            <translation>主站</translation>
+        </message>
+        <message>
+            <source>The master gives no sign of life: its thread hangs, or the adapter's driver does. What the slaves do now is not known, and no values are shown until it answers again. Go offline (Shift+F5); where it does not answer then either, restart the program.</source>
+            <translation>主站没有任何响应：其线程或网卡驱动已挂起。从站现在的状态未知，在主站恢复应答之前不显示任何数值。请离线（Shift+F5）；若仍无应答，请重新启动程序。</translation>
+        </message>
+        <message>
+            <source>The master answers again.</source>
+            <translation>主站恢复应答。</translation>
+        </message>
+        <message>
+            <source>The master did not go offline in time and is left to itself: the slaves may still be in OP, and it may still send. Make the machine safe by other means, and restart the program before you go online again.</source>
+            <translation>主站未能及时离线，现任其自行运行：从站可能仍处于 OP，主站也可能仍在发送。请用其他方式使机器处于安全状态，并在再次上线前重新启动程序。</translation>
+        </message>
 </context>
 <context>
     <name>Finding</name>
@@ -4415,16 +4455,16 @@ Setting %2</source>
 <context>
     <name>FindingsPanel</name>
         <message>
-            <source>Findings about the running bus</source>
-            <translation>关于运行中总线的检查结果</translation>
-        </message>
-        <message>
-            <source>Nothing found. What the running bus shows to be wrong stands here, with its cause and what to do.</source>
-            <translation>没有发现问题。运行中的总线出现问题时，会在此列出其原因和应对措施。</translation>
-        </message>
-        <message>
             <source>A moment of a recording is shown. Findings are of the whole run: they stand at its end.</source>
             <translation>显示的是记录的某个时刻。检查结果针对整个运行：它们在记录末尾给出。</translation>
+        </message>
+        <message>
+            <source>Findings about the project and the running bus</source>
+            <translation>关于项目和运行中总线的诊断结果</translation>
+        </message>
+        <message>
+            <source>Nothing found. What is wrong with the project, and what the running bus shows to be wrong, stands here with its cause and what to do.</source>
+            <translation>未发现问题。项目中的错误以及运行中总线显示的问题会连同原因和处理办法列在这里。</translation>
         </message>
 </context>
 <context>
@@ -5397,6 +5437,102 @@ Setting %2</source>
             <source>IDN that is written at these transitions, K counts from 0; the number behind the last adds one.</source>
             <translation>在这些状态切换时写入的 IDN，K 从 0 起计；比最后一个大一的编号表示新增。</translation>
         </message>
+        <message>
+            <source>1..255 bytes of text</source>
+            <translation>1..255 字节文本</translation>
+        </message>
+        <message>
+            <source>1..32 bytes of text</source>
+            <translation>1..32 字节文本</translation>
+        </message>
+        <message>
+            <source>six hexadecimal bytes with colons</source>
+            <translation>以冒号分隔的六个十六进制字节</translation>
+        </message>
+        <message>
+            <source>four numbers 0..255 with dots</source>
+            <translation>以点分隔的四个 0..255 的数</translation>
+        </message>
+        <message>
+            <source>six numbers 0..255 with dots</source>
+            <translation>以点分隔的六个 0..255 的数</translation>
+        </message>
+        <message>
+            <source>name of a master.sync_unit.K</source>
+            <translation>某个 master.sync_unit.K 的名称</translation>
+        </message>
+        <message>
+            <source>name of the group</source>
+            <translation>组的名称</translation>
+        </message>
+        <message>
+            <source>POSITION:A..D of another slave</source>
+            <translation>另一从站的 POSITION:A..D</translation>
+        </message>
+        <message>
+            <source>NAME xMULTIPLE, 1..1000 bus cycles; nothing removes it</source>
+            <translation>NAME xMULTIPLE，1..1000 个总线周期；留空则删除</translation>
+        </message>
+        <message>
+            <source>NAME, NAME@TASK; nothing removes it</source>
+            <translation>NAME、NAME@TASK；留空则删除</translation>
+        </message>
+        <message>
+            <source>TRANSITIONS DRIVE:IDN=HEX [fixed] [off] [timeout=MS] [# comment]; IDN like S-0-0047; nothing removes it</source>
+            <translation>TRANSITIONS DRIVE:IDN=HEX [fixed] [off] [timeout=MS] [# 注释]；IDN 形如 S-0-0047；留空则删除</translation>
+        </message>
+        <message>
+            <source>TRANSITIONS INDEX:SUB=HEX [complete] [fixed] [off] [adapt] [timeout=MS] [# comment]; nothing removes it</source>
+            <translation>TRANSITIONS INDEX:SUB=HEX [complete] [fixed] [off] [adapt] [timeout=MS] [# 注释]；留空则删除</translation>
+        </message>
+        <message>
+            <source>indices of the device with commas, or nothing</source>
+            <translation>以逗号分隔的设备索引，或留空</translation>
+        </message>
+        <message>
+            <source>INDEX:SUB:BITS with commas; INDEX 0 is padding</source>
+            <translation>以逗号分隔的 INDEX:SUB:BITS；INDEX 0 为填充</translation>
+        </message>
+        <message>
+            <source>0..last slave</source>
+            <translation>0..最后一个从站</translation>
+        </message>
+        <message>
+            <source>ident of a module that fits place K</source>
+            <translation>适合位置 K 的模块标识</translation>
+        </message>
+        <message>
+            <source>OSMin..OSMax of the PDO in the ESI</source>
+            <translation>ESI 中该 PDO 的 OSMin..OSMax</translation>
+        </message>
+        <message>
+            <source>a name of the ESI's OpMode</source>
+            <translation>ESI 中 OpMode 的名称</translation>
+        </message>
+        <message>
+            <source>words of the device family: nothing, sync0, frames, servo-period</source>
+            <translation>设备系列的词：nothing、sync0、frames、servo-period</translation>
+        </message>
+        <message>
+            <source>its device's</source>
+            <translation>与其设备相同</translation>
+        </message>
+        <message>
+            <source>1001 + N</source>
+            <translation>1001 + N</translation>
+        </message>
+        <message>
+            <source>the first of the ESI</source>
+            <translation>ESI 中的第一个</translation>
+        </message>
+        <message>
+            <source>those of the ESI</source>
+            <translation>ESI 中的设定</translation>
+        </message>
+        <message>
+            <source>nothing</source>
+            <translation>空</translation>
+        </message>
 </context>
 <context>
     <name>FieldBinder</name>
@@ -5544,6 +5680,14 @@ Setting %2</source>
         <message>
             <source>An EEPROM gets back what it held; a slave that has half of a file may not come up any more.</source>
             <translation>EEPROM 会恢复原有内容；只收到半个文件的从站可能无法再启动。</translation>
+        </message>
+        <message>
+            <source>The slaves may still be in OP.</source>
+            <translation>从站可能仍处于 OP。</translation>
+        </message>
+        <message>
+            <source>The master did not go offline in time: it ends with the program, and nobody has taken the slaves to INIT. Make the machine safe by other means.</source>
+            <translation>主站未能及时离线：它将随程序一起结束，且没有将从站切换到 INIT。请用其他方式使机器处于安全状态。</translation>
         </message>
 </context>
 <context>
@@ -6987,6 +7131,10 @@ Setting %2</source>
             <source>What became of the last request</source>
             <translation>最近一次请求的结果</translation>
         </message>
+        <message>
+            <source>The master does not answer.</source>
+            <translation>主站无应答。</translation>
+        </message>
 </context>
 <context>
     <name>SlaveObjectsPage</name>
@@ -7961,14 +8109,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>转到</translation>
         </message>
         <message>
-            <source>Slave, setting or command to go to</source>
-            <translation>要转到的从站、设置或命令</translation>
-        </message>
-        <message>
-            <source>Name, position or address of a slave, a setting, its key, or a command</source>
-            <translation>从站的名称、位置或地址，设置及其键，或命令</translation>
-        </message>
-        <message>
             <source>What can be gone to</source>
             <translation>可转到的目标</translation>
         </message>
@@ -7987,6 +8127,18 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>command</source>
             <translation>命令</translation>
+        </message>
+        <message>
+            <source>Slave, setting, object or command to go to</source>
+            <translation>要转到的从站、设置、对象或命令</translation>
+        </message>
+        <message>
+            <source>A slave, a setting or its key, an object (6040, name), a command</source>
+            <translation>从站、设置或其键、对象（6040、名称）、命令</translation>
+        </message>
+        <message>
+            <source>Nothing fits. Slaves are found by name, position, address and type, settings by label and key, objects of their ESI by index and name.</source>
+            <translation>没有匹配项。可按名称、位置、地址和类型查找从站，按标签和键查找设置，按索引和名称查找其 ESI 中的对象。</translation>
         </message>
 </context>
 <context>
@@ -10194,6 +10346,12 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>Settings</source>
             <translation>设置</translation>
         </message>
+        <message numerus="yes">
+            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up of a slave.</source>
+            <translation>
+                <numerusform>%n 条命令，按 ENI 中的顺序。自定义命令在从站的“启动”页面添加。</numerusform>
+            </translation>
+        </message>
 </context>
 <context>
     <name>FramesPage</name>
@@ -10441,6 +10599,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>%1: %2</source>
             <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>No answer</source>
+            <translation>无应答</translation>
         </message>
 </context>
 <context>

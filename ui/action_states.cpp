@@ -28,7 +28,7 @@ void updateActionStates(const Actions& actions, Workspace& workspace, const Reco
   actions.demo->setEnabled(!busy);
   actions.online->setEnabled(some && phase == LiveSession::Phase::kOffline && !busy);
   actions.choose_link->setEnabled(some && phase == LiveSession::Phase::kOffline && !busy);
-  actions.offline->setEnabled(online || phase == LiveSession::Phase::kStarting);
+  actions.offline->setEnabled(phase != LiveSession::Phase::kOffline && phase != LiveSession::Phase::kStopping);
   actions.clear_statistics->setEnabled(online);
   for (auto* action : actions.states) action->setEnabled(online);
   updateRecordingStates(actions, workspace, recordings);

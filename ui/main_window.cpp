@@ -46,8 +46,10 @@
 #include "ui/session/recorded_views.h"
 #include "ui/session/workspace.h"
 #include "ui/text/error_text.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/calm_wheel.h"
 #include "ui/widgets/spoken_value.h"
 #include "ui/window_centre.h"
 #include "ui/window_docks.h"
@@ -61,6 +63,7 @@
 namespace syncline::ui {
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
   installSpokenValues();
+  new CalmWheel(this);
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/syncline.svg")));
   setAcceptDrops(true);
@@ -150,7 +153,11 @@ void MainWindow::connectDocks() {
     if (workspace_.recording().isOpen()) return goTo(position, key);
     if (const int slave = workspace_.runningSlaves().slaveOf(position); slave >= 0 || position < 0) goTo(slave, key);
   };
-  connect(findings, &FindingsPanel::placeActivated, this, go_to_shown);
+  connect(findings, &FindingsPanel::findingActivated, this, [this, go_to_shown](const Finding& finding) {
+    // Those about the project name its slaves, the others those that run.
+    const auto* own = workspace_.messages().lineOf(finding);
+    own != nullptr ? goTo(own->slave, own->key) : go_to_shown(finding.place.slave, findingKey(finding));
+  });
   connect(strip_, &LiveStrip::slaveWanted, this, [go_to_shown](int position) { go_to_shown(position, {}); });
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, this, [this](int slave) {
@@ -158,6 +165,7 @@ void MainWindow::connectDocks() {
     strip_->setPickedSlave(workspace_.runningSlaves().positionOf(slave));
     showOverview(false);
   });
+  connect(explorer_, &ExplorerPanel::nodeClicked, this, [this] { showOverview(false); });
   connect(explorer_, &ExplorerPanel::countersWanted, this, [this](int slave) {
     selectNode(slave);
     editor_->showPage("slaveCountersPage");
@@ -165,6 +173,7 @@ void MainWindow::connectDocks() {
   auto* fixes = new FindingFixes(
       workspace_, [this] { return commitFields(); }, this);
   connect(messages, &MessagesPanel::menuOpens, fixes, &FindingFixes::fill);
+  connect(findings, &FindingsPanel::menuOpens, fixes, &FindingFixes::fillFor);
   connect(editor_, &DeviceEditor::findingMenuOpens, fixes, &FindingFixes::fill);
   connect(fixes, &FindingFixes::placeWanted, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);
@@ -290,6 +299,7 @@ void MainWindow::connectSession() {
     updateActions();
     if (structural && workspace_.live().phase() == LiveSession::Phase::kOffline && !workspace_.recording().isOpen()) {
       strip_->setRecord(nullptr);
+      centre_->showStrip(false);
       workspace_.trigger().setRecord(nullptr, false);
       overview_->setRecord(nullptr, false);
     }
@@ -329,6 +339,7 @@ void MainWindow::showRun() {
   strip_->setOfferedViews(recorded ? recordedViews(workspace_.recording().run().info.about)
                                    : std::vector<MonitorView>{});
   strip_->setRecord(workspace_.shownRecord(), recorded);
+  centre_->showStrip(workspace_.shownRecord() != nullptr);
   showLimits();
   workspace_.trigger().setRecord(workspace_.shownRecord(), recorded);
   overview_->setRecord(workspace_.shownRecord(), recorded);
@@ -400,12 +411,13 @@ void MainWindow::showWizard() {
 }
 
 void MainWindow::showGoTo() {
-  QList<QAction*> commands;
-  for (auto* menu : menuBar()->findChildren<QMenu*>()) commands.append(menu->actions());
-  auto* dialog = new GoToDialog(workspace_.document().project(), explorer_->selected(), commands, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* dialog = new GoToDialog(workspace_.document().project(), explorer_->selected(), *menuBar(), this);
   connect(dialog, &GoToDialog::nodeWanted, explorer_, &ExplorerPanel::select);
   connect(dialog, &GoToDialog::keyWanted, this, [this](const QString& key) { goTo(explorer_->selected(), key); });
+  connect(dialog, &GoToDialog::objectWanted, this, [this](int slave, coe::ObjectAddress object) {
+    goTo(slave, {});
+    editor_->showObject(object);
+  });
   dialog->open();
 }
 
@@ -460,6 +472,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   workspace_.autosave().forget();
   workspace_.scan().cancel();
   workspace_.runs().shutDown();
+  if (workspace_.runs().givenUp()) tellGivenUp(*this);
   workspace_.runs().finish();
   event->accept();
 }

@@ -17,6 +17,8 @@
 namespace syncline::ui {
 namespace {
 
+constexpr int kPagesHeight = 385, kPlotsHeight = 215;  // of a new window, and their shares of another one
+
 QVBoxLayout* closeColumn(QWidget& area) {
   auto* layout = new QVBoxLayout(&area);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -38,6 +40,7 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
   strip_->setObjectName(QStringLiteral("liveStrip"));
   strip_->setAccessibleName(MainWindow::tr("Live plots"));
   strip_->setMinimumSize(600, 160);
+  strip_->setMaximumHeight(strip_->minimumHeight());
   upper_->addWidget(editor_);
   upper_->addWidget(overview_);
   // Below the pages: what comes and goes with an edit moves no field away from the pointer.
@@ -62,24 +65,45 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
 
 bool WindowCentre::showsOverview() const { return upper_->currentWidget() == overview_; }
 
-QByteArray WindowCentre::pageSizes() const { return showsOverview() ? page_sizes_ : splitter_->saveState(); }
+QByteArray WindowCentre::pageSizes() const {
+  if (!plots_) return plot_sizes_;
+  return showsOverview() ? page_sizes_ : splitter_->saveState();
+}
 
 void WindowCentre::setPageSizes(const QByteArray& sizes) {
-  if (showsOverview()) {
+  if (!plots_) {
+    plot_sizes_ = sizes;
+  } else if (showsOverview()) {
     page_sizes_ = sizes;
+  } else if (sizes.isEmpty()) {
+    splitter_->setSizes({kPagesHeight, kPlotsHeight});
   } else {
     splitter_->restoreState(sizes);
   }
+}
+
+void WindowCentre::resetSizes() {
+  splitter_->setSizes({kPagesHeight, kPlotsHeight});
+  if (!plots_) plot_sizes_.clear();
+}
+
+void WindowCentre::showStrip(bool something) {
+  if (something == plots_) return;
+  const auto sizes = pageSizes();
+  plots_ = something;
+  strip_->setMaximumHeight(something ? QWIDGETSIZE_MAX : strip_->minimumHeight());
+  setPageSizes(sizes);
 }
 
 /// The overview needs less room than the pages; what it leaves is the plots'. The pages find theirs as they left it.
 void WindowCentre::showOverview(bool overview) {
   if (overview == showsOverview()) return;
   const auto sizes = splitter_->sizes();
-  if (overview) page_sizes_ = splitter_->saveState();
+  const auto page_sizes = overview ? splitter_->saveState() : page_sizes_;
   upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
+  page_sizes_ = page_sizes;
   if (!overview) {
-    splitter_->restoreState(page_sizes_);
+    if (plots_) setPageSizes(page_sizes_);
     return;
   }
   const int height = overview_->sizeHint().height();

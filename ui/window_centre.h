@@ -36,6 +36,11 @@ class WindowCentre final : public QStackedWidget {
   [[nodiscard]] QByteArray pageSizes() const;
   void setPageSizes(const QByteArray& sizes);
 
+  /// As a new window has it.
+  void resetSizes();
+  /// While there is nothing to plot, the pages have all the room that the plots can spare; then each its own again.
+  void showStrip(bool something);
+
   void showWelcome(bool welcome) { setCurrentIndex(welcome ? 0 : 1); }
   /// The overview, or the pages, each with the room that they had.
   void showOverview(bool overview);
@@ -51,6 +56,8 @@ class WindowCentre final : public QStackedWidget {
   QSplitter* splitter_;
   QStackedWidget* upper_;  // editor or overview
   QByteArray page_sizes_;  // while the overview is shown
+  bool plots_ = false;     // there is something to plot
+  QByteArray plot_sizes_;  // of pages and plots while there is not; empty: as a new window has them
 };
 
 }  // namespace syncline::ui

@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QSplitter>
 #include <utility>
 
 #include "ui/session/window_memory.h"
@@ -38,7 +37,7 @@ void WindowLayout::reset() {
   first->raise();
   window_.resizeDocks({parts_.explorer, parts_.catalogue}, {250, 280}, Qt::Horizontal);
   window_.resizeDocks({first}, {128}, Qt::Vertical);
-  parts_.centre->splitter().setSizes({385, 215});
+  parts_.centre->resetSizes();
 }
 
 void WindowLayout::recall() {

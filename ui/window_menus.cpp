@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window_menus.h"
 
+#include <QApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
@@ -67,6 +68,15 @@ void buildViewMenu(QMenu& menu, const Actions& actions, const MenuEntries& entri
   menu.addMenu(entries.language);
 }
 
+/// What is told of the field that has the focus, or that it is in; without one the pointer asks.
+void showFieldHelp() {
+  for (auto* at = QApplication::focusWidget(); at != nullptr; at = at->parentWidget()) {
+    if (!at->whatsThis().isEmpty())
+      return QWhatsThis::showText(at->mapToGlobal(QPoint(0, at->height())), at->whatsThis(), at);
+  }
+  QWhatsThis::enterWhatsThisMode();
+}
+
 }  // namespace
 
 QMenu* buildMenus(QMenuBar& bar, const Actions& actions, const MenuEntries& entries) {
@@ -76,9 +86,15 @@ QMenu* buildMenus(QMenuBar& bar, const Actions& actions, const MenuEntries& entr
   buildNetworkMenu(*network, actions, entries);
   buildViewMenu(*bar.addMenu(MainWindow::tr("&View")), actions, entries);
   auto* help = bar.addMenu(MainWindow::tr("&Help"));
+  auto* field = new QAction(MainWindow::tr("&Help on the Field"), &bar);
+  field->setObjectName(QStringLiteral("actionFieldHelp"));
+  field->setShortcut(QKeySequence::WhatsThis);
+  field->setToolTip(MainWindow::tr("Range, default and key of the field that has the focus"));
+  QObject::connect(field, &QAction::triggered, &bar, &showFieldHelp);
   auto* what = QWhatsThis::createAction(&bar);
   what->setObjectName(QStringLiteral("actionWhatsThis"));
-  help->addActions({what, actions.about});
+  what->setShortcut({});  // of the field's help, which comes to this where there is none
+  help->addActions({field, what, actions.about});
   return network;
 }
 

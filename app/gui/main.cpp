@@ -74,7 +74,7 @@ Result<std::vector<ui::NetworkAdapter>> adapters() {
   if (!found) return tl::unexpected(found.error());
   std::vector<ui::NetworkAdapter> out;
   for (const auto& adapter : *found) {
-    out.push_back({QString::fromStdString(adapter.name), QString::fromStdString(adapter.description), adapter.up});
+    out.push_back({QString::fromStdString(adapter.name), QString::fromStdString(adapter.driver), adapter.up});
   }
   return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 
@@ -31,11 +32,17 @@ struct MasterChannels {
   std::function<void()> relieve{};
   /// Closed until somebody opens it, who may read on when the master has gone.
   std::shared_ptr<FrameRing> frames = std::make_shared<FrameRing>();
+  /// Goes on with every step and every frame of the thread that drives the master, whatever it does: who looks from
+  /// another thread sees by it that this one lives.
+  std::atomic<std::uint64_t> heartbeat{0};
   std::atomic<bool> cancel{false};  // ends a scan or a bring-up within a cycle
   /// By how much the application makes the host's timer slower, in thousandths of its rate; holds until it is written
   /// again. In force in the mode master-shift-by-app and with control off. -20..20.
   std::atomic<double> timer_adjust_permil{0};
   std::atomic<CyclicApplication*> application{nullptr};  // none: the outputs stay 0; must outlive the cycles
+
+  /// The driving thread: it lives. It is the only writer.
+  void beat() { heartbeat.store(heartbeat.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed); }
 };
 
 }  // namespace syncline

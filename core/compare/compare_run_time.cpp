@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/compare_run_time.h"
 
-#include <map>
 #include <set>
 
 #include "compare/difference_list.h"
-#include "settings/settings_keys.h"
 #include "settings/settings_table.h"
 
 namespace syncline {
@@ -33,18 +31,17 @@ bool is_unsaid_setting(const std::string& key) {
 }
 
 std::vector<ConfigDifference> compare_run_time(const Project& left, const Project& right) {
-  std::map<std::string, std::string> others;
-  for (const auto& [key, value] : list_settings(right)) others.emplace(key, value);
   std::vector<ConfigDifference> out;
-  for (const auto& [key, value] : list_settings(left)) {
-    const auto other = others.find(key);
-    if (!is_run_time(key) || other == others.end() || other->second == value) continue;
+  for (const auto& setting : settings::table()) {
+    if (!is_run_time(setting.key)) continue;
+    const auto value = settings::text_of(setting, left, {}), other = settings::text_of(setting, right, {});
+    if (other == value) continue;
     ConfigDifference difference;
     difference.group = DifferenceGroup::kRunTime;
-    difference.what = comparison::what("difference-setting", fig::text<"setting">(key));
-    difference.what.place.key = key;
+    difference.what = comparison::what("difference-setting", fig::text<"setting">(setting.key));
+    difference.what.place.key = setting.key;
     difference.left = value.empty() ? "default" : value;
-    difference.right = other->second.empty() ? "default" : other->second;
+    difference.right = other.empty() ? "default" : other;
     out.push_back(std::move(difference));
   }
   return out;

@@ -10,7 +10,7 @@ inline constexpr FindingWords kEniDevices[] = {
      Severity::kError,
      "A SYNC0 cycle that the device does not take",
      "The slave refuses SAFEOP (AL status code 0x0035, 0x0036 or 0x002E)",
-     "Choose a cycle that all devices take (page General, or synclinectl project cycle-times)",
+     "Choose a cycle that all devices take (page General, button Accepted, or synclinectl project cycle-times)",
      "slave.N.dc.sync0.cycle_us",
      {{"", "SYNC0 comes every {cycle}: {family} {devices} take multiples of {step}. Next to it: {nearest}."},
       {"shortest",

@@ -38,7 +38,8 @@ inline constexpr FindingWords kProjectSlaves[] = {
      Severity::kError,
      "A slave is known by an alias that it does not have",
      "",
-     "Write one to its EEPROM (synclinectl sii alias) and set it here, or set the device ID of its switches "
+     "Write one to its EEPROM (page EEPROM, or synclinectl sii alias) and set it here, or set the device ID of its "
+     "switches "
      "(check.device_id).",
      "slave.N.alias",
      {{"", "{who} is known by its alias; it has none."}}},

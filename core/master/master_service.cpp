@@ -19,9 +19,7 @@ Status offline(const char* what) { return fail(ErrorCode::kConfiguration, what, 
 
 struct MasterService::Impl {
   Impl(std::unique_ptr<Link> own_link, Clock& own_clock)
-      : clock(own_clock),
-        link(make_frame_tap(std::move(own_link), own_clock, channels.frames)),
-        exchange(*link, own_clock) {}
+      : clock(own_clock), link(make_frame_tap(std::move(own_link), own_clock, channels)), exchange(*link, own_clock) {}
 
   Status execute(GoOnlineCommand& command);
   Status execute(const GoOfflineCommand&);
@@ -164,6 +162,7 @@ bool MasterService::online() const { return impl_->operation != nullptr; }
 void MasterService::set_dc_start_time(DcStartTimeCallback callback) { impl_->start_time = std::move(callback); }
 
 bool MasterService::Impl::step() {
+  channels.beat();
   if (auto entry = channels.commands.pop()) {
     auto status = std::visit([this](auto& what) { return execute(what); }, entry->command);
     // Whatever was to be cancelled is over; the next command starts afresh.

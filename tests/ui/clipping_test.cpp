@@ -3,10 +3,14 @@
 // SYNCLINE_WINDOW_SIZE=3840x2160 in that size instead. With SYNCLINE_PICTURES=FOLDER each page is also painted there.
 #include <gtest/gtest.h>
 
+#include <QAction>
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <vector>
 
 #include "support/cut_texts.h"
@@ -97,6 +101,15 @@ class Clipping : public ::testing::TestWithParam<const char*> {
     }
     strip.showBody(LiveStrip::Body::kPlots);
   }
+  static void lookAtCells(const QTableWidget& table) {
+    for (int row = 0; row < table.rowCount(); ++row) {
+      for (int column = 0; column < table.columnCount(); ++column) {
+        const auto* item = table.item(row, column);
+        const int wide = QFontMetrics(item->font()).horizontalAdvance(item->text());
+        EXPECT_LE(wide, table.columnWidth(column)) << GetParam() << ": " << qPrintable(item->text());
+      }
+    }
+  }
   void lookAtPages(int node) {
     window_.selectNode(node);
     auto* tabs = window_.editor().tabs();
@@ -173,6 +186,32 @@ TEST_P(Clipping, NoTextOfARecordingIsCut) {
     EXPECT_LE(window_.height(), size.height()) << "it does not become so small";
     workspace_.overlay().close();
     workspace_.replay().leave();
+  }
+}
+
+/// What the menus open, in the size that it opens in.
+TEST_P(Clipping, NoTextOfADialogIsCut) {
+  startDemo();
+  ASSERT_FALSE(HasFatalFailure());
+  for (const char* name : {"actionGoTo", "actionCommissioning", "actionMemory", "actionBlackBox", "actionAbout"}) {
+    auto* action = window_.findChild<QAction*>(QLatin1String(name));
+    ASSERT_NE(action, nullptr) << name;
+    ASSERT_TRUE(action->isEnabled()) << name;
+    int seen = 0;
+    QTimer::singleShot(0, &window_, [&] {
+      for (auto* dialog : window_.findChildren<QDialog*>()) {
+        if (!dialog->isVisible()) continue;
+        ++seen;
+        QApplication::processEvents();
+        const test::CutTexts cut(*dialog);
+        for (const auto& text : cut.found()) ADD_FAILURE() << name << ": " << qPrintable(text);
+        for (const auto* table : dialog->findChildren<QTableWidget*>()) lookAtCells(*table);
+        dialog->reject();
+      }
+    });
+    action->trigger();
+    settle();
+    EXPECT_EQ(seen, 1) << name;
   }
 }
 

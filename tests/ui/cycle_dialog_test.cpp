@@ -47,7 +47,7 @@ class CycleDialogTest : public test::ProjectWindow {
       what(*dialog);
       dialog->reject();
     });
-    field<QPushButton>("masterCycles").click();
+    field<QPushButton>("masterAccepted").click();
     EXPECT_TRUE(asked);
   }
 };

@@ -8,6 +8,7 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -20,7 +21,9 @@
 
 #include "eni/project/project_file.h"
 #include "settings/default_value.h"
+#include "support/editable_project.h"
 #include "support/project_window.h"
+#include "support/speak.h"
 #include "support/ui_test_support.h"
 #include "tests/support/eni_effect.h"
 #include "ui/editors/choice_edit.h"
@@ -38,65 +41,10 @@
 namespace syncline::ui {
 namespace {
 
-/// A machine in which every field of every page can be edited.
-Project editableProject() {
-  auto project = test::smallProject();
-  project.master.dc.sync_window.enabled = true;
-  for (std::size_t i = 1; i < project.slaves.size(); ++i) {
-    auto& slave = project.slaves[i];
-    slave.device.mailbox.emplace().coe.emplace();
-    auto& modes = slave.device.dc->op_modes;
-    modes.front().assign_activate = 0x0700;
-    modes.push_back(modes.front());
-    modes.back().name = "DC 2";
-    slave.device.tx_pdos = {slave.device.rx_pdos[2]};
-    slave.device.tx_pdos.front().index = 0x1A00;
-    slave.dc.sync0.user_cycle = slave.dc.sync1.user_cycle = kMillisecond;
-  }
-  auto& drive = project.slaves[1].device;
-  drive.mailbox->eoe = drive.mailbox->aoe = true;
-  drive.rx_pdos.front().os_max = 4;
-  ModuleDescription module;
-  module.ident = 0x10;
-  module.type = "Axis";
-  SlotDescription slot;
-  slot.name = "Axes";
-  slot.max_instances = 2;
-  slot.modules = {{.ident = module.ident}};
-  drive.slots.emplace();
-  drive.slots->slots = {slot};
-  drive.modules = {module};
-  project.master.sync_units = {{"Infeed", {}}, {"Heating", {}}};
-  project.master.tasks = {{"Slow", 4}};
-  auto& with_lists = project.slaves[1];
-  with_lists.device.mailbox->soe = true;
-  with_lists.device.mailbox->coe->pdo_config = true;
-  StartupCommand command;
-  command.transitions = {Transition::kPS};
-  command.index = 0x6060;
-  command.data = {8};
-  with_lists.startup = {command, command};
-  SoeCommand parameter;
-  parameter.transitions = {Transition::kPS};
-  parameter.idn = 47;
-  parameter.data = {1, 0};
-  with_lists.soe_startup = {parameter};
-  return project;
-}
-
 constexpr int kGateway = 3, kPins = 4;
 
-/// With devices of which more is known than their ESI says: a CAN gateway, a drive with output pins.
-Project projectOfFamilies() {
-  auto project = editableProject();
-  for (const auto& identity : {Identity{2, 0x1A5F3052, 0x00120000, 0}, Identity{0xAB, 0x1030, 0, 0}}) {
-    auto& slave = project.slaves.emplace_back(project.slaves[2]);
-    slave.device.identity = identity;
-    slave.station_address = static_cast<std::uint16_t>(1000 + project.slaves.size());
-    slave.name = "Slave_" + std::to_string(slave.station_address);
-  }
-  return project;
-}
+using test::editableProject;
+using test::projectOfFamilies;
 
 class Fields : public test::ProjectWindow {
  protected:
@@ -581,6 +529,40 @@ TEST_F(Fields, ShowingMakesNoStep) {
   }
   EXPECT_EQ(steps().index(), before);
   EXPECT_EQ(project(), editableProject());
+}
+
+/// In another language nothing of what is told of a field is English but names of formats, objects and keys.
+TEST(SettingText, WhatIsToldOfAFieldIsInTheUsersLanguage) {
+  std::set<std::string> known;
+  for (const char* text : translatableSettings()) known.insert(text);
+  static const QRegularExpression word(QStringLiteral("\\b[a-z]{3,}\\b"));
+  for (const auto& code : test::translatedLanguages()) {
+    const test::Speak speak(code);
+    for (const auto& setting : settings::table()) {
+      const auto help = settingHelp(setting);
+      const bool words = std::holds_alternative<settings::Text>(setting.type) || !setting.range_words.empty() ||
+                         std::holds_alternative<settings::MacAddress>(setting.type) ||
+                         std::holds_alternative<settings::Indices>(setting.type) ||
+                         std::holds_alternative<settings::Record>(setting.type);
+      auto range = setting.range_words.empty() ? settings::range_text(setting.type) : setting.range_words;
+      const auto comma = range.find(", ");
+      const auto first = range.substr(0, comma);
+      if (comma != std::string::npos && (first == setting.unset || first == "off" || first == "nothing"))
+        range = range.substr(comma + 2);
+      if (words) {
+        EXPECT_TRUE(known.contains(range)) << setting.key << ": " << range;
+        const auto english = QString::fromStdString(range).toHtmlEscaped();
+        EXPECT_FALSE(english.contains(word) && help.contains(english)) << qPrintable(code) << ' ' << setting.key;
+      }
+      for (const auto& told : {setting.unset, setting.words.preset}) {
+        if (told.empty() || told == "auto") continue;
+        EXPECT_TRUE(known.contains(told)) << setting.key << ": " << told;
+        EXPECT_FALSE(help.contains(QStringLiteral(": %1<").arg(QString::fromStdString(told).toHtmlEscaped())) &&
+                     QString::fromStdString(told).contains(word))
+            << qPrintable(code) << ' ' << setting.key << ": " << told;
+      }
+    }
+  }
 }
 
 TEST(SettingText, WordsOfFieldsAreKnownToTheTranslations) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDockWidget>
+#include <QLabel>
 #include <QMenu>
 #include <QTableView>
 
@@ -56,6 +58,39 @@ TEST_F(FixesOfFindings, AreTriedBeforeTheyAreOfferedAndAreOneStep) {
   EXPECT_EQ(rowOf(key), -1) << "it is gone";
   workspace_.document().undoStack().undo();
   EXPECT_GE(rowOf(key), 0);
+}
+
+/// The panel of findings has what the messages have of the project: live, with the way to the field and the fixes.
+TEST_F(FixesOfFindings, StandInTheirPanelToo) {
+  const auto key = QStringLiteral("slave.2.station_address");
+  ASSERT_GE(rowOf(key), 0);
+  auto& model = workspace_.findings();
+  const auto row = [&] {
+    for (int at = 0; at < model.rowCount(); ++at) {
+      if (QString::fromStdString(model.finding(at).place.key) == key) return at;
+    }
+    return -1;
+  };
+  ASSERT_GE(row(), 0);
+  auto& table = field<QTableView>("findingsTable");
+  window_.findChild<QDockWidget*>(QStringLiteral("findingsDock"))->raise();
+  QApplication::processEvents();
+  EXPECT_TRUE(table.isVisible());
+  EXPECT_FALSE(field<QLabel>("noFindings").isVisible());
+  window_.selectNode(-1);
+  Q_EMIT table.activated(model.index(row(), 2));
+  EXPECT_TRUE(field("slaveAddress").hasFocus());
+  const auto at = table.visualRect(model.index(row(), 2)).center();
+  Q_EMIT table.customContextMenuRequested(at);
+  auto* menu = window_.findChild<QMenu*>(QStringLiteral("findingMenu"));
+  ASSERT_NE(menu, nullptr);
+  auto* fix = menu->findChild<QAction*>(QStringLiteral("messageFix"));
+  ASSERT_NE(fix, nullptr);
+  const int steps = workspace_.document().undoStack().count();
+  fix->trigger();
+  EXPECT_EQ(workspace_.document().undoStack().count(), steps + 1);
+  EXPECT_EQ(rowOf(key), -1);
+  EXPECT_EQ(row(), -1) << "it is gone";
 }
 
 /// What the checker says of the ENI stands among them, with a way to mend it, too.

@@ -132,10 +132,10 @@ TEST(FindingsPanel, SaysThatThereIsNothing) {
   auto* table = test::find<QTableView>(panel, "findingsTable");
   EXPECT_TRUE(table->isVisible());
   EXPECT_FALSE(test::find<QLabel>(panel, "noFindings")->isVisible());
-  QSignalSpy activated(&panel, &FindingsPanel::placeActivated);
+  QSignalSpy activated(&panel, &FindingsPanel::findingActivated);
   Q_EMIT table->activated(model.index(0, 2));
   ASSERT_EQ(activated.count(), 1);
-  EXPECT_EQ(activated[0][0].toInt(), 2);
+  EXPECT_EQ(activated[0][0].value<Finding>().place.slave, 2);
 }
 
 }  // namespace

@@ -46,6 +46,24 @@ TEST_F(FramesOfTheMaster, CostWhatTheReportSays) {
   EXPECT_EQ(cell("frameTable", 0, 1), cycleText(2 * kMillisecond));
 }
 
+/// What both pages say is the same.
+TEST_F(FramesOfTheMaster, CostTheSameOnThePageOfTheMaster) {
+  load();
+  show(-1, "framesPage");
+  const auto summary = field<QLabel>("framesSummary").text();
+  const auto report = image_report(project(), workspace_.configuration().current().value().config);
+  show(-1, "masterGeneralPage");
+  for (const char* name : {"masterInputs", "masterOutputs"}) {
+    const auto text = field<QLabel>(name).text();
+    EXPECT_TRUE(summary.contains(text)) << name << ' ' << qPrintable(text) << ": " << qPrintable(summary);
+  }
+  std::uint32_t bytes = 0;
+  for (const auto& frame : report.frames) bytes += frame.bytes;
+  const auto frames = field<QLabel>("masterFrame").text();
+  EXPECT_TRUE(frames.contains(bitsText(8 * bytes))) << qPrintable(frames);
+  EXPECT_TRUE(frames.contains(timeText(report.wire_time))) << qPrintable(frames);
+}
+
 TEST_F(FramesOfTheMaster, BeginWithTheInitCommands) {
   load();
   workspace_.setExpert(true);

@@ -11,6 +11,7 @@
 #include "ui/models/message_model.h"
 #include "ui/models/network_model.h"
 #include "ui/models/pdo_model.h"
+#include "ui/models/slave_figures_model.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -278,6 +279,20 @@ TEST(PdoEntryModel, CountsBitOffsetsOverPadding) {
   ASSERT_EQ(model.rowCount(), 3);
   EXPECT_EQ(model.index(2, PdoEntryModel::kOffset).data().toString(), QStringLiteral("3.0"));
   EXPECT_EQ(model.index(0, PdoEntryModel::kObject).data().toString(), QStringLiteral("0x6040:00"));
+}
+
+TEST(SlaveFiguresModel, KeepsToTheRulesOfModels) {
+  SlaveFiguresModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  const auto rows = [](int count) {
+    std::vector<SlaveFiguresModel::Row> made(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) made[static_cast<std::size_t>(i)].name = QString::number(i);
+    return made;
+  };
+  for (const int count : {0, 3, 5, 2, 2, 0}) {
+    model.setRows(rows(count), 127);
+    EXPECT_EQ(model.rowCount(), count);
+  }
 }
 
 }  // namespace

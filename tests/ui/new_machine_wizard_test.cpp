@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAbstractItemModelTester>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -235,6 +236,7 @@ TEST_F(Wizard, WarnsAtOnceOfACycleThatADriveRefuses) {
   for (int step = 1; step < 5; ++step) next();
   auto& table = part<QTableView>("wizardModes");
   auto* model = table.model();
+  const QAbstractItemModelTester tester(model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   const auto found = [&] { return model->index(2, DcModeModel::kNote).data().toString(); };
   EXPECT_TRUE(found().isEmpty()) << qPrintable(found());
   table.setCurrentIndex(model->index(2, DcModeModel::kFactor));

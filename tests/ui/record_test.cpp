@@ -7,9 +7,12 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMimeData>
 #include <QTabWidget>
 #include <QTableView>
 #include <QToolButton>
+#include <QUndoStack>
+#include <memory>
 
 #include "settings/settings_table.h"
 #include "support/project_window.h"
@@ -217,6 +220,39 @@ TEST_F(Lists, AMappingIsEditedWhereTheDeviceLetsIt) {
   EXPECT_FALSE(field("mappingObject").isVisible());
   EXPECT_TRUE(field<QLabel>("mappingRefusal").isVisible());
   EXPECT_FALSE(field("mappingAdd").isEnabled());
+}
+
+/// The order by the mouse, within the list alone.
+TEST_F(Lists, EntriesAreDraggedToTheirPlace) {
+  show(1, "processDataPage");
+  press("mappingAdd");
+  const auto mapping = [&] {
+    return settings::text_of(settings::row("slave.N.pdo.map.0xIIII"), project(), {.slave = 1, .item = 0x1600});
+  };
+  ASSERT_EQ(mapping(), "0x6040:00:16,0x0000:00:8,0x0000:00:8,0x607a:00:32");
+  auto& view = field<QTableView>("pdoEntries");
+  auto* model = view.model();
+  const QAbstractItemModelTester tester(model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  EXPECT_TRUE(model->flags(model->index(3, 0)) & Qt::ItemIsDragEnabled);
+  const int steps = workspace_.document().undoStack().index();
+  const auto drag = [&](int from, int before) {
+    const std::unique_ptr<QMimeData> data(model->mimeData({model->index(from, 0)}));
+    EXPECT_TRUE(model->canDropMimeData(data.get(), Qt::MoveAction, before, 0, {}));
+    EXPECT_FALSE(model->dropMimeData(data.get(), Qt::MoveAction, before, 0, {})) << "the view removes nothing";
+  };
+  drag(3, 1);
+  EXPECT_EQ(mapping(), "0x6040:00:16,0x607a:00:32,0x0000:00:8,0x0000:00:8");
+  EXPECT_EQ(view.currentIndex().row(), 1) << "it stays selected";
+  EXPECT_EQ(workspace_.document().undoStack().index(), steps + 1);
+  drag(0, -1);
+  EXPECT_EQ(mapping(), "0x607a:00:32,0x0000:00:8,0x0000:00:8,0x6040:00:16") << "below all: to the end";
+  drag(2, 3);
+  EXPECT_EQ(workspace_.document().undoStack().index(), steps + 2) << "where it stood";
+  workspace_.document().undoStack().undo();
+  workspace_.document().undoStack().undo();
+  EXPECT_EQ(mapping(), "0x6040:00:16,0x0000:00:8,0x0000:00:8,0x607a:00:32");
+  show(2, "processDataPage");
+  EXPECT_FALSE(model->flags(model->index(0, 0)) & Qt::ItemIsDragEnabled) << "its device takes no other mapping";
 }
 
 /// A device without distributed clocks in its ESI, which synchronises by its SyncManager.

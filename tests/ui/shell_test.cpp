@@ -310,6 +310,23 @@ TEST_F(Shell, ParametersOfTheControllerAreApplied) {
   EXPECT_EQ(workspace_.runDifference().running(), project());
 }
 
+/// What is taken from a field by the click on the button is not compiled yet when the button is told of the click.
+TEST_F(Shell, WhatComesWithTheClickIsNotSaidToRun) {
+  startDemo();
+  ASSERT_FALSE(HasFatalFailure());
+  set("master.dc.gain_ppt", settings::Value{std::int64_t{5}});
+  ASSERT_TRUE(widget("runBarApply").isEnabled());
+  const auto before = workspace_.runDifference().running();
+  const auto& cycle = settings::row("master.cycle_time_us");
+  ASSERT_TRUE(workspace_.document().set(QStringLiteral("cycle"), {{&cycle, {}, std::int64_t{2 * kMillisecond}}}));
+  static_cast<QPushButton&>(widget("runBarApply")).click();
+  workspace_.live().advance(100 * kMillisecond);
+  static_cast<void>(workspace_.configuration().current());
+  EXPECT_EQ(workspace_.runDifference().running(), before) << "not all of it can be given to a machine that runs";
+  EXPECT_TRUE(widget("runBar").isVisible()) << "the machine goes on with another cycle";
+  EXPECT_FALSE(widget("runBarApply").isEnabled());
+}
+
 TEST_F(Shell, EveryKeyLeadsToItsField) {
   auto machine = test::smallProject();
   machine.master.tasks = {{"Slow", 4}};

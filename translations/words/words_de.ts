@@ -1129,8 +1129,8 @@
         <translation>Einen Zyklus in ganzen Mikrosekunden wählen.</translation>
     </message>
     <message>
-        <source>Choose a cycle that all devices take (page General, or synclinectl project cycle-times)</source>
-        <translation>Einen Zyklus wählen, den alle Geräte annehmen (Seite Allgemein, oder synclinectl project cycle-times)</translation>
+        <source>Choose a cycle that all devices take (page General, button Accepted, or synclinectl project cycle-times)</source>
+        <translation>Einen Zyklus wählen, den alle Geräte annehmen (Seite Allgemein, Schaltfläche Angenommen, oder synclinectl project cycle-times)</translation>
     </message>
     <message>
         <source>Choose a factor of that range.</source>
@@ -4797,8 +4797,8 @@
         <translation>Ihn schreiben wie das Schema; Zahlen ab 0x80000000 als negative</translation>
     </message>
     <message>
-        <source>Write one to its EEPROM (synclinectl sii alias) and set it here, or set the device ID of its switches (check.device_id).</source>
-        <translation>Einen in sein EEPROM schreiben (synclinectl sii alias) und hier einstellen, oder die Geräte-ID seiner Schalter einstellen (check.device_id).</translation>
+        <source>Write one to its EEPROM (page EEPROM, or synclinectl sii alias) and set it here, or set the device ID of its switches (check.device_id).</source>
+        <translation>Einen in sein EEPROM schreiben (Seite EEPROM, oder synclinectl sii alias) und hier einstellen, oder die Geräte-ID seiner Schalter einstellen (check.device_id).</translation>
     </message>
     <message>
         <source>Write outputs and read inputs: correct type or physical address</source>

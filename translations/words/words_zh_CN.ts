@@ -1129,8 +1129,8 @@
         <translation>选择整数微秒的周期。</translation>
     </message>
     <message>
-        <source>Choose a cycle that all devices take (page General, or synclinectl project cycle-times)</source>
-        <translation>选择所有设备都接受的周期（“常规”页面，或 synclinectl project cycle-times）</translation>
+        <source>Choose a cycle that all devices take (page General, button Accepted, or synclinectl project cycle-times)</source>
+        <translation>选择所有设备都接受的周期（“常规”页面的“可接受的”按钮，或 synclinectl project cycle-times）</translation>
     </message>
     <message>
         <source>Choose a factor of that range.</source>
@@ -4797,8 +4797,8 @@
         <translation>按模式 (schema) 的规定书写；0x80000000 及以上的数写成负数</translation>
     </message>
     <message>
-        <source>Write one to its EEPROM (synclinectl sii alias) and set it here, or set the device ID of its switches (check.device_id).</source>
-        <translation>向其 EEPROM 写入别名 (synclinectl sii alias) 并在此设置，或设置其拨码开关的设备标识 (check.device_id)。</translation>
+        <source>Write one to its EEPROM (page EEPROM, or synclinectl sii alias) and set it here, or set the device ID of its switches (check.device_id).</source>
+        <translation>向其 EEPROM 写入别名 （“EEPROM”页面，或 synclinectl sii alias）并在此设置，或设置其拨码开关的设备标识 (check.device_id)。</translation>
     </message>
     <message>
         <source>Write outputs and read inputs: correct type or physical address</source>

@@ -13,6 +13,7 @@
 #include <QTableWidget>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "eni/report/reported_eni.h"
 #include "support/output_file.h"
@@ -29,7 +30,7 @@ namespace {
 
 constexpr int kRefreshInterval = 1000;  // ms
 constexpr int kMostCount = 1'000'000'000;
-constexpr int kUsualWidth = 980;  // pixels: all that is found stands in its column
+constexpr int kUsualWidth = 980, kWidestReport = 1400;  // pixels, where what is found does not need more
 enum CriterionColumn { kVerdict, kCriterion, kRequired, kFound, kCriterionColumns };
 
 Status writeText(const QString& path, const std::string& text) {
@@ -53,7 +54,18 @@ CommissioningDialog::CommissioningDialog(Workspace& workspace, QWidget* parent)
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &CommissioningDialog::refresh);
   timer->start(kRefreshInterval);
-  resize(kUsualWidth, sizeHint().height());
+  resize(std::clamp(wantedWidth(), kUsualWidth, kWidestReport), sizeHint().height());
+}
+
+/// In which all that is found stands on one line.
+int CommissioningDialog::wantedWidth() {
+  auto& header = *criteria_->horizontalHeader();
+  header.setSectionResizeMode(kFound, QHeaderView::Interactive);
+  criteria_->resizeColumnsToContents();
+  const auto margins = layout()->contentsMargins();
+  const int wanted = header.length() + 2 * criteria_->frameWidth() + margins.left() + margins.right();
+  header.setSectionResizeMode(kFound, QHeaderView::Stretch);
+  return wanted;
 }
 
 void CommissioningDialog::build() {

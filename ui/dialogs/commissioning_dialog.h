@@ -28,6 +28,7 @@ class CommissioningDialog final : public QDialog {
   void write(const QString& path);
 
  private:
+  [[nodiscard]] int wantedWidth();
   void build();
   void refresh();
   void askFile();

@@ -7,6 +7,7 @@
 
 #include "advice/quick_fixes.h"
 #include "ui/session/workspace.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/setting_text.h"
 
@@ -41,6 +42,13 @@ void FindingFixes::fill(QMenu& menu, const Message& message) {
   connect(go, &QAction::triggered, this,
           [this, slave = message.slave, key = message.key] { Q_EMIT placeWanted(slave, key); });
   if (message.finding != nullptr && !message.finding->place.key.empty()) addFixes(menu, message);
+}
+
+void FindingFixes::fillFor(QMenu& menu, const Finding& finding) {
+  if (const auto* line = workspace_.messages().lineOf(finding)) return fill(menu, *line);
+  const int slave =
+      workspace_.recording().isOpen() ? finding.place.slave : workspace_.runningSlaves().slaveOf(finding.place.slave);
+  fill(menu, {{}, finding.severity, {}, {}, slave, findingKey(finding)});
 }
 
 void FindingFixes::addFixes(QMenu& menu, const Message& message) {

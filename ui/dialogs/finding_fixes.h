@@ -21,6 +21,8 @@ class FindingFixes final : public QObject {
   /// `commit`: hands in what is being typed; false: a field holds what cannot be a value.
   FindingFixes(Workspace& workspace, std::function<bool()> commit, QObject* parent);
   void fill(QMenu& menu, const Message& message);
+  /// The same of a finding, which may also be about what runs.
+  void fillFor(QMenu& menu, const Finding& finding);
 
  Q_SIGNALS:
   void placeWanted(int slave, const QString& key);

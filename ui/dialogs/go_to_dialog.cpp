@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMenuBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -20,6 +21,8 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kMostGoals = 100;
+constexpr std::size_t kMostOfSlaves = 50;  // of settings, and of objects
+constexpr qsizetype kLeastLetters = 2;     // one of them is in half of all there is
 constexpr int kGoalRole = Qt::UserRole;
 
 bool matches(const QString& found_by, const QStringList& words) {
@@ -28,23 +31,25 @@ bool matches(const QString& found_by, const QStringList& words) {
 
 }  // namespace
 
-GoToDialog::GoToDialog(const Project& project, int node, const QList<QAction*>& actions, QWidget* parent)
-    : QDialog(parent) {
+GoToDialog::GoToDialog(const Project& project, int node, const QMenuBar& menus, QWidget* parent)
+    : QDialog(parent), search_(project, node) {
   setObjectName(QStringLiteral("goToDialog"));
   setWindowTitle(tr("Go To"));
   setMinimumSize(520, 360);
+  setAttribute(Qt::WA_DeleteOnClose);
   auto* layout = new QVBoxLayout(this);
-  words_ = named(new QLineEdit, "goToSearch", tr("Slave, setting or command to go to"));
-  words_->setPlaceholderText(tr("Name, position or address of a slave, a setting, its key, or a command"));
+  words_ = named(new QLineEdit, "goToSearch", tr("Slave, setting, object or command to go to"));
+  words_->setPlaceholderText(tr("A slave, a setting or its key, an object (6040, name), a command"));
   words_->installEventFilter(this);
   list_ = named(new QListWidget, "goToList", tr("What can be gone to"));
-  list_->setUniformItemSizes(true);
+  list_->setWordWrap(true);
   list_->setFocusPolicy(Qt::NoFocus);
   layout->addWidget(words_);
   layout->addWidget(list_, 1);
   addNodes(project);
   addSettings(project, node);
-  addActions(actions);
+  for (const auto* menu : menus.findChildren<QMenu*>()) addActions(*menu);
+  fixed_ = goals_.size();
   connect(words_, &QLineEdit::textChanged, this, &GoToDialog::showMatches);
   connect(list_, &QListWidget::itemClicked, this, &GoToDialog::go);
   showMatches();
@@ -89,8 +94,8 @@ void GoToDialog::addSettings(const Project& project, int node) {
   }
 }
 
-void GoToDialog::addActions(const QList<QAction*>& actions) {
-  for (auto* action : actions) {
+void GoToDialog::addActions(const QMenu& menu) {
+  for (auto* action : menu.actions()) {
     const auto text = withoutMenuKey(action->text()).remove(u'…');
     if (text.isEmpty() || action->menu() != nullptr || !action->isEnabled()) continue;
     addGoal(
@@ -100,30 +105,55 @@ void GoToDialog::addActions(const QList<QAction*>& actions) {
   }
 }
 
+void GoToDialog::addItem(const QString& text, const QString& detail, std::size_t goal) {
+  auto* item = new QListWidgetItem(QStringLiteral("%1  \u2013  %2").arg(text, detail), list_);
+  item->setData(kGoalRole, static_cast<int>(goal));
+}
+
 void GoToDialog::showMatches() {
   list_->clear();
+  goals_.resize(fixed_);
   const auto words = words_->text().toLower().split(u' ', Qt::SkipEmptyParts);
   // Those whose name begins with what was typed come first.
   for (const bool first : {true, false}) {
-    for (std::size_t i = 0; i < goals_.size() && list_->count() < kMostGoals; ++i) {
+    for (std::size_t i = 0; i < fixed_ && list_->count() < kMostGoals; ++i) {
       const auto& goal = goals_[i];
       const bool begins = !words.isEmpty() && (goal.text.startsWith(words.front(), Qt::CaseInsensitive) ||
                                                goal.detail.contains(u' ' + words.front() + u','));
       if (begins != first || !matches(goal.found_by, words)) continue;
-      auto* item = new QListWidgetItem(
-          QStringLiteral("%1  \u2013  %2").arg(goal.text, goal.key.isEmpty() ? goal.detail : goal.key), list_);
-      item->setData(kGoalRole, static_cast<int>(i));
+      addItem(goal.text, goal.key.isEmpty() ? goal.detail : goal.key, i);
     }
+  }
+  if (words.join(QString()).size() >= kLeastLetters) showOfSlaves(words);
+  if (list_->count() == 0) {
+    auto* nothing = new QListWidgetItem(
+        tr("Nothing fits. Slaves are found by name, position, address and type, settings by label and key, objects of "
+           "their ESI by index and name."),
+        list_);
+    nothing->setFlags(Qt::NoItemFlags);
   }
   list_->setCurrentRow(0);
 }
 
+/// What else the slaves have, behind what is nearer.
+void GoToDialog::showOfSlaves(const QStringList& words) {
+  for (const auto& one : search_.settings(words, kMostOfSlaves)) {
+    goals_.push_back({.text = one.text, .slave = one.slave, .key = one.key});
+    addItem(one.text, one.detail, goals_.size() - 1);
+  }
+  for (const auto& one : search_.objects(words, kMostOfSlaves)) {
+    goals_.push_back({.text = one.text, .slave = one.slave, .object = one.object});
+    addItem(one.text, one.detail, goals_.size() - 1);
+  }
+}
+
 void GoToDialog::go() {
   const auto* item = list_->currentItem();
-  if (item == nullptr) return;
+  if (item == nullptr || !item->data(kGoalRole).isValid()) return;
   const auto goal = goals_[static_cast<std::size_t>(item->data(kGoalRole).toInt())];
   accept();
   if (goal.action) return goal.action->trigger();
+  if (goal.object) return Q_EMIT objectWanted(goal.slave, *goal.object);
   if (!goal.key.isEmpty()) return Q_EMIT keyWanted(goal.key);
   Q_EMIT nodeWanted(goal.slave);
 }

@@ -89,8 +89,9 @@ void LinkChooser::addAdapters(const AdapterLister& list_adapters) {
   const auto adapters = list_adapters ? list_adapters() : std::vector<NetworkAdapter>{};
   if (!adapters) return note_->setText(errorText(adapters.error()));
   for (const auto& adapter : *adapters) {
-    const auto detail =
-        joinedParts({adapter.up ? tr("Network card, link up") : tr("Network card, no link"), adapter.description});
+    QStringList facts{adapter.up ? tr("Network card, link up") : tr("Network card, no link")};
+    if (!adapter.driver.isEmpty()) facts << tr("driver %1").arg(adapter.driver);
+    const auto detail = joinedParts(facts);
     addLink(QStringLiteral("nic:") + adapter.name, adapter.name, detail, QStringLiteral("adapter"));
   }
   if (adapters->empty()) note_->setText(tr("No network card was found that can carry EtherCAT."));

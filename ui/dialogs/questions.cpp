@@ -57,6 +57,18 @@ bool mayEndAll(QWidget& window, Workspace& workspace, const QString& why) {
              why + QLatin1Char(' ') + atTheEnd(workspace), QCoreApplication::translate("Questions", "Go Offline"));
 }
 
+void tellGivenUp(QWidget& window) {
+  QMessageBox box(QMessageBox::Warning, QCoreApplication::applicationName(),
+                  QCoreApplication::translate("Questions", "The slaves may still be in OP."), QMessageBox::Close,
+                  &window);
+  box.setObjectName(QStringLiteral("givenUpWarning"));
+  box.setInformativeText(
+      QCoreApplication::translate("Questions",
+                                  "The master did not go offline in time: it ends with the program, and nobody has "
+                                  "taken the slaves to INIT. Make the machine safe by other means."));
+  box.exec();
+}
+
 bool mayGoOffline(QWidget& window, Workspace& workspace, const QString& why) {
   if (workspace.live().phase() == LiveSession::Phase::kOffline) return true;
   return ask(window, "offlineQuestion",

@@ -15,6 +15,9 @@ class Workspace;
 /// The same, for what ends the runs of all networks.
 [[nodiscard]] bool mayEndAll(QWidget& window, Workspace& workspace, const QString& why);
 
+/// A master was left behind that did not end: what that means for the slaves.
+void tellGivenUp(QWidget& window);
+
 /// Asks where a slave is being written to, which ends unfinished when the bus goes offline; true at once otherwise.
 [[nodiscard]] bool mayStopWriting(QWidget& window, Workspace& workspace);
 

@@ -216,6 +216,8 @@ QButtonGroup* FieldBinder::buttons(Card& card, const char* key,
   const auto& setting = settings::row(key);
   auto* group = new QButtonGroup(this);
   auto* area = new QWidget;
+  area->setObjectName(fieldName(key));
+  area->setAccessibleName(settingLabel(setting));
   auto* layout = new QGridLayout(area);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setColumnStretch(columns, 1);

@@ -100,8 +100,8 @@ class FieldBinder final : public QObject {
     QString text;
     bool error = false;
   };
-  /// Each note below the field that it is about.
-  void showNotes(const std::vector<Note>& notes);
+  /// Each note below the field that it is about, from now on: of a list whenever its record is selected.
+  void showNotes(std::vector<Note> notes);
 
   struct Bound {
     const settings::Setting* setting = nullptr;
@@ -151,12 +151,16 @@ class FieldBinder final : public QObject {
   QString takeText(const char* key, const Where& where, const QString& text);
   [[nodiscard]] settings::Value read(const char* key, const Where& where) const;
   [[nodiscard]] settings::Place at(const Where& where) const { return where().value_or(place()); }
+  void placeNotes();
+  [[nodiscard]] const Note* noteOf(const Bound& bound) const;
+  static QLabel* makeNote(const Bound& bound);
   void fillItems(const std::shared_ptr<Items>& items);
   [[nodiscard]] bool shows(const Bound& bound, const settings::Place& place) const;
   void showRows();
 
   Page& page_;
   std::vector<Bound> bound_;
+  std::vector<Note> notes_;
   std::vector<std::shared_ptr<Items>> items_;
   std::vector<Card*> own_cards_;  // of nothing but fields
   Where where_;                   // of the field that is being made

@@ -13,7 +13,6 @@
 #include "ui/editors/page.h"
 #include "ui/editors/text_edit.h"
 #include "ui/text/setting_text.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/card.h"
 
 namespace syncline::ui {
@@ -185,38 +184,6 @@ QWidget* FieldBinder::fieldOf(const Setting& setting, const settings::Place& pla
   return nullptr;
 }
 
-void FieldBinder::showNotes(const std::vector<Note>& notes) {
-  for (auto& bound : bound_) {
-    if (bound.row == nullptr) continue;
-    const auto place = bound.place();
-    const auto key = place ? settings::key_of(*bound.setting, *place) : std::string();
-    const auto note = std::ranges::find(notes, key, &Note::key);
-    auto* form = bound.card->form();
-    if (note == notes.end() || !form->isRowVisible(bound.row)) {
-      if (bound.note != nullptr) form->setRowVisible(bound.note, false);
-      continue;
-    }
-    if (bound.note == nullptr) {
-      int row = 0;
-      QFormLayout::ItemRole role{};
-      form->getWidgetPosition(bound.row, &row, &role);
-      bound.note = new QLabel(bound.card);
-      bound.note->setObjectName(bound.widget->objectName() + QStringLiteral("Note"));
-      bound.note->setWordWrap(true);
-      bound.note->setTextFormat(Qt::PlainText);
-      bound.note->setTextInteractionFlags(Qt::TextSelectableByMouse);
-      form->insertRow(row + 1, bound.note);
-    }
-    const auto tone = note->error ? theme::Tone::kBad : theme::Tone::kWarning;
-    auto palette = bound.card->palette();
-    palette.setColor(QPalette::WindowText, theme::toneColor(palette, tone));
-    bound.note->setPalette(palette);
-    bound.note->setText(QStringLiteral("\u25B2 ") + note->text);
-    bound.note->setAccessibleName(tr("Finding: %1").arg(bound.widget->accessibleName()));
-    form->setRowVisible(bound.note, true);
-  }
-}
-
 void FieldBinder::showRows() {
   std::set<Card*> used;
   for (const auto& bound : bound_) {
@@ -236,6 +203,7 @@ void FieldBinder::showRows() {
     if (bound.show) bound.show();
   }
   for (auto* card : own_cards_) card->setVisible(used.contains(card));
+  placeNotes();  // of a list, those of the record that is selected now
 }
 
 }  // namespace syncline::ui

@@ -4,7 +4,6 @@
 #include <QLineEdit>
 #include <QStyle>
 #include <QStyleOptionSpinBox>
-#include <QWheelEvent>
 #include <algorithm>
 #include <utility>
 
@@ -139,15 +138,6 @@ void NumberEdit::keyPressEvent(QKeyEvent* event) {
     event->accept();
   } else {
     QAbstractSpinBox::keyPressEvent(event);
-  }
-}
-
-void NumberEdit::wheelEvent(QWheelEvent* event) {
-  // A page that scrolls must not change values on its way.
-  if (hasFocus()) {
-    QAbstractSpinBox::wheelEvent(event);
-  } else {
-    event->ignore();
   }
 }
 

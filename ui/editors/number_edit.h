@@ -46,7 +46,6 @@ class NumberEdit final : public QAbstractSpinBox, public Field {
  protected:
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   [[nodiscard]] StepEnabled stepEnabled() const override;
 

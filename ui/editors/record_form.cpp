@@ -194,12 +194,14 @@ void RecordForm::remove() {
   if (write(before, after).isEmpty()) Q_EMIT rowWanted(std::min(row, static_cast<int>(after.size()) - 1));
 }
 
-void RecordForm::move(int by) {
+void RecordForm::move(int by) { moveTo(row_(), row_() + by); }
+
+void RecordForm::moveTo(int from, int to) {
   const auto before = list_.read();
-  const int row = row_(), to = row + by;
-  if (row < 0 || to < 0 || std::cmp_greater_equal(std::max(row, to), before.size())) return;
+  if (from < 0 || to < 0 || std::cmp_greater_equal(std::max(from, to), before.size())) return;
   auto after = before;
-  std::swap(after[static_cast<std::size_t>(row)], after[static_cast<std::size_t>(to)]);
+  const auto moved = after.begin() + from;
+  to < from ? std::rotate(after.begin() + to, moved, moved + 1) : std::rotate(moved, moved + 1, after.begin() + to + 1);
   if (write(before, after).isEmpty()) Q_EMIT rowWanted(to);
 }
 

@@ -33,6 +33,8 @@ class RecordForm final : public QObject {
   /// Puts `record` in place of the one that is shown, or behind it.
   QString replace(const std::string& record);
   void insert(const std::string& record);
+  /// To another row, of the list as it is without it; the others keep their order.
+  void moveTo(int from, int to);
 
  Q_SIGNALS:
   /// The record that an edit brought or left.

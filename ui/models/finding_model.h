@@ -5,7 +5,8 @@
 
 namespace syncline::ui {
 
-/// The findings about the running bus, most severe first. Rows that stay keep their place and selection.
+/// The findings about the project and the running bus, most severe first. Rows that stay keep their place and
+/// selection.
 class FindingModel final : public FindingTable {
   Q_OBJECT
 

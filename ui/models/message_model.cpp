@@ -120,6 +120,12 @@ int MessageModel::count(Severity severity) const {
   return static_cast<int>(std::ranges::count_if(findings_, matches) + std::ranges::count_if(log_, matches));
 }
 
+const Message* MessageModel::lineOf(const Finding& finding) const {
+  const auto line = std::ranges::find_if(
+      findings_, [&](const Message& one) { return one.finding != nullptr && *one.finding == finding; });
+  return line == findings_.end() ? nullptr : &*line;
+}
+
 const Message& MessageModel::message(int row) const {
   const auto at = static_cast<std::size_t>(row);
   return at < findings_.size() ? findings_[at] : log_[at - findings_.size()];

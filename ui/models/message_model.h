@@ -36,6 +36,8 @@ class MessageModel final : public QAbstractTableModel {
   /// Where the axis of a run begins (host clock, ns): from here on its messages say when they were in the run.
   void setRunBegin(int run, qint64 begin);
   [[nodiscard]] int count(Severity severity) const;
+  /// The line of a finding about the project; null: it is none, or not any more.
+  [[nodiscard]] const Message* lineOf(const Finding& finding) const;
   /// The line of a row.
   [[nodiscard]] const Message& message(int row) const;
 

@@ -2,6 +2,7 @@
 #include "ui/models/pdo_model.h"
 
 #include <QGuiApplication>
+#include <QMimeData>
 #include <QPalette>
 #include <algorithm>
 #include <iterator>
@@ -200,6 +201,34 @@ void PdoEntryModel::setEntries(std::vector<PdoEntry> entries) {
     offset += entry.bit_length;
   }
   endResetModel();
+}
+
+Qt::ItemFlags PdoEntryModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return movable_ ? Qt::ItemIsDropEnabled : Qt::NoItemFlags;  // between the entries
+  const auto flags = QAbstractTableModel::flags(index);
+  return movable_ ? flags | Qt::ItemIsDragEnabled : flags;
+}
+
+QStringList PdoEntryModel::mimeTypes() const { return {QStringLiteral("application/x-syncline-pdo-entry")}; }
+
+QMimeData* PdoEntryModel::mimeData(const QModelIndexList& indexes) const {
+  if (indexes.isEmpty()) return nullptr;
+  auto* data = new QMimeData;
+  data->setData(mimeTypes().front(), QByteArray::number(indexes.front().row()));
+  return data;
+}
+
+bool PdoEntryModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int,
+                                 const QModelIndex& parent) {
+  if (!movable_ || action != Qt::MoveAction || data == nullptr) return false;
+  bool known = false;
+  const int from = data->data(mimeTypes().front()).toInt(&known);
+  if (!known || from < 0 || from >= rowCount()) return false;
+  // On an entry: in its place; below all of them: behind the last.
+  const int before = row >= 0 ? row : parent.isValid() ? parent.row() : rowCount();
+  const int to = std::min(before > from ? before - 1 : before, rowCount() - 1);
+  if (to != from) Q_EMIT moveWanted(from, to);
+  return false;  // the view would take away what it thinks was copied
 }
 
 int PdoEntryModel::rowCount(const QModelIndex& parent) const {

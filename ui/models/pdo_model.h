@@ -51,7 +51,8 @@ class PdoModel final : public QAbstractTableModel {
   std::vector<std::uint16_t> chosen_;  // in the project's order
 };
 
-/// Entries of one PDO: bit offset, object, name, type, length.
+/// Entries of one PDO: bit offset, object, name, type, length. Where the mapping may change they are dragged to another
+/// place among themselves; who owns them moves them.
 class PdoEntryModel final : public QAbstractTableModel {
   Q_OBJECT
 
@@ -60,13 +61,27 @@ class PdoEntryModel final : public QAbstractTableModel {
 
   explicit PdoEntryModel(QObject* parent = nullptr);
   void setEntries(std::vector<PdoEntry> entries);
+  void setMovable(bool movable) { movable_ = movable; }
+
+  [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+  [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+  [[nodiscard]] QStringList mimeTypes() const override;
+  [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  /// Moves nothing itself.
+  bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                    const QModelIndex& parent) override;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
+ Q_SIGNALS:
+  /// The entry shall stand at `to` of the list as it is without it.
+  void moveWanted(int from, int to);
+
  private:
+  bool movable_ = false;
   std::vector<PdoEntry> entries_;
   std::vector<std::uint32_t> offsets_;
 };

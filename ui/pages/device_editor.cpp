@@ -95,17 +95,29 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   connect(eni, &EniPage::compareWanted, this, &DeviceEditor::compareWanted);
   connect(eni, &EniPage::exportWanted, this, &DeviceEditor::exportWanted);
   connect(eni, &EniPage::findingMenuOpens, this, &DeviceEditor::findingMenuOpens);
-  pages_ = {new MasterGeneralPage(workspace),  new MasterDcPage(workspace),
-            new MasterDcExpertPage(workspace), new MasterTasksPage(workspace),
-            new SlaveGeneralPage(workspace),   new SlaveDcPage(workspace),
-            new SlaveSyncPage(workspace),      new ProcessDataPage(workspace),
-            new SlaveDataPage(workspace),      new SlaveStartupPage(workspace),
-            new SlaveMailboxPage(workspace),   new SlaveTimingPage(workspace),
-            new SlaveObjectsPage(workspace),   new SlaveRegistersPage(workspace),
-            new SlaveEepromPage(workspace),    new SlaveFilesPage(workspace),
-            new SlaveCountersPage(workspace),  new SlaveHistoryPage(workspace),
-            new VariablesPage(workspace),      new FramesPage(workspace),
-            new InitCommandsPage(workspace),   eni};
+  objects_ = new SlaveObjectsPage(workspace);
+  pages_ = {new MasterGeneralPage(workspace),
+            new MasterDcPage(workspace),
+            new MasterDcExpertPage(workspace),
+            new MasterTasksPage(workspace),
+            new SlaveGeneralPage(workspace),
+            new SlaveDcPage(workspace),
+            new SlaveSyncPage(workspace),
+            new ProcessDataPage(workspace),
+            new SlaveDataPage(workspace),
+            new SlaveStartupPage(workspace),
+            new SlaveMailboxPage(workspace),
+            new SlaveTimingPage(workspace),
+            objects_,
+            new SlaveRegistersPage(workspace),
+            new SlaveEepromPage(workspace),
+            new SlaveFilesPage(workspace),
+            new SlaveCountersPage(workspace),
+            new SlaveHistoryPage(workspace),
+            new VariablesPage(workspace),
+            new FramesPage(workspace),
+            new InitCommandsPage(workspace),
+            eni};
   for (auto* page : pages_) {
     page->setParent(this);
     page->hide();
@@ -126,6 +138,7 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
     chooseTabs();
     refresh();
   });
+  connect(&workspace, &Workspace::projectFindingsChanged, this, &DeviceEditor::showNotes);
   connect(&workspace, &Workspace::expertChanged, this, [this] {
     // A field that is edited stays; here it is the switch that takes it away.
     if (isAncestorOf(QApplication::focusWidget())) tabs_->setFocus();
@@ -235,10 +248,15 @@ void DeviceEditor::showPage(const char* object_name) {
   }
 }
 
-/// What the compiler finds wrong stands beside its field.
+void DeviceEditor::showObject(coe::ObjectAddress object) {
+  if (!objects_->appliesTo(slave_)) return;
+  reveal(objects_);
+  objects_->showObject(object);
+}
+
+/// What is found wrong with a setting stands beside its field.
 void DeviceEditor::showNotes() {
-  const auto& result = workspace_.configuration().result();
-  const auto notes = notesOf(result ? result->findings : std::vector<Finding>{}, workspace_.document().project());
+  const auto notes = notesOf(workspace_.settingFindings(), workspace_.document().project());
   for (auto* page : pages_) {
     if (page->appliesTo(slave_)) page->fields().showNotes(notes);
   }

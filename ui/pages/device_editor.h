@@ -5,6 +5,8 @@
 #include <QString>
 #include <QWidget>
 
+#include "protocol/coe.h"
+
 class QAction;
 class QLabel;
 class QMenu;
@@ -18,6 +20,7 @@ class Page;
 class Pill;
 class Segments;
 class SlaveStateBar;
+class SlaveObjectsPage;
 class SlaveStateCommands;
 class Workspace;
 
@@ -52,6 +55,8 @@ class DeviceEditor final : public QWidget {
 
   /// Goes to a page of the shown node by its object name; nothing where the node has none.
   void showPage(const char* object_name);
+  /// Goes to an object of the shown slave, as its ESI describes it.
+  void showObject(coe::ObjectAddress object);
 
   /// Takes what was typed into fields and not taken yet; false when one holds what cannot be a value.
   bool commitFields();
@@ -86,6 +91,7 @@ class DeviceEditor final : public QWidget {
   QTabWidget* tabs_;
   QList<Page*> pages_;
   EniPage* eni_ = nullptr;
+  SlaveObjectsPage* objects_ = nullptr;
   int slave_ = -1;
 };
 

@@ -150,8 +150,12 @@ void InitCommandsPage::refresh() {
   for (const auto& row : exports::init_commands(*config)) {
     if (node() < 0 || row.slave == node()) lines.push_back(lineOf(row, project()));
   }
-  count_->setText(tr("%n command(s), in the order of the ENI. Own ones are added on the page Start-up.", nullptr,
-                     static_cast<int>(lines.size())));
+  const auto count = static_cast<int>(lines.size());
+  count_->setText(node() < 0 ? tr("%n command(s), in the order of the ENI. Own ones are added on the page Start-up of "
+                                  "a slave.",
+                                  nullptr, count)
+                             : tr("%n command(s), in the order of the ENI. Own ones are added on the page Start-up.",
+                                  nullptr, count));
   model_->setLines(lines);
 }
 

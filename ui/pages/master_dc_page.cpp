@@ -81,7 +81,7 @@ void MasterDcPage::buildShift(Card& card) {
   mode_ = fields().buttons(card, "master.dc.mode", names, kModesPerRow);
   for (const auto& mode : modes()) mode_->button(static_cast<int>(mode.mode))->setToolTip(mode.tip);
   set_value_auto_ = fields().automatic(card, "setValueAuto", "master.dc.set_value_us", tr("Set value automatic"),
-                                       tr("Two thirds of the cycle"));
+                                       tr("Two thirds of the cycle, and later on long buses"));
   set_value_ = fields().number(card, "setValue", "master.dc.set_value_us");
   dcm_limit_ = fields().number(card, "dcmLimit", "master.dc.in_sync_limit_ns");
   dcm_settle_ = fields().number(card, "dcmSettle", "master.dc.in_sync_settle_ms");

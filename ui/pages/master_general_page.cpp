@@ -5,7 +5,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <cmath>
 
+#include "advice/image_report.h"
 #include "ui/dialogs/cycle_dialog.h"
 #include "ui/editors/cycle_field.h"
 #include "ui/editors/field_binder.h"
@@ -17,22 +19,6 @@
 #include "ui/widgets/pill.h"
 
 namespace syncline::ui {
-namespace {
-
-/// Payload of the cyclic frames in bytes: datagram headers, data and working counters.
-std::size_t cyclicBytes(const NetworkConfig& config) {
-  std::size_t bytes = 0;
-  for (const auto& task : config.cyclic) {
-    for (const auto& frame : task.frames) {
-      bytes += 16;  // Ethernet header and EtherCAT header
-      for (const auto& command : frame.commands) bytes += 12U + command.length();
-    }
-  }
-  return bytes;
-}
-
-}  // namespace
-
 MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "masterGeneralPage", tr("General")) {
   auto* columns = new CardColumns;
   buildSettings(*columns->add(0, tr("Settings")));
@@ -40,11 +26,11 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
   slaves_ = information->addValue("masterSlaves", tr("Slaves"), tr("Configured slaves"));
   dc_slaves_ = information->addValue("masterDcSlaves", tr("Slaves with DC"),
                                      tr("Slaves whose distributed clock is set up (ENI Slave/DC)"));
-  inputs_ = information->addValue("masterInputs", tr("Inputs"), tr("Input process image (ENI ProcessImage/Inputs)"));
-  outputs_ =
-      information->addValue("masterOutputs", tr("Outputs"), tr("Output process image (ENI ProcessImage/Outputs)"));
-  frame_ = information->addValue("masterFrame", tr("Cyclic frames"),
-                                 tr("Bytes and time on the wire at 100 Mbit/s, each cycle"));
+  inputs_ = information->addValue("masterInputs", tr("Inputs"), tr("Process data of all slaves to the master"));
+  outputs_ = information->addValue("masterOutputs", tr("Outputs"), tr("Process data of the master to all slaves"));
+  frame_ = information->addValue(
+      "masterFrame", tr("Cyclic frames"),
+      tr("Bytes on the wire and time for them at 100 Mbit/s, in a cycle; the page Frames and Cost says more"));
   buildStateMachine(*columns->add(1, tr("State Machine")));
   buildRecovery(*columns->add(1, tr("Recovery")));
   buildCounters(*columns->add(1, tr("Bus")));
@@ -58,7 +44,7 @@ MasterGeneralPage::MasterGeneralPage(Workspace& workspace) : Page(workspace, "ma
 
 void MasterGeneralPage::buildSettings(Card& card) {
   fields().text(card, "masterName", "master.name");
-  auto* cycles = named(new QPushButton(tr("Accepted…")), "masterCycles", tr("Cycles that the slaves accept"));
+  auto* cycles = named(new QPushButton(tr("Accepted…")), "masterAccepted", tr("Cycles that the slaves accept"));
   cycles->setToolTip(tr("Cycle times that all slaves accept, who refuses the others, and why"));
   connect(cycles, &QPushButton::clicked, this, [this] {
     CycleDialog dialog(project(), this);
@@ -99,7 +85,7 @@ void MasterGeneralPage::buildStateMachine(Card& card) {
 
 void MasterGeneralPage::buildCounters(Card& card) {
   found_ = card.addValue("masterFound", tr("Slaves answering"), tr("Slaves that answered the last state reading"));
-  cycles_ = card.addValue("masterCycles", tr("Cycles"), tr("Bus cycles since going online"));
+  cycles_ = card.addValue("masterCycleCount", tr("Cycles"), tr("Bus cycles since going online"));
   lost_ = card.addValue("masterLost", tr("Lost frames"), tr("Frames that did not come back"));
   late_ = card.addValue("masterLate", tr("Late frames"), tr("Frames that came back after their cycle"));
   wkc_ = card.addValue("masterWkc", tr("Working counter errors"),
@@ -117,13 +103,31 @@ void MasterGeneralPage::refresh() {
                           ? countText(static_cast<std::uint64_t>(std::ranges::count_if(
                                 config->slaves, [](const SlaveConfig& slave) { return slave.dc.has_value(); })))
                           : none);
-  inputs_->setText(config != nullptr ? bitsText(config->image.input_bytes * 8) : none);
-  outputs_->setText(config != nullptr ? bitsText(config->image.output_bytes * 8) : none);
-  if (config == nullptr) return frame_->setText(none);
-  const auto bytes = cyclicBytes(*config);
-  frame_->setText(
-      tr("%1, %2 on the wire")
-          .arg(bitsText(static_cast<std::uint32_t>(bytes * 8)), timeText(static_cast<Nanoseconds>((bytes + 24) * 80))));
+  showCost(config);
+}
+
+/// The same figures as on the page of the frames. Nobody pays for them who does not look.
+void MasterGeneralPage::showCost(const NetworkConfig* config) {
+  if (!isVisible()) return;
+  const auto none = QStringLiteral("\u2013");
+  if (config == nullptr || config->slaves.size() != project().slaves.size()) {
+    for (auto* label : {inputs_, outputs_, frame_}) label->setText(none);
+    return;
+  }
+  const auto report = image_report(project(), *config);
+  inputs_->setText(bitsText(8 * report.input_bytes));
+  outputs_->setText(bitsText(8 * report.output_bytes));
+  double bytes = 0;
+  for (const auto& frame : report.frames)
+    bytes +=
+        frame.bytes * static_cast<double>(report.cycle) / static_cast<double>(std::max<Nanoseconds>(frame.cycle, 1));
+  frame_->setText(tr("%1, %2 on the wire")
+                      .arg(bitsText(static_cast<std::uint32_t>(8 * std::llround(bytes))), timeText(report.wire_time)));
+}
+
+void MasterGeneralPage::showEvent(QShowEvent* event) {
+  showCost(workspace().configuration().config());
+  Page::showEvent(event);
 }
 
 void MasterGeneralPage::showLive(const Snapshot& snapshot) {

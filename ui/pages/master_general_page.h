@@ -22,7 +22,11 @@ class MasterGeneralPage final : public Page {
   void refresh() override;
   void showLive(const Snapshot& snapshot) override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  void showCost(const NetworkConfig* config);
   void buildSettings(Card& card);
   void buildRecovery(Card& card);
   void buildStateMachine(Card& card);

@@ -101,6 +101,7 @@ QString OnlinePage::obstacle() const {
     return tr("Offline. Go online (F5), in whatever state, to ask the slave itself.");
   }
   if (workspace().live().phase() == Phase::kStopping) return tr("The bus is going offline.");
+  if (workspace().live().phase() == Phase::kSilent) return tr("The master does not answer.");
   const auto slave = running();
   if (!slave) return tr("The machine was started without this slave: restart it with the project as it is now.");
   if (slave->status == nullptr) return tr("The bus is starting.");

@@ -85,6 +85,11 @@ PdoMappingEditor::PdoMappingEditor(Page& page) : page_(page) {
   view_->setColumnWidth(PdoEntryModel::kType, 72);
   view_->setColumnWidth(PdoEntryModel::kLength, 64);
   stretchColumn(*view_, PdoEntryModel::kName);
+  view_->setDragDropMode(QAbstractItemView::InternalMove);
+  view_->setDragDropOverwriteMode(false);
+  connect(model_, &PdoEntryModel::moveWanted, this, [this](int from, int to) {
+    if (page_.fields().commit()) form_->moveTo(from, to);
+  });
   layout->addWidget(view_, 1);
   refusal_ = new QLabel;
   refusal_->setObjectName(QStringLiteral("mappingRefusal"));
@@ -196,6 +201,7 @@ void PdoMappingEditor::refreshButtons() {
   form_->refresh();
   const auto why = refusal();
   const bool free = why.isEmpty();
+  model_->setMovable(free);
   refusal_->setText(why);
   refusal_->setVisible(!free && pdo_ != 0);
   card_->setVisible(free);

@@ -210,6 +210,20 @@ void SlaveObjectsPage::showDictionary() {
   showSelected();
 }
 
+void SlaveObjectsPage::showObject(coe::ObjectAddress object) {
+  words_->clear();
+  watched_only_->setChecked(false);
+  if (!model_->find(object).isValid()) {
+    source_->setCurrentIndex(source_->findData(kFromEsi));
+    showDictionary();
+  }
+  const auto at = filter_->mapFromSource(model_->find(object));
+  if (!at.isValid()) return;
+  tree_->setCurrentIndex(at);
+  tree_->scrollTo(at, QAbstractItemView::PositionAtCenter);
+  tree_->setFocus(Qt::OtherFocusReason);
+}
+
 void SlaveObjectsPage::readDictionary() {
   const auto slave = running();
   if (const auto why = obstacle(); !why.isEmpty() || !slave) {

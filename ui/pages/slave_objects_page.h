@@ -30,6 +30,8 @@ class SlaveObjectsPage final : public OnlinePage {
   explicit SlaveObjectsPage(Workspace& workspace);
 
   [[nodiscard]] ObjectModel& model() { return *model_; }
+  /// Selects it, as the ESI describes it where what is shown has it not; whatever hides it is taken away.
+  void showObject(coe::ObjectAddress object);
 
  protected:
   void slaveChanged() override;

@@ -72,6 +72,9 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     QMetaObject::invokeMethod(
         this, [this] { takeNode(tree_->currentIndex()); }, Qt::QueuedConnection);
   });
+  // Also one that is selected already, and whose pages are not what is shown.
+  for (auto* view : std::initializer_list<QAbstractItemView*>{tree_, topology_})
+    connect(view, &QAbstractItemView::clicked, this, &ExplorerPanel::nodeClicked);
   connect(&workspace.document(), &ProjectDocument::projectChanged, this,
           [this] { topology_->setProject(workspace_.document().project()); });
   connect(&workspace, &Workspace::mayEditSlavesChanged, this,

@@ -39,6 +39,8 @@ class ExplorerPanel final : public QWidget {
 
  Q_SIGNALS:
   void nodeSelected(int slave);
+  /// Also the one that is selected already.
+  void nodeClicked();
   /// What a port of the slave counted is to be seen.
   void countersWanted(int slave);
   /// Another network of the machine is to come in work.

@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -39,7 +40,7 @@ class LevelDelegate final : public QStyledItemDelegate {
 FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(parent), model_(model) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  table_ = named(new QTableView, "findingsTable", tr("Findings about the running bus"));
+  table_ = named(new QTableView, "findingsTable", tr("Findings about the project and the running bus"));
   setUpTable(*table_);
   table_->setFrameShape(QFrame::NoFrame);
   table_->setModel(&model);
@@ -53,8 +54,11 @@ FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(par
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
     if (const auto from = index.data(FindingModel::kFromRole).toLongLong(); from != 0) Q_EMIT momentActivated(from);
-    Q_EMIT placeActivated(index.data(FindingModel::kSlaveRole).toInt(), index.data(FindingModel::kKeyRole).toString());
+    const auto finding = model_.finding(index.row());  // a copy: the rows may be others by then
+    Q_EMIT findingActivated(finding);
   });
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_, &QWidget::customContextMenuRequested, this, &FindingsPanel::openMenu);
   nothing_ = new QLabel;
   nothing_->setObjectName(QStringLiteral("noFindings"));
   nothing_->setAlignment(Qt::AlignCenter);
@@ -68,11 +72,21 @@ FindingsPanel::FindingsPanel(FindingModel& model, QWidget* parent) : QWidget(par
   showState();
 }
 
+void FindingsPanel::openMenu(const QPoint& at) {
+  const auto index = table_->indexAt(at);
+  if (!index.isValid()) return;
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("findingMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  Q_EMIT menuOpens(*menu, model_.finding(index.row()));
+  menu->popup(table_->viewport()->mapToGlobal(at));
+}
+
 void FindingsPanel::setUntold(bool untold) {
   nothing_->setText(untold
                         ? tr("A moment of a recording is shown. Findings are of the whole run: they stand at its end.")
-                        : tr("Nothing found. What the running bus shows to be wrong stands here, with its cause and "
-                             "what to do."));
+                        : tr("Nothing found. What is wrong with the project, and what the running bus shows to be "
+                             "wrong, stands here with its cause and what to do."));
 }
 
 void FindingsPanel::selectMoment(qint64 moment) {

@@ -3,14 +3,18 @@
 
 #include <QWidget>
 
+#include "findings/finding.h"
+
 class QLabel;
+class QMenu;
 class QTableView;
 
 namespace syncline::ui {
 
 class FindingModel;
 
-/// What is wrong with the running bus, why, and what to do; activating a row goes to its field, or else its slave.
+/// What is wrong with the project and with the running bus, why, and what to do; activating a row goes to its field, or
+/// else its slave.
 class FindingsPanel final : public QWidget {
   Q_OBJECT
 
@@ -23,12 +27,14 @@ class FindingsPanel final : public QWidget {
   [[nodiscard]] QSize sizeHint() const override { return {800, 128}; }
 
  Q_SIGNALS:
-  /// `key`: of the setting that would mend it; may be empty.
-  void placeActivated(int slave, const QString& key);
+  void findingActivated(const syncline::Finding& finding);
   /// What was found began at this moment of the run (host clock, ns).
   void momentActivated(qint64 moment);
+  /// The context menu of a row is about to open: whoever can do something about it adds what he can.
+  void menuOpens(QMenu& menu, const syncline::Finding& finding);
 
  private:
+  void openMenu(const QPoint& at);
   void showState();
 
   FindingModel& model_;

@@ -42,6 +42,25 @@ int drawMarks(QPainter& painter, const QRect& row, const QStringList& marks, con
   return row.right() - right;
 }
 
+/// A slave is usually called "Slave_1001 [type]": where that does not fit, the type stands beside the name in small
+/// letters, and it is the type that ends before its end.
+void drawName(QPainter& painter, const QRect& area, const QFont& font, const QFont& small, const QString& name) {
+  const QFontMetrics metrics(font);
+  const auto bracket = name.endsWith(u']') ? name.lastIndexOf(QStringLiteral(" [")) : -1;
+  const auto own = name.left(bracket);
+  const int wide = metrics.horizontalAdvance(own) + kMargin;
+  const bool whole = metrics.horizontalAdvance(name) <= area.width();
+  painter.setFont(font);
+  if (whole || bracket <= 0 || wide >= area.width()) {
+    return painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft,
+                            metrics.elidedText(name, Qt::ElideRight, area.width()));
+  }
+  painter.drawText(area, Qt::AlignVCenter | Qt::AlignLeft, own);
+  painter.setFont(small);
+  const auto type = QFontMetrics(small).elidedText(name.mid(bracket + 1), Qt::ElideRight, area.width() - wide);
+  painter.drawText(area.adjusted(wide, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, type);
+}
+
 }  // namespace
 
 void drawStateBadge(QPainter& painter, const QRect& box, const QPalette& palette, const QModelIndex& index) {
@@ -99,10 +118,8 @@ void NodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     if (room > 2 * kMargin && !name.contains(address))
       drawNumber(*painter, area, small, quiet, address, Qt::AlignRight);
   }
-  painter->setFont(row.font);
   painter->setPen(text);
-  painter->drawText(area, Qt::AlignVCenter | Qt::AlignLeft,
-                    row.fontMetrics.elidedText(name, Qt::ElideRight, area.width()));
+  drawName(*painter, area, row.font, small, name);
   painter->restore();
 }
 

@@ -26,6 +26,8 @@ StateText phaseText(const NetworkRun& run) {
       return {theme::Tone::kNeutral, phrase(QT_TRANSLATE_NOOP("RunState", "Offline"))};
     case NetworkRun::Phase::kStarting:
       return {theme::Tone::kBusy, phrase(QT_TRANSLATE_NOOP("RunState", "Starting"))};
+    case NetworkRun::Phase::kSilent:
+      return {theme::Tone::kBad, phrase(QT_TRANSLATE_NOOP("RunState", "No answer"))};
     case NetworkRun::Phase::kStopping:
       return {theme::Tone::kBusy, phrase(QT_TRANSLATE_NOOP("RunState", "Stopping"))};
     case NetworkRun::Phase::kOnline:

@@ -50,9 +50,9 @@ using BusComparer = std::function<Result<BusComparison>(const NetworkConfig& con
 
 /// A network adapter that can carry EtherCAT.
 struct NetworkAdapter {
-  QString name;         // "eth0"
-  QString description;  // "" when unknown
-  bool up = false;      // interface up and carrier present
+  QString name;     // "eth0"
+  QString driver;   // of the system's, "" when unknown
+  bool up = false;  // interface up and carrier present
 };
 using AdapterLister = std::function<Result<std::vector<NetworkAdapter>>()>;
 

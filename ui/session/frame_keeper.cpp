@@ -2,24 +2,16 @@
 #include "ui/session/frame_keeper.h"
 
 #include <QDir>
-#include <QRegularExpression>
 #include <utility>
 
 #include "ui/session/network_run.h"
 #include "ui/session/post.h"
+#include "ui/session/run_file_name.h"
 
 namespace syncline::ui {
 namespace {
 
 constexpr std::uint64_t kMiB = 1ULL << 20;
-
-/// What no file system has in a name, or no shell likes.
-QString fileName(QString text) {
-  static const QRegularExpression unfit(QStringLiteral("[\\x00-\\x1f/\\\\:*?\"<>|]"));
-  text.replace(unfit, QStringLiteral("_"));
-  constexpr qsizetype kLongest = 80;
-  return text.left(kLongest);
-}
 
 }  // namespace
 
@@ -60,7 +52,7 @@ void FrameKeeper::start() {
   const QDir folder(wish_.folder);
   folder.mkpath(QStringLiteral("."));
   auto box = BlackBox::start(ring,
-                             {.name = folder.filePath(fileName(name_())).toStdString(),
+                             {.name = folder.filePath(runFileName(name_())).toStdString(),
                               .most_bytes = static_cast<std::uint64_t>(wish_.mib) * kMiB,
                               .virtual_time = run_.isVirtual(),
                               .program = "syncline " + environment_.version.toStdString(),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/network_run.h"
-#include "reasons/because.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +7,15 @@
 #include <thread>
 #include <utility>
 
+#include "reasons/because.h"
+#include "ui/session/master_end.h"
+
 namespace syncline::ui {
 namespace {
 
 constexpr std::chrono::milliseconds kTickInterval{33};
-constexpr qint64 kStopTimeoutMs = 3000;
+/// A thread that has been waited for long enough gets this much more when it is told to end.
+constexpr std::chrono::milliseconds kLastWait{300};
 
 }  // namespace
 
@@ -20,6 +23,10 @@ NetworkRun::NetworkRun(MasterOpener opener, QObject* parent) : QObject(parent), 
   tick_.setInterval(kTickInterval);
   tick_.setTimerType(Qt::PreciseTimer);
   connect(&tick_, &QTimer::timeout, this, &NetworkRun::tick);
+}
+
+NetworkRun::~NetworkRun() {
+  if (master_) endMaster(std::move(master_), patience_.stop);
 }
 
 bool NetworkRun::isVirtual() const { return master_ && master_->is_virtual(); }
@@ -35,6 +42,7 @@ Status NetworkRun::goOnline(const QString& link, RunOrigin origin) {
   auto master = opener_(link, origin.project);
   if (!master) return tl::unexpected(master.error());
   master_ = std::move(*master);
+  given_up_ = false;
   link_ = link;
   origin_ = std::move(origin);
   auto record = std::make_unique<RunRecord>(origin_.config);
@@ -47,13 +55,14 @@ Status NetworkRun::goOnline(const QString& link, RunOrigin origin) {
   send(GoOnlineCommand{record_->config(), AlState::kOp});
   setPhase(Phase::kStarting);
   if (!master_->is_virtual() || auto_advance_) master_->start();
+  heard_at_.start();
   tick_.start();
   return {};
 }
 
 void NetworkRun::goOffline() {
   if (phase_ == Phase::kOffline || phase_ == Phase::kStopping) return;
-  if (phase_ == Phase::kStarting) master_->channels().cancel.store(true);
+  if (phase_ == Phase::kStarting || phase_ == Phase::kSilent) master_->channels().cancel.store(true);
   send(GoOfflineCommand{});
   stopping_since_.start();
   setPhase(Phase::kStopping);
@@ -61,7 +70,7 @@ void NetworkRun::goOffline() {
     while (master_->step() && master_->online()) {
     }
     drain();
-    if (phase_ == Phase::kStopping) close();
+    if (phase_ == Phase::kStopping) close(patience_.stop);
   }
 }
 
@@ -69,11 +78,11 @@ void NetworkRun::shutDown() {
   if (phase_ == Phase::kOffline) return;
   goOffline();
   if (phase_ == Phase::kOffline) return;
-  while (phase_ == Phase::kStopping && stopping_since_.elapsed() < kStopTimeoutMs) {
+  while (phase_ == Phase::kStopping && !stopping_since_.hasExpired(patience_.stop.count())) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     drain();
   }
-  if (phase_ != Phase::kOffline) close();
+  if (phase_ != Phase::kOffline) close(kLastWait);
 }
 
 void NetworkRun::requestState(AlState state) {
@@ -157,8 +166,33 @@ void NetworkRun::advance(Nanoseconds duration) {
 }
 
 void NetworkRun::tick() {
-  drain();
-  if (phase_ == Phase::kStopping && stopping_since_.elapsed() > kStopTimeoutMs) close();
+  hearHeart();
+  if (master_) drain();
+  if (phase_ == Phase::kStopping && stopping_since_.hasExpired(patience_.stop.count())) close(kLastWait);
+}
+
+/// Of a master with a thread of its own: where the window lets time pass, nothing can hang but the window.
+void NetworkRun::hearHeart() {
+  if (!master_->started() || phase_ == Phase::kStopping) return;
+  const auto beats = master_->channels().heartbeat.load(std::memory_order_relaxed);
+  if (std::exchange(heard_, beats) != beats) {
+    heard_at_.restart();
+    if (phase_ != Phase::kSilent) return;
+    setPhase(phase_before_silence_);
+    Q_EMIT signSeen(Sign::kAlive);
+  } else if (phase_ != Phase::kSilent && heard_at_.hasExpired(patience_.silence.count())) {
+    fallSilent();
+  }
+}
+
+/// Nothing that it told is shown as if it were so now.
+void NetworkRun::fallSilent() {
+  phase_before_silence_ = phase_;
+  snapshot_ = Snapshot{};
+  image_ = ImageContents{};
+  setPhase(Phase::kSilent);
+  Q_EMIT snapshotChanged();
+  Q_EMIT signSeen(Sign::kSilent);
 }
 
 void NetworkRun::drain() {
@@ -183,7 +217,7 @@ void NetworkRun::handle(const Event& event) {
   record_->add(event);
   Q_EMIT eventArrived(event);
   if (event.is<events::Online>() && phase_ == Phase::kStarting) setPhase(Phase::kOnline);
-  if (event.is<events::Offline>()) close();
+  if (event.is<events::Offline>()) close(patience_.stop);
 }
 
 void NetworkRun::addNote(const RunNote& note) {
@@ -192,13 +226,15 @@ void NetworkRun::addNote(const RunNote& note) {
   Q_EMIT noteAdded(note);
 }
 
-void NetworkRun::close() {
+/// The window waits for no thread any longer than that.
+void NetworkRun::close(std::chrono::milliseconds patience) {
   tick_.stop();
   applying_.reset();
-  master_.reset();
+  given_up_ = !endMaster(std::move(master_), patience);
   snapshot_ = Snapshot{};
   setPhase(Phase::kOffline);
   Q_EMIT snapshotChanged();
+  if (given_up_) Q_EMIT signSeen(Sign::kGivenUp);
 }
 
 void NetworkRun::setPhase(Phase phase) {

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -36,15 +37,32 @@ class NetworkRun final : public QObject {
   Q_OBJECT
 
  public:
-  enum class Phase { kOffline, kStarting, kOnline, kStopping };
+  /// kSilent: started or online, but its thread gives no sign of life; what it told before is not true any more.
+  enum class Phase { kOffline, kStarting, kOnline, kSilent, kStopping };
   Q_ENUM(Phase)
+  /// What becomes of the master's thread.
+  enum class Sign {
+    kSilent,   // it has given no sign of life for some time
+    kAlive,    // it has given one again
+    kGivenUp,  // it did not end when it should: what it does is not known, nor the state of its slaves
+  };
+  Q_ENUM(Sign)
 
   explicit NetworkRun(MasterOpener opener, QObject* parent = nullptr);
+  /// As shutDown() ends it.
+  ~NetworkRun() override;
+
+  /// After how long without a sign of life a master is silent, and how long its end is waited for.
+  struct Patience {
+    std::chrono::milliseconds silence{2000};
+    std::chrono::milliseconds stop{3000};
+  };
+  void setPatience(const Patience& patience) { patience_ = patience; }
 
   /// Opens the link and brings the bus to OP in the background.
   Status goOnline(const QString& link, RunOrigin origin);
   void goOffline();
-  /// Ends at once and waits for the thread: for closing the window.
+  /// Ends at once and waits for the thread, as long as Patience says: for closing the window.
   void shutDown();
   void requestState(AlState state);
   void clearStatistics();
@@ -76,6 +94,8 @@ class NetworkRun final : public QObject {
   void setAutoAdvance(bool on) { auto_advance_ = on; }
 
   [[nodiscard]] Phase phase() const { return phase_; }
+  /// The run that was the last one left a master behind that did not end.
+  [[nodiscard]] bool givenUp() const { return given_up_; }
   [[nodiscard]] bool isVirtual() const;
   [[nodiscard]] const QString& link() const { return link_; }
   /// Of the run that goes on, or was the last one.
@@ -91,6 +111,7 @@ class NetworkRun final : public QObject {
 
  Q_SIGNALS:
   void phaseChanged();
+  void signSeen(syncline::ui::NetworkRun::Sign sign);
   /// Another run has begun: the record before is gone when this returns.
   void recordChanged();
   void applyingChanged();
@@ -113,16 +134,23 @@ class NetworkRun final : public QObject {
   void send(MasterCommand command);
   void tellDeaf();
   void tick();
+  void hearHeart();
+  void fallSilent();
   void drain();
   void handle(const Event& event);
   void takeAnswers();
-  void close();
+  void close(std::chrono::milliseconds patience);
   void setPhase(Phase phase);
 
   MasterOpener opener_;
   QTimer tick_;
   QElapsedTimer stopping_since_;
+  Patience patience_;
+  QElapsedTimer heard_at_;   // of the window: the master's clock may be what stands still
+  std::uint64_t heard_ = 0;  // of its heart
   Phase phase_ = Phase::kOffline;
+  Phase phase_before_silence_ = Phase::kOffline;
+  bool given_up_ = false;
   bool auto_advance_ = true;
   QString link_;
   RunOrigin origin_;

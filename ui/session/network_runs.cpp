@@ -11,14 +11,15 @@
 
 namespace syncline::ui {
 
-NetworkSession::NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> box_name,
+NetworkSession::NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> file_name,
                                QObject* parent)
     : QObject(parent),
       run(environment.open_master),
       findings(run),
       disk(run, findings, environment),
       frames(
-          run, [this, box_name = std::move(box_name)] { return box_name(*this); }, environment) {}
+          run, [this, file_name] { return file_name(*this); }, environment),
+      dcm_log(run, [this, file_name] { return file_name(*this); }) {}
 
 NetworkRuns::NetworkRuns(ProjectDocument& document, const Environment& environment)
     : document_(document), environment_(environment), sessions_{make()}, shown_(sessions_.front()->run) {
@@ -35,7 +36,7 @@ NetworkRuns::NetworkRuns(ProjectDocument& document, const Environment& environme
 
 NetworkSession* NetworkRuns::make() {
   auto* session = new NetworkSession(
-      environment_, [this](const NetworkSession& of) { return boxName(of); }, this);
+      environment_, [this](const NetworkSession& of) { return fileName(of); }, this);
   session->frames.setWish(black_box_);
   session->disk.setMemoryMib(memory_mib_);
   (void)session->run.watch(watched_);
@@ -58,6 +59,8 @@ void NetworkRuns::listen(NetworkSession& session) {
   });
   connect(&of->run, &NetworkRun::eventArrived, this,
           [this, of](const Event& event) { Q_EMIT eventArrived(indexOf(*of), event); });
+  connect(&of->run, &NetworkRun::signSeen, this,
+          [this, of](NetworkRun::Sign sign) { Q_EMIT signSeen(indexOf(*of), sign); });
   connect(&of->run, &NetworkRun::noteAdded, this,
           [this, of](const RunNote& note) { Q_EMIT noteAdded(indexOf(*of), note); });
   connect(&of->findings, &RunFindings::findingsChanged, this, [this, shown] {
@@ -70,6 +73,8 @@ void NetworkRuns::listen(NetworkSession& session) {
     if (shown()) Q_EMIT diskChanged();
   });
   connect(&of->frames, &FrameKeeper::ended, this, &NetworkRuns::framesKept);
+  connect(&of->dcm_log, &DcmLogKeeper::began, this, &NetworkRuns::dcmLogBegan);
+  connect(&of->dcm_log, &DcmLogKeeper::ended, this, &NetworkRuns::dcmLogEnded);
   connect(&of->disk, &DiskRecording::ended, this, &NetworkRuns::recordingEnded);
   connect(&of->disk, &DiskRecording::saved, this, &NetworkRuns::stretchSaved);
 }
@@ -85,11 +90,12 @@ void NetworkRuns::retire(NetworkSession& session) {
   gone->run.shutDown();
   std::ranges::replace(of_run_, gone, nullptr);
   const auto end = [gone] {
-    if (!gone->disk.isWriting() && !gone->frames.isWriting()) gone->deleteLater();
+    if (!gone->disk.isWriting() && !gone->frames.isWriting() && !gone->dcm_log.isWriting()) gone->deleteLater();
   };
   connect(&gone->disk, &DiskRecording::changed, gone, end);
   connect(&gone->disk, &DiskRecording::saved, gone, end);
   connect(&gone->frames, &FrameKeeper::changed, gone, end);
+  connect(&gone->dcm_log, &DcmLogKeeper::ended, gone, end);
   end();
 }
 
@@ -159,7 +165,7 @@ void NetworkRuns::setMemoryMib(int mib) {
 }
 
 /// The file of what runs, and which of its networks where it has several.
-QString NetworkRuns::boxName(const NetworkSession& session) const {
+QString NetworkRuns::fileName(const NetworkSession& session) const {
   const QFileInfo file(session.run.origin().path);
   const auto base = file.fileName().isEmpty() ? QStringLiteral("machine") : file.completeBaseName();
   const auto names = document_.networks();
@@ -170,6 +176,10 @@ QString NetworkRuns::boxName(const NetworkSession& session) const {
 bool NetworkRuns::any() const {
   return std::ranges::any_of(sessions_,
                              [](const auto* session) { return session->run.phase() != NetworkRun::Phase::kOffline; });
+}
+
+bool NetworkRuns::givenUp() const {
+  return std::ranges::any_of(sessions_, [](const auto* session) { return session->run.givenUp(); });
 }
 
 void NetworkRuns::goOffline() {
@@ -185,6 +195,7 @@ void NetworkRuns::finish() {
   for (auto* session : findChildren<NetworkSession*>(Qt::FindDirectChildrenOnly)) {
     session->disk.finish();
     session->frames.finish();
+    session->dcm_log.finish();
   }
 }
 

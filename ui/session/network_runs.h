@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "channels/event.h"
+#include "ui/session/dcm_log_keeper.h"
 #include "ui/session/disk_recording.h"
 #include "ui/session/frame_keeper.h"
 #include "ui/session/live_session.h"
@@ -20,14 +21,15 @@ class ProjectDocument;
 
 /// What one network of the machine runs, is found to mean and keeps on disk, whichever network is in work.
 struct NetworkSession final : QObject {
-  /// `box_name`: what the files of its black box begin with.
-  NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> box_name,
+  /// `file_name`: what the files of its black box and its logs begin with.
+  NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> file_name,
                  QObject* parent);
 
   NetworkRun run;
   RunFindings findings;
   DiskRecording disk;
   FrameKeeper frames;
+  DcmLogKeeper dcm_log;
   QString link;    // LINK that going online uses; empty until one was chosen
   int number = 0;  // of its run in the window, which goes on or was the last one; 0: none
   int begun = 0;   // the last one of which there is a sample
@@ -63,6 +65,8 @@ class NetworkRuns final : public QObject {
   /// Of each network, see DiskRecording::setMemoryMib().
   void setMemoryMib(int mib);
   [[nodiscard]] int memoryMib() const { return memory_mib_; }
+  /// A network's last run left a master behind that did not end.
+  [[nodiscard]] bool givenUp() const;
   /// Something runs, or comes or goes.
   [[nodiscard]] bool any() const;
   /// Begins to take all of them offline; with shutDown() all are when it returns.
@@ -76,12 +80,16 @@ class NetworkRuns final : public QObject {
   void phaseChanged(int network);
   void snapshotChanged(int network);
   void eventArrived(int network, const syncline::Event& event);
+  void signSeen(int network, syncline::ui::NetworkRun::Sign sign);
   void noteAdded(int network, const syncline::RunNote& note);
   /// The first cycle of a run has come, at this moment of its clock.
   void begun(int run, qint64 moment);
   void recordingEnded(const QString& path, const QString& why, const std::optional<syncline::Error>& error);
   /// Of any network: where its last frames lie, or why they do not.
   void framesKept(const syncline::BlackBox::Report& report);
+  /// Of any network: the log of its master synchronisation.
+  void dcmLogBegan(const QString& path);
+  void dcmLogEnded(const QString& path, const std::optional<syncline::Error>& error);
   void stretchSaved(const QString& path, const std::optional<syncline::Error>& error);
   /// Of the network in work, or because another one is.
   void linkChanged();
@@ -92,7 +100,7 @@ class NetworkRuns final : public QObject {
   NetworkSession* make();
   void listen(NetworkSession& session);
   [[nodiscard]] int indexOf(const NetworkSession& session) const;
-  [[nodiscard]] QString boxName(const NetworkSession& session) const;
+  [[nodiscard]] QString fileName(const NetworkSession& session) const;
   void retire(NetworkSession& session);
   void replaceAll();
   void follow();

@@ -12,12 +12,14 @@
 namespace syncline::ui {
 namespace {
 
-/// The parameters of the controller are the one thing that a master takes while it runs; its mode is not among them.
-bool onlyParameters(const Project& running, const Project& project) {
-  auto with = running;
-  with.master.dc.dcm = project.master.dc.dcm;
-  with.views = project.views;  // no master knows of them
-  return with == project && running.master.dc.dcm.mode == project.master.dc.dcm.mode;
+/// What runs with all of the project that a master takes while it runs: the parameters of the controller, among which
+/// its mode is not. No master knows of the views.
+Project withParameters(Project running, const Project& project) {
+  const auto mode = running.master.dc.dcm.mode;
+  running.master.dc.dcm = project.master.dc.dcm;
+  running.master.dc.dcm.mode = mode;
+  running.views = project.views;
+  return running;
 }
 
 }  // namespace
@@ -32,7 +34,9 @@ RunDifference::RunDifference(ProjectDocument& document, ConfigurationMonitor& co
 }
 
 void RunDifference::look() {
-  const bool runs = live_.phase() == LiveSession::Phase::kStarting || live_.phase() == LiveSession::Phase::kOnline;
+  const auto phase = live_.phase();
+  const bool listens = phase == LiveSession::Phase::kStarting || phase == LiveSession::Phase::kOnline;
+  const bool runs = listens || phase == LiveSession::Phase::kSilent;
   const auto& project = document_.project();
   const bool before = std::exchange(differs_, false);
   slaves_.clear();
@@ -45,7 +49,7 @@ void RunDifference::look() {
     differs_ = config == nullptr || !network.empty() || !run_time.empty();
     std::erase_if(network, [](const ConfigDifference& one) { return one.group != DifferenceGroup::kSlaves; });
     slaves_ = std::move(network);
-    applicable_ = differs_ && !live_.run().applying() && onlyParameters(running(), project);
+    applicable_ = differs_ && listens && !live_.run().applying() && withParameters(running(), project) == project;
   }
   if (before || differs_) Q_EMIT changed();
 }
@@ -56,10 +60,11 @@ std::vector<SettingDifference> RunDifference::settings() const {
   return compare_settings(running(), document_.project());
 }
 
+/// The project is looked at anew: a click that takes what was typed in a field comes before it is compiled.
 void RunDifference::apply() {
-  const auto* config = configuration_.config();
-  if (!applicable_ || config == nullptr) return;
-  live_.run().apply({document_.project(), live_.origin().path, *config});
+  const auto& compiled = configuration_.current();  // told to look() by it
+  if (!applicable_ || !compiled) return;
+  live_.run().apply({withParameters(running(), document_.project()), live_.origin().path, compiled->config});
 }
 
 }  // namespace syncline::ui

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "findings/error_text.h"
 #include "findings/fold.h"
 #include "reasons/because.h"
 #include "ui/text/event_text.h"
@@ -85,8 +86,15 @@ Workspace::Workspace(Environment environment, QObject* parent)
     trigger_.tellVariables();
   });
   connect(&runs_, &NetworkRuns::eventArrived, this, &Workspace::appendEvent);
+  connect(&runs_, &NetworkRuns::signSeen, this, &Workspace::appendSign);
   connect(&runs_, &NetworkRuns::noteAdded, this, &Workspace::appendNote);
   connect(&runs_, &NetworkRuns::begun, this, [this](int run, qint64 moment) { messages_.setRunBegin(run, moment); });
+  connect(&runs_, &NetworkRuns::dcmLogBegan, this,
+          [this](const QString& path) { inform(tr("Controller log"), tr("Written to %1").arg(path)); });
+  connect(&runs_, &NetworkRuns::dcmLogEnded, this, [this](const QString& path, const std::optional<Error>& error) {
+    if (error) return report(*error, Severity::kError, tr("Controller log"));
+    inform(tr("Controller log"), tr("Lies in %1").arg(path));
+  });
   connect(&runs_, &NetworkRuns::findingsChanged, this, [this] { showRunFindings(); });
   connect(&recording_, &OpenedRecording::changed, this, &Workspace::showRecording);
   connect(&recording_, &OpenedRecording::notesChanged, this, [this] {
@@ -139,6 +147,30 @@ void Workspace::appendEvent(int network, const Event& event) {
   appendOfRun(network, std::move(*message));
 }
 
+/// What no event tells, as it is the master that should tell it.
+void Workspace::appendSign(int network, NetworkRun::Sign sign) {
+  if (network < 0) return;
+  Message message{QDateTime::currentDateTime(), Severity::kError, tr("Master"), {}, -1, {}};
+  switch (sign) {
+    case NetworkRun::Sign::kSilent:
+      message.text =
+          tr("The master gives no sign of life: its thread hangs, or the adapter's driver does. What the slaves do "
+             "now is not known, and no values are shown until it answers again. Go offline (Shift+F5); where it does "
+             "not answer then either, restart the program.");
+      break;
+    case NetworkRun::Sign::kAlive:
+      message.severity = Severity::kNote;
+      message.text = tr("The master answers again.");
+      break;
+    case NetworkRun::Sign::kGivenUp:
+      message.text =
+          tr("The master did not go offline in time and is left to itself: the slaves may still be in OP, and it may "
+             "still send. Make the machine safe by other means, and restart the program before you go online again.");
+      break;
+  }
+  appendOfRun(network, std::move(message));
+}
+
 void Workspace::appendNote(int network, const RunNote& note) {
   if (network < 0) return;
   Message message{dateTimeOf(note.time), Severity::kNote, tr("Note"), QString::fromStdString(note.text), -1, {}};
@@ -182,7 +214,6 @@ void Workspace::showRecording() {
     messages_.showOwn();
   }
   showFindings();
-  showRunFindings();
 }
 
 /// What was told up to the moment of the recording that is shown, and found by then.
@@ -263,7 +294,7 @@ std::vector<Finding> Workspace::shownFindings() const {
 /// What many slaves have alike is one row, at the first of them. What is wrong with the file that lies over the
 /// recording stands beside it: what is a gap there was none in its run.
 void Workspace::showRunFindings() {
-  std::vector<Finding> rows;
+  auto rows = recording_.isOpen() ? std::vector<Finding>{} : project_findings_;
   for (auto& [finding, slaves] : folded(shownFindings())) rows.push_back(std::move(finding));
   if (overlay_.isOpen()) {
     for (auto finding : overlay_.run().record->findings()) {
@@ -272,12 +303,43 @@ void Workspace::showRunFindings() {
       rows.push_back(std::move(finding));
     }
   }
+  std::ranges::stable_sort(rows, std::ranges::greater{}, &Finding::severity);
   findings_.setFindings(rows);
+}
+
+/// What both say of a setting the compiler says with a way to mend it.
+std::vector<Finding> Workspace::findingsOfEni() const {
+  auto findings = shown_check_ ? eni::findings_of_export(*shown_check_) : std::vector<Finding>{};
+  const auto& result = configuration_.result();
+  if (!result) return findings;
+  std::erase_if(findings, [&result](const Finding& finding) {
+    return !finding.place.key.empty() && std::ranges::any_of(result->findings, [&finding](const Finding& told) {
+      return told.place.key == finding.place.key;
+    });
+  });
+  return findings;
+}
+
+std::vector<Finding> Workspace::settingFindings() const {
+  auto findings = findingsOfEni();
+  if (const auto& result = configuration_.result())
+    findings.insert(findings.begin(), result->findings.begin(), result->findings.end());
+  return findings;
 }
 
 /// Of the project: beside a recording, which has slaves of its own, there is none.
 void Workspace::showFindings() {
-  if (recording_.isOpen()) return messages_.setFindings({});
+  std::vector<Message> lines;
+  if (!recording_.isOpen()) lines = projectLines();
+  std::ranges::stable_sort(lines, std::ranges::greater{}, &Message::severity);
+  project_findings_.clear();
+  for (const auto& line : lines) project_findings_.push_back(*line.finding);
+  messages_.setFindings(std::move(lines));
+  showRunFindings();
+  Q_EMIT projectFindingsChanged();
+}
+
+std::vector<Message> Workspace::projectLines() const {
   std::vector<Message> lines;
   const auto& result = configuration_.result();
   if (result) {
@@ -289,21 +351,16 @@ void Workspace::showFindings() {
     }
   } else if (!document_.project().slaves.empty()) {
     lines.push_back(messageOf(result.error(), Severity::kError, tr("Configuration")));
+    auto finding = finding_of(result.error());
+    finding.severity = Severity::kError;
+    lines.back().finding = std::make_shared<const Finding>(std::move(finding));
   }
-  // What both say of a setting the compiler says with a way to mend it.
-  const auto is_told = [&lines](const Finding& finding) {
-    return !finding.place.key.empty() && std::ranges::any_of(lines, [&](const Message& line) {
-      return line.key == QString::fromStdString(finding.place.key);
-    });
-  };
-  for (const auto& finding : shown_check_ ? eni::findings_of_export(*shown_check_) : std::vector<Finding>{}) {
-    if (is_told(finding)) continue;
+  for (const auto& finding : findingsOfEni()) {
     lines.push_back(messageOf(finding, document_.project()));
     lines.back().finding = std::make_shared<const Finding>(finding);
     if (finding.place.slave < 0) lines.back().source = tr("ENI");
   }
-  std::ranges::stable_sort(lines, std::ranges::greater{}, &Message::severity);
-  messages_.setFindings(std::move(lines));
+  return lines;
 }
 
 /// What the checker says of the ENI that would be exported as the project is now: while it is made anew, nothing.

@@ -74,7 +74,10 @@ class Workspace final : public QObject {
   [[nodiscard]] RecordingOverlay& overlay() { return overlay_; }
   /// What plots and figures show: the recording that is open, else the run; null before the first.
   [[nodiscard]] const RunRecord* shownRecord() const;
+  /// What is wrong with the project, and what was found about what is shown.
   [[nodiscard]] FindingModel& findings() { return findings_; }
+  /// What the compiler and the checker of the ENI find wrong with the project, each at its slave.
+  [[nodiscard]] std::vector<Finding> settingFindings() const;
   /// What was found about the run that goes on or was last of the network in work, or of the recording in its place.
   [[nodiscard]] std::vector<Finding> shownFindings() const;
   [[nodiscard]] MessageModel& messages() { return messages_; }
@@ -120,14 +123,18 @@ class Workspace final : public QObject {
 
  Q_SIGNALS:
   void expertChanged();
+  void projectFindingsChanged();
   void mayEditSlavesChanged();
 
  private:
   void appendEvent(int network, const Event& event);
+  void appendSign(int network, NetworkRun::Sign sign);
   void appendNote(int network, const RunNote& note);
   void appendOfRun(int network, Message message);
   void showFindings();
   void showEniFindings();
+  [[nodiscard]] std::vector<Finding> findingsOfEni() const;
+  [[nodiscard]] std::vector<Message> projectLines() const;
   void tellOfScan(const QString& link, const ScanOutcome& outcome);
   void showRunFindings();
   void showRecording();
@@ -156,6 +163,7 @@ class Workspace final : public QObject {
   RecordingReplay replay_{recording_};
   RecordingOverlay overlay_{recording_};
   TriggerMonitor trigger_{memory_};
+  std::vector<Finding> project_findings_;  // what slaves have alike once
   FindingModel findings_;
   bool found_shown_ = true;  // of a moment of a recording nothing is found, see RunRecord::findings()
   std::shared_ptr<const eni::EniCheck> shown_check_;  // of the ENI, in the messages

@@ -3,15 +3,15 @@
 
 #include <memory>
 
-#include "channels/frame_ring.h"
+#include "channels/master_channels.h"
 #include "link/link.h"
 #include "support/clock.h"
 
 namespace syncline {
 
-/// A Link around `inner` that puts every frame that the adapter has taken, and every one that came, into `ring` as long
-/// as somebody has it open. It allocates and locks nothing. The clock must outlive it.
-[[nodiscard]] std::unique_ptr<Link> make_frame_tap(std::unique_ptr<Link> inner, Clock& clock,
-                                                   std::shared_ptr<FrameRing> ring);
+/// A Link around `inner` that puts every frame that the adapter has taken, and every one that came, into the channels'
+/// ring as long as somebody has it open, and lets their heart beat whenever the adapter has come back from its work. It
+/// allocates and locks nothing. Clock and channels must outlive it.
+[[nodiscard]] std::unique_ptr<Link> make_frame_tap(std::unique_ptr<Link> inner, Clock& clock, MasterChannels& channels);
 
 }  // namespace syncline

@@ -35,8 +35,9 @@ class StampedLink final : public Link {
 
 TEST(FrameTap, KeepsWhatIsOnTheWireWithItsTimesAndOnlyOnRequest) {
   VirtualClock clock;
-  auto ring = std::make_shared<FrameRing>();
-  const auto link = make_frame_tap(std::make_unique<StampedLink>(), clock, ring);
+  MasterChannels channels;
+  auto ring = channels.frames;
+  const auto link = make_frame_tap(std::make_unique<StampedLink>(), clock, channels);
   std::vector<std::uint8_t> frame(60, 1);
   std::array<std::uint8_t, 1514> buffer{};
   EXPECT_TRUE(link->send(frame));
@@ -59,6 +60,7 @@ TEST(FrameTap, KeepsWhatIsOnTheWireWithItsTimesAndOnlyOnRequest) {
       {1'003, FrameDirection::kSent}, {2'007, FrameDirection::kSent}, {5'000, FrameDirection::kReceived}};
   EXPECT_EQ(kept, expected);
   EXPECT_EQ(sizes, (std::vector<std::size_t>{60, 60, 64}));
+  EXPECT_EQ(channels.heartbeat, 6U) << "the thread comes back from each, whatever became of it";
 }
 
 }  // namespace

@@ -63,8 +63,9 @@ class CutTexts {
       if (high > label.height()) say(label, label.text(), high, label.height());
       return;
     }
+    const int keys = label.buddy() != nullptr ? Qt::TextShowMnemonic : 0;
     const int wide = Qt::mightBeRichText(label.text()) ? label.sizeHint().width()
-                                                       : label.fontMetrics().size(0, label.text()).width();
+                                                       : label.fontMetrics().size(keys, label.text()).width();
     if (wide > room.width() || seen(label) < label.width()) say(label, label.text(), wide, seen(label));
   }
   void lookAt(const QAbstractButton& button) {
