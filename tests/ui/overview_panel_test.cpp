@@ -98,6 +98,21 @@ TEST_F(OverviewPanelTest, ALampOverDeadSlavesIsRed) {
   EXPECT_EQ(slaves().tone(), theme::Tone::kGood);
 }
 
+/// Also where nothing runs that would refresh it.
+TEST_F(OverviewPanelTest, TheSlavesInOpHaveTheColourOfTheTheme) {
+  go(1000);
+  auto* standing = panel_.findChild<QLabel*>(QStringLiteral("overviewStanding"));
+  const auto color = [standing] { return standing->palette().color(QPalette::WindowText); };
+  const auto light = color();
+  theme::apply(theme::Mode::kDark);
+  QApplication::processEvents();
+  const auto dark = color();
+  theme::apply(theme::Mode::kLight);
+  QApplication::processEvents();
+  EXPECT_NE(dark, light);
+  EXPECT_EQ(color(), light);
+}
+
 /// What came later does not hide what is not over, and each episode can be looked at.
 TEST_F(OverviewPanelTest, GoesThroughTheEpisodes) {
   go(1000);

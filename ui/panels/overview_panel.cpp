@@ -164,8 +164,13 @@ void OverviewPanel::showStanding(const std::optional<SlavesStanding>& standing) 
   const auto tone = standing->silent > 0                 ? theme::Tone::kBad
                     : standing->in_op < standing->slaves ? theme::Tone::kWarning
                                                          : theme::Tone::kGood;
+  standing_tone_ = live_ || recorded_ ? tone : theme::Tone::kNeutral;
+  colorStanding();
+}
+
+void OverviewPanel::colorStanding() {
   QPalette colors;  // of nothing else: the rest follows the theme, or a picture
-  colors.setColor(QPalette::WindowText, theme::toneColor(palette(), live_ || recorded_ ? tone : theme::Tone::kNeutral));
+  colors.setColor(QPalette::WindowText, theme::toneColor(palette(), standing_tone_));
   standing_->setPalette(colors);
 }
 
@@ -338,6 +343,7 @@ bool OverviewPanel::event(QEvent* event) {
   const bool done = QWidget::event(event);
   if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
     setMinimumHeight(layout()->totalMinimumHeightForWidth(width()));
+  if (event->type() == QEvent::PaletteChange) colorStanding();
   return done;
 }
 

@@ -57,6 +57,7 @@ class OverviewPanel final : public QWidget {
   [[nodiscard]] bool hasNow() const;
   void showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp, const std::optional<SlavesStanding>& standing);
   void showStanding(const std::optional<SlavesStanding>& standing);
+  void colorStanding();
   void showFigure(FigureCard& card, const OverviewFigure& figure, Signal signal);
   /// How much of the limit is left, and whether the verdict was lost.
   void showMargin(FigureCard& card, const std::optional<double>& margin, std::int64_t limit, const SyncLamp& lamp,
@@ -66,6 +67,7 @@ class OverviewPanel final : public QWidget {
   const RunRecord* record_ = nullptr;
   std::vector<Finding> findings_;
   bool recorded_ = false, live_ = false;
+  theme::Tone standing_tone_ = theme::Tone::kNeutral;
   Pill *slaves_, *master_;
   QLabel *slaves_text_, *master_text_, *standing_;
   FaultBanner* banner_;
