@@ -335,6 +335,21 @@
             <translation>Neu starten</translation>
         </message>
 </context>
+    <context>
+    <name>CsvExport</name>
+        <message>
+            <source>Writing %1…</source>
+            <translation>%1 wird geschrieben …</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Export</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Abbrechen</translation>
+        </message>
+    </context>
 <context>
     <name>ExportMenu</name>
         <message>
@@ -677,6 +692,21 @@
             <translation>Welches Netzwerk der Maschine bearbeitet wird (Strg+F6: das nächste)</translation>
         </message>
 </context>
+    <context>
+    <name>FaultBanner</name>
+        <message>
+            <source>First fault</source>
+            <translation>Erste Störung</translation>
+        </message>
+        <message>
+            <source>The episode before</source>
+            <translation>Die Störung davor</translation>
+        </message>
+        <message>
+            <source>The next episode</source>
+            <translation>Die nächste Störung</translation>
+        </message>
+    </context>
 <context>
     <name>FileCommands</name>
         <message>
@@ -818,6 +848,18 @@
         <message>
             <source>Replace</source>
             <translation>Ersetzen</translation>
+        </message>
+        <message>
+            <source>Open %1 now?</source>
+            <translation>%1 jetzt öffnen?</translation>
+        </message>
+        <message>
+            <source>Syncline was started with it. The recovered work is not saved yet; what would take its place asks first.</source>
+            <translation>Syncline wurde damit gestartet. Die wiederhergestellte Arbeit ist noch nicht gespeichert; was an ihre Stelle käme, fragt vorher.</translation>
+        </message>
+        <message>
+            <source>%1 was not opened: the recovered work is shown</source>
+            <translation>%1 wurde nicht geöffnet: gezeigt wird die wiederhergestellte Arbeit</translation>
         </message>
 </context>
 <context>
@@ -3985,6 +4027,10 @@ Einstellung %2</translation>
             <source>Black box %1</source>
             <translation>Blackbox %1</translation>
         </message>
+        <message>
+            <source>Slaves %1</source>
+            <translation>Slaves %1</translation>
+        </message>
 </context>
 <context>
     <name>Sync</name>
@@ -3999,6 +4045,10 @@ Einstellung %2</translation>
         <message>
             <source>%1: %2</source>
             <translation>%1: %2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n of %1 do(es) not answer</source>
+            <translation><numerusform>%n von %1 antwortet nicht</numerusform><numerusform>%n von %1 antworten nicht</numerusform></translation>
         </message>
 </context>
 <context>
@@ -4171,6 +4221,18 @@ Einstellung %2</translation>
         <message>
             <source>the limit of %1 is kept</source>
             <translation>die Grenze von %1 ist eingehalten</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Einheit</translation>
+        </message>
+        <message>
+            <source>p99.9</source>
+            <translation>p99,9</translation>
+        </message>
+        <message>
+            <source>   p99.9 %1</source>
+            <translation>   p99,9 %1</translation>
         </message>
 </context>
 <context>
@@ -6587,10 +6649,6 @@ Einstellung %2</translation>
             <translation>&lt;b&gt;Zuerst: %1&lt;/b&gt; bei %2.</translation>
         </message>
         <message>
-            <source>%1 later %2</source>
-            <translation>%1 später %2</translation>
-        </message>
-        <message>
             <source> Then %1</source>
             <translation> Dann %1</translation>
         </message>
@@ -6599,16 +6657,61 @@ Einstellung %2</translation>
             <translation>; %1 weitere</translation>
         </message>
         <message>
-            <source> It is episode %1 since %2.</source>
-            <translation> Es ist die %1. Störung ab %2.</translation>
-        </message>
-        <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
         <message>
             <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; since %1 (for %2), but &lt;b&gt;%3&lt;/b&gt;</source>
             <translation>&lt;b&gt;Nichts fiel aus oder ging verloren&lt;/b&gt; ab %1 (seit %2), aber &lt;b&gt;%3&lt;/b&gt;</translation>
+        </message>
+        <message>
+            <source> Not over: %1.</source>
+            <translation> Nicht vorbei: %1.</translation>
+        </message>
+        <message>
+            <source> It is episode %1 of %2 since %3.</source>
+            <translation> Es ist die %1. von %2 Störungen ab %3.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;First: %1&lt;/b&gt; at %2, until %3.</source>
+            <translation>&lt;b&gt;Zuerst: %1&lt;/b&gt; bei %2, bis %3.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;First: %1&lt;/b&gt; at %2, and it is not over.</source>
+            <translation>&lt;b&gt;Zuerst: %1&lt;/b&gt; bei %2, und es ist nicht vorbei.</translation>
+        </message>
+        <message>
+            <source>in the same cycle</source>
+            <translation>im selben Zyklus</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) before</source>
+            <translation><numerusform>%n Zyklus davor</numerusform><numerusform>%n Zyklen davor</numerusform></translation>
+        </message>
+        <message>
+            <source>%1 before</source>
+            <translation>%1 davor</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) later</source>
+            <translation><numerusform>%n Zyklus später</numerusform><numerusform>%n Zyklen später</numerusform></translation>
+        </message>
+        <message>
+            <source>%1 later</source>
+            <translation>%1 später</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <comment>when, what</comment>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source> Seen %1.</source>
+            <translation> Zu sehen %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) do(es) not answer</source>
+            <translation><numerusform>%n Slave antwortet nicht</numerusform><numerusform>%n Slaves antworten nicht</numerusform></translation>
         </message>
 </context>
 <context>
@@ -6736,10 +6839,6 @@ Einstellung %2</translation>
             <translation>Master: seit wann</translation>
         </message>
         <message>
-            <source>First fault</source>
-            <translation>Erste Störung</translation>
-        </message>
-        <message>
             <source>DC deviation</source>
             <translation>DC-Abweichung</translation>
         </message>
@@ -6758,10 +6857,6 @@ Einstellung %2</translation>
         <message>
             <source>DCM error</source>
             <translation>DCM-Fehler</translation>
-        </message>
-        <message>
-            <source>Time of the frame at the reference clock minus its wanted time in the cycle</source>
-            <translation>Zeit des Frames an der Referenzuhr minus seine gewünschte Zeit im Zyklus</translation>
         </message>
         <message>
             <source>Re-arm</source>
@@ -6832,10 +6927,6 @@ Einstellung %2</translation>
             <translation>%1 bei %2</translation>
         </message>
         <message>
-            <source>filtered: %1</source>
-            <translation>gefiltert: %1</translation>
-        </message>
-        <message>
             <source>no limit is set</source>
             <translation>keine Grenze gesetzt</translation>
         </message>
@@ -6902,6 +6993,34 @@ Einstellung %2</translation>
         <message>
             <source>Copy figures</source>
             <translation>Zahlen kopieren</translation>
+        </message>
+        <message>
+            <source>Slaves in OP</source>
+            <translation>Slaves in OP</translation>
+        </message>
+        <message>
+            <source>Time of the frame at the reference clock minus its wanted time in the cycle. The margin is that of the filtered error as far as it has lasted for 200 ms: what is over before is no loss of synchronisation</source>
+            <translation>Zeitpunkt des Frames an der Referenzuhr minus gewünschter Zeitpunkt im Zyklus. Die Reserve ist die des gefilterten Fehlers, soweit er 200 ms anhielt: was vorher vorbei ist, ist kein Verlust der Synchronisation</translation>
+        </message>
+        <message>
+            <source>the others: %1</source>
+            <translation>die übrigen: %1</translation>
+        </message>
+        <message>
+            <source>%1 of %2 slaves in OP</source>
+            <translation>%1 von %2 Slaves in OP</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n do(es) not answer</source>
+            <translation><numerusform>%n antwortet nicht</numerusform><numerusform>%n antworten nicht</numerusform></translation>
+        </message>
+        <message numerus="yes">
+            <source>lost %n time(s)</source>
+            <translation><numerusform>%n-mal verloren</numerusform><numerusform>%n-mal verloren</numerusform></translation>
+        </message>
+        <message>
+            <source>filtered, lasting: %1</source>
+            <translation>gefiltert, anhaltend: %1</translation>
         </message>
 </context>
 <context>
@@ -8523,8 +8642,8 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Größte Abweichung</translation>
         </message>
         <message>
-            <source>Deviation, or-ed</source>
-            <translation>Abweichung, verodert</translation>
+            <source>Deviation, or-ed (upper estimate)</source>
+            <translation>Abweichung, verodert (obere Schätzung)</translation>
         </message>
         <message>
             <source>Network to slave</source>
@@ -8549,6 +8668,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>%1 (%2)</source>
             <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>Learned by the controller, a cycle</source>
+            <translation>Vom Regler gelernt, je Zyklus</translation>
+        </message>
+        <message>
+            <source>All adjustments</source>
+            <translation>Alle Stellwerte zusammen</translation>
         </message>
 </context>
 <context>
@@ -8693,6 +8820,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>folded</source>
             <translation>gefaltet</translation>
+        </message>
+        <message>
+            <source>One disturbance: nearly all that moves does so within %1.</source>
+            <translation>Eine einzelne Störung: fast alle Bewegung liegt innerhalb von %1.</translation>
         </message>
 </context>
 <context>
@@ -10973,6 +11104,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <source>%n warning(s)</source>
         <translation><numerusform>%n Warnung</numerusform><numerusform>%n Warnungen</numerusform></translation>
     </message>
+        <message>
+            <source>; largest that lasted %1 ns</source>
+            <translation>; größter anhaltender %1 ns</translation>
+        </message>
 </context>
 <context>
     <name>CommissioningDialog</name>
@@ -11680,6 +11815,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Name of the view</source>
             <translation>Name der Ansicht</translation>
+        </message>
+        <message>
+            <source>Fuse and its limit</source>
+            <translation>Sicherung und ihre Grenze</translation>
         </message>
 </context>
 <context>

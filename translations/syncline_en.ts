@@ -59,6 +59,17 @@
         </message>
     </context>
     <context>
+    <name>OverviewPanel</name>
+        <message numerus="yes">
+            <source>%n do(es) not answer</source>
+            <translation><numerusform>%n does not answer</numerusform><numerusform>%n do not answer</numerusform></translation>
+        </message>
+        <message numerus="yes">
+            <source>lost %n time(s)</source>
+            <translation><numerusform>lost %n time</numerusform><numerusform>lost %n times</numerusform></translation>
+        </message>
+    </context>
+    <context>
     <name>StabilityText</name>
         <message numerus="yes">
             <source>%n gap(s)</source>
@@ -90,6 +101,13 @@
                 <numerusform>%n other network online</numerusform>
                 <numerusform>%n other networks online</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+    <name>Sync</name>
+        <message numerus="yes">
+            <source>%n of %1 do(es) not answer</source>
+            <translation><numerusform>%n of %1 does not answer</numerusform><numerusform>%n of %1 do not answer</numerusform></translation>
         </message>
     </context>
     <context>
@@ -365,6 +383,18 @@
                 <numerusform>, last lost %1 ago, %n time</numerusform>
                 <numerusform>, last lost %1 ago, %n times</numerusform>
             </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) before</source>
+            <translation><numerusform>%n cycle before</numerusform><numerusform>%n cycles before</numerusform></translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) later</source>
+            <translation><numerusform>%n cycle later</numerusform><numerusform>%n cycles later</numerusform></translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) do(es) not answer</source>
+            <translation><numerusform>%n slave does not answer</numerusform><numerusform>%n slaves do not answer</numerusform></translation>
         </message>
     </context>
     <context>

@@ -335,6 +335,21 @@
             <translation>重新启动</translation>
         </message>
 </context>
+    <context>
+    <name>CsvExport</name>
+        <message>
+            <source>Writing %1…</source>
+            <translation>正在写入 %1…</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>导出</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+    </context>
 <context>
     <name>ExportMenu</name>
         <message>
@@ -675,6 +690,21 @@
             <translation>当前处理机器的哪个网络（Ctrl+F6：下一个）</translation>
         </message>
 </context>
+    <context>
+    <name>FaultBanner</name>
+        <message>
+            <source>First fault</source>
+            <translation>首个故障</translation>
+        </message>
+        <message>
+            <source>The episode before</source>
+            <translation>前一次</translation>
+        </message>
+        <message>
+            <source>The next episode</source>
+            <translation>后一次</translation>
+        </message>
+    </context>
 <context>
     <name>FileCommands</name>
         <message>
@@ -816,6 +846,18 @@
         <message>
             <source>Replace</source>
             <translation>替换</translation>
+        </message>
+        <message>
+            <source>Open %1 now?</source>
+            <translation>现在打开 %1 吗？</translation>
+        </message>
+        <message>
+            <source>Syncline was started with it. The recovered work is not saved yet; what would take its place asks first.</source>
+            <translation>Syncline 是以该文件启动的。恢复的工作尚未保存；若要取代它，会先询问。</translation>
+        </message>
+        <message>
+            <source>%1 was not opened: the recovered work is shown</source>
+            <translation>未打开 %1：显示的是恢复的工作</translation>
         </message>
 </context>
 <context>
@@ -3970,6 +4012,10 @@ Setting %2</source>
             <source>Black box %1</source>
             <translation>黑匣子 %1</translation>
         </message>
+        <message>
+            <source>Slaves %1</source>
+            <translation>从站 %1</translation>
+        </message>
 </context>
 <context>
     <name>Sync</name>
@@ -3984,6 +4030,10 @@ Setting %2</source>
         <message>
             <source>%1: %2</source>
             <translation>%1：%2</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n of %1 do(es) not answer</source>
+            <translation><numerusform>%1 个中有 %n 个无应答</numerusform></translation>
         </message>
 </context>
 <context>
@@ -4155,6 +4205,18 @@ Setting %2</source>
         <message>
             <source>the limit of %1 is kept</source>
             <translation>未超出 %1 的限值</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单位</translation>
+        </message>
+        <message>
+            <source>p99.9</source>
+            <translation>p99.9</translation>
+        </message>
+        <message>
+            <source>   p99.9 %1</source>
+            <translation>   p99.9 %1</translation>
         </message>
 </context>
 <context>
@@ -6554,10 +6616,6 @@ Setting %2</source>
             <translation>&lt;b&gt;首先：%1&lt;/b&gt;，时间 %2。</translation>
         </message>
         <message>
-            <source>%1 later %2</source>
-            <translation>%1 后 %2</translation>
-        </message>
-        <message>
             <source> Then %1</source>
             <translation> 随后 %1</translation>
         </message>
@@ -6566,16 +6624,61 @@ Setting %2</source>
             <translation>；另有 %1 个</translation>
         </message>
         <message>
-            <source> It is episode %1 since %2.</source>
-            <translation> 这是自 %2 以来的第 %1 次。</translation>
-        </message>
-        <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
         </message>
         <message>
             <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; since %1 (for %2), but &lt;b&gt;%3&lt;/b&gt;</source>
             <translation>自 %1 起（%2）&lt;b&gt;没有掉线或丢失&lt;/b&gt;，但是 &lt;b&gt;%3&lt;/b&gt;</translation>
+        </message>
+        <message>
+            <source> Not over: %1.</source>
+            <translation> 尚未结束：%1。</translation>
+        </message>
+        <message>
+            <source> It is episode %1 of %2 since %3.</source>
+            <translation> 这是自 %3 以来 %2 次中的第 %1 次。</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;First: %1&lt;/b&gt; at %2, until %3.</source>
+            <translation>&lt;b&gt;最先：%1&lt;/b&gt;，发生于 %2，持续到 %3。</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;First: %1&lt;/b&gt; at %2, and it is not over.</source>
+            <translation>&lt;b&gt;最先：%1&lt;/b&gt;，发生于 %2，尚未结束。</translation>
+        </message>
+        <message>
+            <source>in the same cycle</source>
+            <translation>在同一周期内</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) before</source>
+            <translation><numerusform>%n 个周期之前</numerusform></translation>
+        </message>
+        <message>
+            <source>%1 before</source>
+            <translation>%1 之前</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n cycle(s) later</source>
+            <translation><numerusform>%n 个周期之后</numerusform></translation>
+        </message>
+        <message>
+            <source>%1 later</source>
+            <translation>%1 之后</translation>
+        </message>
+        <message>
+            <source>%1 %2</source>
+            <comment>when, what</comment>
+            <translation>%1 %2</translation>
+        </message>
+        <message>
+            <source> Seen %1.</source>
+            <translation> 可见于 %1。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n slave(s) do(es) not answer</source>
+            <translation><numerusform>%n 个从站无应答</numerusform></translation>
         </message>
 </context>
 <context>
@@ -6703,10 +6806,6 @@ Setting %2</source>
             <translation>主站：自何时起</translation>
         </message>
         <message>
-            <source>First fault</source>
-            <translation>首个故障</translation>
-        </message>
-        <message>
             <source>DC deviation</source>
             <translation>DC 偏差</translation>
         </message>
@@ -6725,10 +6824,6 @@ Setting %2</source>
         <message>
             <source>DCM error</source>
             <translation>DCM 误差</translation>
-        </message>
-        <message>
-            <source>Time of the frame at the reference clock minus its wanted time in the cycle</source>
-            <translation>按参考时钟计的帧时刻减去其在周期中的设定时刻</translation>
         </message>
         <message>
             <source>Re-arm</source>
@@ -6799,10 +6894,6 @@ Setting %2</source>
             <translation>%1，时间 %2</translation>
         </message>
         <message>
-            <source>filtered: %1</source>
-            <translation>滤波后：%1</translation>
-        </message>
-        <message>
             <source>no limit is set</source>
             <translation>未设置限值</translation>
         </message>
@@ -6869,6 +6960,34 @@ Setting %2</source>
         <message>
             <source>Copy figures</source>
             <translation>复制数值</translation>
+        </message>
+        <message>
+            <source>Slaves in OP</source>
+            <translation>处于 OP 的从站</translation>
+        </message>
+        <message>
+            <source>Time of the frame at the reference clock minus its wanted time in the cycle. The margin is that of the filtered error as far as it has lasted for 200 ms: what is over before is no loss of synchronisation</source>
+            <translation>帧到达参考时钟的时刻减去其在周期中的期望时刻。裕量取自持续 200 ms 的滤波误差：在此之前就结束的偏差不算失去同步</translation>
+        </message>
+        <message>
+            <source>the others: %1</source>
+            <translation>其余：%1</translation>
+        </message>
+        <message>
+            <source>%1 of %2 slaves in OP</source>
+            <translation>%2 个从站中有 %1 个处于 OP</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n do(es) not answer</source>
+            <translation><numerusform>%n 个无应答</numerusform></translation>
+        </message>
+        <message numerus="yes">
+            <source>lost %n time(s)</source>
+            <translation><numerusform>失去 %n 次</numerusform></translation>
+        </message>
+        <message>
+            <source>filtered, lasting: %1</source>
+            <translation>滤波后持续：%1</translation>
         </message>
 </context>
 <context>
@@ -8484,8 +8603,8 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>最大偏差</translation>
         </message>
         <message>
-            <source>Deviation, or-ed</source>
-            <translation>偏差（按位或）</translation>
+            <source>Deviation, or-ed (upper estimate)</source>
+            <translation>偏差（按位或，上限估计）</translation>
         </message>
         <message>
             <source>Network to slave</source>
@@ -8510,6 +8629,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>%1 (%2)</source>
             <translation>%1 (%2)</translation>
+        </message>
+        <message>
+            <source>Learned by the controller, a cycle</source>
+            <translation>控制器学到的每周期量</translation>
+        </message>
+        <message>
+            <source>All adjustments</source>
+            <translation>全部调整量</translation>
         </message>
 </context>
 <context>
@@ -8653,6 +8780,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>folded</source>
             <translation>混叠</translation>
+        </message>
+        <message>
+            <source>One disturbance: nearly all that moves does so within %1.</source>
+            <translation>单次扰动：几乎所有变化都发生在 %1 之内。</translation>
         </message>
 </context>
 <context>
@@ -10912,6 +11043,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <source>%n warning(s)</source>
         <translation><numerusform>%n 个警告</numerusform></translation>
     </message>
+        <message>
+            <source>; largest that lasted %1 ns</source>
+            <translation>；持续的最大值 %1 ns</translation>
+        </message>
 </context>
 <context>
     <name>CommissioningDialog</name>
@@ -11619,6 +11754,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Name of the view</source>
             <translation>视图名称</translation>
+        </message>
+        <message>
+            <source>Fuse and its limit</source>
+            <translation>保险计数及其限值</translation>
         </message>
 </context>
 <context>

@@ -187,8 +187,12 @@ void import_from(Context& context, const RecordingOptions& options) {
   if (!run) return context.fail_with(run.error());
   if (const auto status = write_recording(*run, options.out); !status) return context.fail_with(status.error());
   for (const auto& finding : run->findings) {
+    if (finding.severity == Severity::kNote) {
+      context.console.out << describe(finding) << '\n';
+      continue;
+    }
     context.warn(finding);
-    if (finding.severity != Severity::kNote) context.exit_code = kAnswerIsNo;
+    context.exit_code = kAnswerIsNo;
   }
   context.console.out << fmt::format("{} of {:g} us, {:.3f} s\n", counted(run->samples.size(), "cycle"),
                                      static_cast<double>(run->about.limits.cycle_time) / 1000,

@@ -16,6 +16,7 @@
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
 #include "trace/range_figures.h"
+#include "trace/slaves_standing.h"
 
 namespace syncline::cli {
 namespace {
@@ -84,10 +85,13 @@ bool is_wanted(const FiguresOptions& options, const RangeFigures::OfSignal& of) 
   return std::ranges::find(options.signals, info(of.signal).key) != options.signals.end();
 }
 
-/// What is held against the limit: of the master the filtered error, because single late cycles are borne.
-double judged_by(const RunLimits& limits, Signal signal) {
-  const bool is_raw = signal == Signal::kDcmError || signal == Signal::kMasterToNetwork;
-  return is_raw ? 0 : limit_of(limits, signal);
+/// What is left of the limit: of the master that of the filtered error, as far as it has lasted, because what is over
+/// the limit for a moment is borne by the verdict.
+std::optional<double> margin_of(const RunLimits& limits, const RangeFigures::OfSignal& of) {
+  if (of.signal == Signal::kDcmError || of.signal == Signal::kMasterToNetwork) return std::nullopt;
+  const auto limit = limit_of(limits, of.signal);
+  return of.signal == Signal::kDcmErrorFiltered ? of.lasting.margin(static_cast<std::int64_t>(limit))
+                                                : of.figure.margin(limit);
 }
 
 Json count_or_null(const std::optional<std::uint64_t>& count) { return count ? Json(*count) : Json(nullptr); }
@@ -95,12 +99,12 @@ Json reading_or_null(const std::optional<RangeFigure::Reading>& reading) {
   return reading ? figure_number(reading->value) : Json(nullptr);
 }
 
-Json figure_json(const RangeFigure& figure, Signal signal, const RunLimits& limits, Nanoseconds begin) {
+Json figure_json(const RangeFigure& figure, Signal signal, const std::optional<double>& margin, const RunLimits& limits,
+                 Nanoseconds begin) {
   const double limit = limit_of(limits, signal);
   const auto& statistics = figure.statistics;
   const bool any = statistics.count() > 0;
   const auto quantile = figure.quantile(kQuantile);
-  const auto margin = figure.margin(judged_by(limits, signal));
   return {{"count", statistics.count()},
           {"now", reading_or_null(figure.newest)},
           {"now_s", figure.newest ? Json(seconds(figure.newest->time - begin)) : Json(nullptr)},
@@ -126,6 +130,32 @@ std::string fault_words(const Fault& fault) {
   return fmt::format("slave {}: {} SM2 events missed", fault.slave, fault.count);
 }
 
+/// Who works at the end of it; nothing: the run does not tell.
+std::optional<SlavesStanding> standing_of(const RunRecord& record) {
+  return slaves_standing(record.config(), record.samples(), record.overview());
+}
+
+std::string standing_words(const RunRecord& record) {
+  const auto standing = standing_of(record);
+  if (!standing) return {};
+  auto text = fmt::format("{} of {} in OP", standing->in_op, counted(standing->slaves, "slave"));
+  if (standing->silent > 0) text += fmt::format(", {} not answering", standing->silent);
+  if (standing->silent_followers > 0) {
+    text += fmt::format("; the verdict on the slaves is without {} of {} that followed the reference clock",
+                        standing->silent_followers, standing->followers);
+  }
+  return text + '\n';
+}
+
+Json slaves_json(const RunRecord& record) {
+  const auto standing = standing_of(record);
+  if (!standing) return nullptr;
+  return {{"in_op", standing->in_op},
+          {"not_answering", standing->silent},
+          {"followers", standing->followers},
+          {"followers_not_answering", standing->silent_followers}};
+}
+
 Json faults_json(const SyncOverview& overview) {
   Json episodes = Json::array();
   for (const auto& episode : overview.faults.episodes()) {
@@ -134,6 +164,7 @@ Json faults_json(const SyncOverview& overview) {
       faults.push_back({{"time_s", seconds(fault.first - overview.begin)},
                         {"slave", fault.slave < 0 ? Json(nullptr) : Json(fault.slave)},
                         {"count", fault.count},
+                        {"over_s", fault.over ? Json(seconds(*fault.over - overview.begin)) : Json(nullptr)},
                         {"text", fault_words(fault)}});
     }
     episodes.push_back({{"from_s", seconds(episode.begin - overview.begin)},
@@ -151,7 +182,11 @@ Json figures_as_json(const Told& told, const FiguresOptions& options) {
     if (!is_wanted(options, of)) continue;
     const auto& row = info(of.signal);
     Json object{{"key", row.key}, {"name", row.name}, {"unit", row.unit}};
-    object.update(figure_json(of.figure, of.signal, record.limits(), overview.begin));
+    object.update(figure_json(of.figure, of.signal, margin_of(record.limits(), of), record.limits(), overview.begin));
+    if (of.signal == Signal::kDcmErrorFiltered) {
+      const auto& lasting = of.lasting.largest();
+      object["lasting"] = lasting ? Json(lasting->magnitude) : Json(nullptr);
+    }
     signal_list.push_back(std::move(object));
   }
   for (std::size_t i = 0; i < told.figures.slaves().size(); ++i) {
@@ -160,7 +195,9 @@ Json figures_as_json(const Told& told, const FiguresOptions& options) {
     slaves.push_back(
         {{"position", i},
          {"name", record.slave_name(i)},
-         {"deviation_ns", read ? figure_json(slave.deviation, Signal::kSlaveDeviation, record.limits(), overview.begin)
+         {"deviation_ns", read ? figure_json(slave.deviation, Signal::kSlaveDeviation,
+                                             slave.deviation.margin(limit_of(record.limits(), Signal::kSlaveDeviation)),
+                                             record.limits(), overview.begin)
                                : Json(nullptr)},
          {"sm2_missed", slave.missed ? Json(*slave.missed) : Json(nullptr)}});
   }
@@ -174,6 +211,7 @@ Json figures_as_json(const Told& told, const FiguresOptions& options) {
       {"skipped_cycles", count_or_null(told.figures.skipped_cycles())},
       {"signals", std::move(signal_list)},
       {"slaves", std::move(slaves)},
+      {"standing", slaves_json(record)},
       {"sync", {{"slaves", lamp_json(overview.slaves, overview)}, {"master", lamp_json(overview.master, overview)}}},
       {"sm2_missed", overview.missed.known ? Json(overview.missed.count) : Json(nullptr)},
       {"episodes", faults_json(overview)}};
@@ -189,7 +227,7 @@ std::string number_text(double value) {
 }
 
 void append_figure(std::string& text, std::string_view name, std::string_view unit, const RangeFigure& figure,
-                   double limit, Nanoseconds begin) {
+                   const std::optional<double>& margin, double limit, Nanoseconds begin) {
   const auto& statistics = figure.statistics;
   const auto quantile = figure.quantile(kQuantile);
   const auto half = statistics.mean_half_width();
@@ -201,7 +239,7 @@ void append_figure(std::string& text, std::string_view name, std::string_view un
                  quantile ? fmt::format("{}", *quantile) : "-",
                  or_dash(any, any ? number_text(figure.largest->value) : ""));
   if (any) fmt::format_to(std::back_inserter(text), "  at {:.6f} s", seconds(figure.largest->time - begin));
-  if (const auto margin = figure.margin(limit)) {
+  if (margin) {
     text += *margin < 0 ? fmt::format(", over the limit ±{:.0f}", limit)
                         : fmt::format(", {:.0f} % margin to ±{:.0f}", std::floor(*margin * 100), limit);
   }
@@ -236,25 +274,26 @@ std::string figures_text(const Told& told, const FiguresOptions& options) {
                                      : ", never armed",
                  counted(told.figures.cycles(), "cycle"), of_count(told.figures.lost_frames(), "frame"),
                  of_count(told.figures.wkc_errors(), "WKC error"), of_count(told.figures.skipped_cycles(), "cycle"));
-  text += lamp_words("slaves", overview.slaves, overview) + lamp_words("master", overview.master, overview);
+  text += lamp_words("slaves", overview.slaves, overview) + lamp_words("master", overview.master, overview) +
+          standing_words(record);
   fmt::format_to(out(text), "{:<40} {:>5} {:>10} {:>12} {:>9} {:>12} {:>12} {:>12}\n", "SIGNAL", "UNIT", "COUNT",
                  "MEAN", "±95 %", "RMS", "P99.99", "LARGEST");
   for (const auto& of : told.figures.signals()) {
     if (!is_wanted(options, of)) continue;
-    append_figure(text, info(of.signal).name, info(of.signal).unit, of.figure, judged_by(record.limits(), of.signal),
-                  overview.begin);
+    append_figure(text, info(of.signal).name, info(of.signal).unit, of.figure, margin_of(record.limits(), of),
+                  limit_of(record.limits(), of.signal), overview.begin);
   }
   for (std::size_t i = 0; i < told.figures.slaves().size(); ++i) {
     const auto& slave = told.figures.slaves()[i];
     const auto name = fmt::format("#{} {}", i, record.slave_name(i));
     if (slave.deviation.statistics.count() > 0) {
-      append_figure(text, name, "ns", slave.deviation, limit_of(record.limits(), Signal::kSlaveDeviation),
-                    overview.begin);
+      const auto limit = limit_of(record.limits(), Signal::kSlaveDeviation);
+      append_figure(text, name, "ns", slave.deviation, slave.deviation.margin(limit), limit, overview.begin);
     }
     if (slave.missed.value_or(0) > 0) fmt::format_to(out(text), "{}: {} SM2 events missed\n", name, *slave.missed);
   }
   for (const auto& episode : overview.faults.episodes()) {
-    const auto& first = episode.faults.front();
+    const auto& first = episode.faults[episode.leading()];
     fmt::format_to(out(text), "{:.3f} s: {}", seconds(first.first - overview.begin), fault_words(first));
     const auto more = episode.faults.size() - 1 + episode.left_out;
     text += more == 0 ? "\n" : fmt::format(", and {} more\n", more);

@@ -136,17 +136,19 @@ void without_chatter(QtMsgType, const QMessageLogContext&, const QString& text) 
 void begin(const Options& options, ui::MainWindow& window, ui::Workspace& workspace) {
   if (!options.link.isEmpty()) workspace.setLink(options.link);
   window.bus().offerRepairs();
-  window.files().offerRecovery([options, &window, &workspace] {
-    if (!options.overlay.isEmpty()) {
-      QObject::connect(
-          &workspace.recording(), &ui::OpenedRecording::changed, &window,
-          [options, &window] { window.overlay().open(options.overlay); },
-          Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
-    }
-    if (!options.file.isEmpty()) window.files().openAny(options.file);
-    if (!options.demo) return;
-    window.bus().startDemo(options.link.isEmpty() ? workspace.environment().demo_link : options.link);
-  });
+  window.files().offerRecovery(
+      [options, &window, &workspace] {
+        if (!options.overlay.isEmpty()) {
+          QObject::connect(
+              &workspace.recording(), &ui::OpenedRecording::changed, &window,
+              [options, &window] { window.overlay().open(options.overlay); },
+              Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        }
+        if (!options.file.isEmpty()) window.files().openAny(options.file);
+        if (!options.demo) return;
+        window.bus().startDemo(options.link.isEmpty() ? workspace.environment().demo_link : options.link);
+      },
+      options.file);
 }
 
 /// Where the usual size does not fit, its frame neither, the window takes the whole screen.

@@ -60,6 +60,7 @@ struct Exchange {
 struct Captured {
   std::vector<Exchange> exchanges;
   bool has_both_ways = false;
+  std::uint64_t by_host = 0, by_probe = 0;  // EtherCAT frames that these stamped
 };
 
 bool reads_clock(const DatagramHeader& header) {
@@ -122,6 +123,7 @@ class Pairing {
     }
     if (reader.malformed() || views.empty()) return;
     const auto time = time_of(frame);
+    ++(frame.stamp ? captured_.by_probe : captured_.by_host);
     if (const auto request = find_request(open)) {
       auto& exchange = captured_.exchanges[*request];
       exchange.returned = time;
@@ -143,7 +145,7 @@ class Pairing {
   }
   Captured take() {
     if (captured_.has_both_ways) return std::move(captured_);
-    Captured back;
+    Captured back{{}, false, captured_.by_host, captured_.by_probe};
     for (auto& [number, told] : unpaired_) {
       told.sent = captured_.exchanges[number].sent;
       told.key = captured_.exchanges[number].key;
@@ -335,6 +337,34 @@ class CycleMaker {
   std::vector<CycleSample> samples_;
 };
 
+/// Who stamped the frames, and what of their replies is not there.
+void tell_source(const Captured& captured, const std::optional<FrameKey>& main, std::vector<Finding>& findings) {
+  using words::kRecording;
+  if (captured.by_probe == 0) {
+    findings.push_back(make_finding<kRecording>("import-times", {}));
+  } else if (captured.by_host == 0) {
+    findings.push_back(make_finding<kRecording>("import-times/probe", {}));
+  } else {
+    findings.push_back(make_finding<kRecording>("import-times/mixed", {}, fig::count<"count">(captured.by_probe),
+                                                fig::count<"frames">(captured.by_probe + captured.by_host)));
+  }
+  if (!captured.has_both_ways) {
+    findings.push_back(make_finding<kRecording>("import-replies-missing/back", {}));
+    return;
+  }
+  std::uint64_t cyclic = 0, missing = 0;
+  for (const auto& exchange : captured.exchanges) {
+    if (exchange.key != main) continue;
+    ++cyclic;
+    missing += exchange.returned ? 0U : 1U;
+  }
+  // The last ones may have been under way when the capture was ended.
+  if (missing > 1) {
+    findings.push_back(make_finding<kRecording>("import-replies-missing", {}, fig::count<"count">(missing),
+                                                fig::count<"frames">(cyclic)));
+  }
+}
+
 }  // namespace
 
 Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits) {
@@ -369,6 +399,7 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
     run.samples = maker.take();
   }
   if (run.samples.empty()) return fail(ErrorCode::kBadValue, name, because("it holds no cyclic frame that came back"));
+  tell_source(captured, main, run.findings);
   count_cycles(run.samples);
   run.about.program = "import of a capture";
   run.about.link = name;

@@ -60,6 +60,31 @@ inline constexpr FindingWords kRecording[] = {
      "Capture whole frames (a snap length of 0).",
      "",
      {{"", "{count:# frame was|# frames were} captured in part only and passed over."}}},
+    {"import-times",
+     Severity::kNote,
+     "Who stamped the frames of an imported capture",
+     "Times of a probe are good to nanoseconds. Those of a host hold its interrupts and its clock, too: what is in the "
+     "lateness or the round trip of a few microseconds may be its own.",
+     "",
+     "",
+     {{"", "Times are software stamps of the host that captured."},
+      {"probe", "Times are the hardware stamps of a probe, which the frames carry; dated by the first frame."},
+      {"mixed",
+       "{count:# frame has|# frames have} hardware stamps of a probe, the others of {frames} are stamped by the host "
+       "that captured them: times between the two do not compare."}}},
+
+    {"import-replies-missing",
+     Severity::kNote,
+     "Replies are missing in an imported capture",
+     "Lost on the bus and lost by who captured look alike. A mirror port of a switch passes over frames when both ways "
+     "together are more than it carries, and gives no two frames their true distance.",
+     "Capture with a probe in the line, or at the master; compare with the lost frames that the master counts.",
+     "",
+     {{"",
+       "{count:# cyclic frame has|# cyclic frames have} no reply in the capture, of {frames}: lost on the bus, or by "
+       "who "
+       "captured."},
+      {"back", "Only frames on their way back were captured: round trips and lost frames are not known."}}},
 };
 
 }  // namespace syncline::words

@@ -139,6 +139,7 @@ Status put_times(const DcmLogTable& log, std::vector<CycleSample>& samples, cons
 CycleSample sample_of(const DcmLogRow& row, const DcmLogTable& log) {
   CycleSample sample;
   sample.flags = kStateUntold | kLatenessUntold | kRoundTripUntold | kFramesUntold | kExpectedUntold;
+  if (!log.has("CtlOutSum") || !log.has("CtlOutTot")) sample.flags |= kLearnedUntold;
   if (log.has("BusTime [ns]")) sample.reference_time = row.bus_time_ns;
   if (log.has("CtlErr [ns]")) {
     sample.flags |= Flag::kReferenceValid | Flag::kDcmActive;
@@ -304,7 +305,7 @@ class RunTable {
 };
 
 std::uint16_t untold_of(const RunTable& table) {
-  std::uint16_t flags = kStateUntold;
+  std::uint16_t flags = kStateUntold | kLearnedUntold;
   if (!table.has(Signal::kLateness)) flags |= kLatenessUntold;
   if (!table.has(Signal::kRoundTrip)) flags |= kRoundTripUntold;
   if (!table.has(Signal::kFrameLost) || !table.has(Signal::kWkcExpected)) flags |= kFramesUntold | kExpectedUntold;

@@ -11,17 +11,33 @@ using Kind = Criterion::Kind;
 
 Verdict kept_if(bool kept) { return kept ? Verdict::kKept : Verdict::kNotKept; }
 
+/// What is held against a limit.
+struct Held {
+  std::optional<std::int64_t> magnitude;
+  std::optional<double> margin;
+  std::int64_t limit = 0;
+};
+Held held(const OverviewFigure& figure, std::int64_t limit) {
+  const auto& largest = figure.largest;
+  return {largest ? std::optional(std::abs(largest->value)) : std::nullopt, figure.margin(limit), limit};
+}
+Held held(const LastingMagnitude& lasting, std::int64_t limit) {
+  const auto& largest = lasting.largest();
+  return {largest ? std::optional(largest->magnitude) : std::nullopt, lasting.margin(limit), limit};
+}
+
 /// One of the two verdicts: in sync at the end, never lost since, and as far from its limit as wanted.
-Criterion judge_sync(Kind kind, const SyncLamp& lamp, const OverviewFigure& figure, std::int64_t limit,
-                     const SyncOverview& overview, double least_margin) {
+Criterion judge_sync(Kind kind, const SyncLamp& lamp, const Held& held, const SyncOverview& overview,
+                     double least_margin) {
+  const auto limit = held.limit;
   Criterion criterion{.kind = kind, .required = limit};
   criterion.state = lamp.state;
   criterion.state_for = overview.end - lamp.since;
   criterion.times_lost = lamp.times_lost;
   criterion.least_margin = least_margin;
   if (!is_watched(lamp.state) || limit <= 0) return criterion;
-  if (figure.largest) criterion.found = std::abs(figure.largest->value);
-  criterion.margin = figure.margin(limit);
+  criterion.found = held.magnitude;
+  criterion.margin = held.margin;
   criterion.verdict = kept_if(overview.armed && lamp.state == SyncState::kInSync && lamp.times_lost == 0 &&
                               criterion.margin && *criterion.margin >= least_margin);
   return criterion;
@@ -86,10 +102,10 @@ Acceptance judge(const RunRecord& run, std::span<const Finding> findings, const 
   result.armed = overview.armed.has_value();
   result.criteria = {judge_time(overview, limits.least_time),
                      judge_state(overview),
-                     judge_sync(Kind::kSlavesInSync, overview.slaves, overview.deviation, run.limits().deviation_ns,
-                                overview, limits.least_margin),
-                     judge_sync(Kind::kMasterInSync, overview.master, overview.dcm_filtered, run.limits().dcm_error_ns,
-                                overview, limits.least_margin),
+                     judge_sync(Kind::kSlavesInSync, overview.slaves,
+                                held(overview.deviation, run.limits().deviation_ns), overview, limits.least_margin),
+                     judge_sync(Kind::kMasterInSync, overview.master,
+                                held(overview.dcm_lasting, run.limits().dcm_error_ns), overview, limits.least_margin),
                      judge_count(Kind::kMissedEvents, missed, limits.most_missed_events),
                      judge_count(Kind::kLostFrames, total(Signal::kLostFrames), limits.most_lost_frames),
                      judge_count(Kind::kWkcErrors, total(Signal::kWkcErrors), limits.most_wkc_errors),

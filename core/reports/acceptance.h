@@ -15,7 +15,7 @@ namespace syncline::reports {
 /// What a run must have shown to be accepted.
 struct AcceptanceLimits {
   Nanoseconds least_time = 0;            // that it was watched for, since it was armed
-  double least_margin = 0;               // part of the limit that the largest deviation must leave, 0..1
+  double least_margin = 0;               // part of the limit that what is found must leave, 0..1
   std::uint64_t most_lost_frames = 0;    // since it was armed; the same of the others
   std::uint64_t most_wkc_errors = 0;     // cycles
   std::uint64_t most_left_out = 0;       // cycles that the host was too late for
@@ -33,7 +33,7 @@ struct Criterion {
     kWatchedFor,    // `required` and `found`: ns; none found: never armed
     kState,         // AlState
     kSlavesInSync,  // `required`: the limit, ns; `found`: the largest magnitude, ns
-    kMasterInSync,  // the same
+    kMasterInSync,  // the same; `found`: the largest magnitude of the filtered error that has lasted, ns
     kMissedEvents,  // this and the next: `required` at most, `found`; none: not told
     kLostFrames,
     kWkcErrors,

@@ -38,7 +38,8 @@ std::string sync_found(const Criterion& criterion) {
   auto text = fmt::format("{} for {}", sync_state_text(criterion.state), time_text(criterion.state_for));
   if (criterion.times_lost > 0) text += ", lost " + counted(static_cast<std::int64_t>(criterion.times_lost), "time");
   if (!criterion.margin) return text + "; no value since it was armed";
-  text += fmt::format("; largest {} ns, ", *criterion.found);
+  const auto* lasted = criterion.kind == Kind::kMasterInSync ? " that lasted" : "";
+  text += fmt::format("; largest{} {} ns, ", lasted, *criterion.found);
   return text + (*criterion.margin < 0 ? std::string("over the limit")
                                        : fmt::format("{:.0f} % margin", std::floor(*criterion.margin * 100)));
 }

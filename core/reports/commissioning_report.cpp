@@ -76,14 +76,13 @@ std::string mean_text(const Statistics& statistics) {
   return half ? text + fmt::format(" ± {:.1f}", std::ceil(*half * 10) / 10) : text;
 }
 
-void add_figure(HtmlTable& table, const std::string& name, const OverviewFigure& figure, std::int64_t limit,
-                Nanoseconds begin) {
+void add_figure(HtmlTable& table, const std::string& name, const OverviewFigure& figure,
+                const std::optional<double>& margin, std::int64_t limit, Nanoseconds begin) {
   const auto& statistics = figure.statistics;
   if (statistics.count() == 0) {
     table.row({name, "0", "", "", "", "", "", "no value"});
     return;
   }
-  const auto margin = figure.margin(limit);
   table.row({name, fmt::format("{}", statistics.count()), mean_text(statistics),
              fmt::format("{:.1f}", statistics.rms()), fmt::format("{}", figure.magnitudes.percentile(0.9999)),
              fmt::format("{}", std::abs(figure.largest->value)), moment(figure.largest->time, begin),
@@ -95,12 +94,17 @@ void add_figure(HtmlTable& table, const std::string& name, const OverviewFigure&
 std::string figures_section(const RunRecord& run) {
   const auto& overview = run.overview();
   HtmlTable table({"Figure", "Values", "Mean, ns", "Rms, ns", "99.99 %, ns", "Largest, ns", "At, s", "Margin"});
+  const auto& limits = run.limits();
   add_figure(table, "Deviation of the slaves (0x092C), largest in each cycle", overview.deviation,
-             run.limits().deviation_ns, overview.begin);
-  add_figure(table, "Error of the master synchronisation", overview.dcm_error, 0, overview.begin);
-  add_figure(table, "The same, filtered", overview.dcm_filtered, run.limits().dcm_error_ns, overview.begin);
+             overview.deviation.margin(limits.deviation_ns), limits.deviation_ns, overview.begin);
+  add_figure(table, "Error of the master synchronisation", overview.dcm_error, {}, 0, overview.begin);
+  add_figure(table, "The same, filtered", overview.dcm_filtered, overview.dcm_lasting.margin(limits.dcm_error_ns),
+             limits.dcm_error_ns, overview.begin);
   return table.end() +
-         paragraph("A mean has half of its 95 % interval behind it, where the values are enough to say so.");
+         paragraph(
+             "A mean has half of its 95 % interval behind it, where the values are enough to say so. The margin of the "
+             "filtered error is that of what has lasted for 200 ms: what is over before is no loss of "
+             "synchronisation.");
 }
 
 struct Stretch {

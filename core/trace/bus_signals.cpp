@@ -22,6 +22,10 @@ constexpr bool is_controlled(const CycleSample& sample) {
   return has(sample, Flag::kDcmActive) && has(sample, Flag::kReferenceValid);
 }
 
+constexpr bool is_learned(const CycleSample& sample) {
+  return has(sample, Flag::kDcmActive) && is_told(sample, kLearnedUntold);
+}
+
 template <class T>
 Number whole(T value) {
   return SignalNumber(static_cast<std::int64_t>(value));
@@ -152,10 +156,12 @@ constexpr std::array kBusRows{
     cell(Signal::kSm2IntegratorReading, "sm2_integrator", "Its fuse", "",
          [](const CycleSample& s) { return whole_when(s.sm2_position >= 0, s.slave_sm2_integrator); }),
     cell(Signal::kFlags, "flags", "Flags of the sample", "", [](const CycleSample& s) { return whole(s.flags); }),
-    cell(Signal::kDcmOutputSum, "dcm_output_sum_ns", "What the controller has learned, a cycle", "ns",
-         [](const CycleSample& s) { return Number(SignalNumber(s.dcm_output_sum_ns)); }),
-    cell(Signal::kDcmOutputTotal, "dcm_output_total_ns", "All adjustments", "ns",
-         [](const CycleSample& s) { return whole(s.dcm_output_total_ns); }),
+    every_cycle(
+        Signal::kDcmOutputSum, "dcm_output_sum_ns", "What the controller has learned, a cycle", "ns", kDcm,
+        Scale::kSignedLog,
+        [](const CycleSample& s) { return is_learned(s) ? Number(SignalNumber(s.dcm_output_sum_ns)) : std::nullopt; }),
+    every_cycle(Signal::kDcmOutputTotal, "dcm_output_total_ns", "All adjustments", "ns", kDcm, Scale::kSignedLog,
+                [](const CycleSample& s) { return whole_when(is_learned(s), s.dcm_output_total_ns); }),
     cell(Signal::kDcmErrorCode, "dcm_error_code", "DCM error code", "",
          [](const CycleSample& s) { return whole(s.dcm_error_code); }),
     cell(Signal::kSyncBase, "sync_base_ns", "Base of the SYNC grid", "ns",

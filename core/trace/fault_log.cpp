@@ -77,16 +77,87 @@ bool alike(const Fault& a, const Fault& b) {
   return !a.event || a.event->kind() == b.event->kind();
 }
 
+/// Who stands for what in the same moment: a cable or a link is the cause of who does not answer behind it, and an
+/// error code says less than the loss that names its reason.
+int cause_rank(const Fault& fault) {
+  if (!fault.event) return 0;
+  if (fault.event->is<events::DcmError>()) return -1;
+  const auto is_cause = fault.event->is<events::CableChanged>() || fault.event->is<events::LinkDown>() ||
+                        fault.event->is<events::CyclesLeftOut>();
+  if (is_cause) return 2;
+  return fault.event->is<events::SlaveLost>() ? 1 : 0;
+}
+
+/// What frames or clocks only show of something else.
+bool is_symptom(const Fault& fault) {
+  return fault.event && (fault.event->is<events::WkcError>() || fault.event->is<events::FramesLost>() ||
+                         fault.event->is<events::DcmError>() || fault.event->is<events::MasterOutOfSync>());
+}
+
+/// The return to order is that of this fault.
+bool ends(const Event& order, const Fault& fault) {
+  const auto& what = *fault.event;
+  const bool same_slave = order.slave == fault.slave;
+  if (order.is<events::SlaveFound>()) return same_slave && what.is<events::SlaveLost>();
+  if (order.is<events::CableChanged>()) return same_slave && what.is<events::CableChanged>();
+  if (order.is<events::LinkUp>()) return what.is<events::LinkDown>();
+  if (order.is<events::SlavesInSync>()) {
+    // Of one slave: it came back while the others were in sync.
+    return order.slave < 0 && (what.is<events::SlavesOutOfSync>() || what.is<events::SlavesSyncUnknown>());
+  }
+  if (order.is<events::SlavesNotMonitored>()) return what.is<events::SlavesSyncUnknown>();
+  if (order.is<events::MasterInSync>()) return what.is<events::MasterOutOfSync>();
+  if (order.is<events::ReferenceClockChanged>()) return what.is<events::ReferenceClockChanged>();
+  return same_slave && order.kind() == what.kind() &&
+         (order.is<events::LongCycles>() || order.is<events::StaleInputs>());
+}
+
 }  // namespace
+
+bool Fault::lasts() const {
+  if (!event) return false;
+  return event->is<events::SlaveLost>() || event->is<events::CableChanged>() || event->is<events::LinkDown>() ||
+         event->is<events::SlavesOutOfSync>() || event->is<events::SlavesSyncUnknown>() ||
+         event->is<events::MasterOutOfSync>() || event->is<events::ReferenceClockChanged>() ||
+         event->is<events::LongCycles>() || event->is<events::StaleInputs>();
+}
+
+std::size_t FaultEpisode::leading() const {
+  std::size_t lead = 0;
+  if (!is_symptom(faults.front())) return lead;
+  for (std::size_t i = 1; i < faults.size() && faults[i].first - faults.front().first <= kSameMoment; ++i) {
+    if (cause_rank(faults[i]) > cause_rank(faults[lead])) lead = i;
+  }
+  return lead;
+}
 
 EventMeaning meaning_of(const Event& event) { return std::visit(MeaningOf{}, event.what); }
 
 void FaultLog::add(const Event& event) {
-  if (meaning_of(event) == EventMeaning::kFault) add(Fault{event.time, event.time, event.slave, event, 1});
+  if (meaning_of(event) == EventMeaning::kFault) return add(Fault{event.time, event.time, event.slave, event, 1, {}});
+  end(event);
 }
 
 void FaultLog::add_missed(Nanoseconds time, int slave, std::uint64_t missed) {
-  if (missed > 0) add(Fault{time, time, slave, std::nullopt, missed});
+  if (missed > 0) add(Fault{time, time, slave, std::nullopt, missed, {}});
+}
+
+void FaultLog::end(const Event& news) {
+  for (auto& episode : episodes_) {
+    for (auto& fault : episode.faults) {
+      if (fault.lasts() && !fault.over && fault.last <= news.time && ends(news, fault)) fault.over = news.time;
+    }
+  }
+}
+
+std::vector<const Fault*> FaultLog::lasting() const {
+  std::vector<const Fault*> all;
+  for (const auto& episode : episodes_) {
+    for (const auto& fault : episode.faults) {
+      if (fault.lasts() && !fault.over) all.push_back(&fault);
+    }
+  }
+  return all;
 }
 
 void FaultLog::clear(Nanoseconds now) {
@@ -115,6 +186,7 @@ void FaultLog::add(Fault fault) {
   if (const auto same = std::ranges::find_if(faults, [&](const Fault& f) { return alike(f, fault); });
       same != faults.end()) {
     fault.count += same->count;
+    if (same->over && *same->over > fault.last) fault.over = same->over;  // it came late
     fault.last = std::max(fault.last, same->last);
     if (same->first <= fault.first) {
       fault.first = same->first;

@@ -16,6 +16,9 @@ struct Fault {
   int slave = -1;                   // position; -1: the master or the bus
   std::optional<Event> event;       // the first of its kind; nothing: the slave has missed SM2 events
   std::uint64_t count = 1;          // events of the kind, or missed SM2 events
+  /// It is a state that lasts (a slave away, a cable broken, out of sync), and no moment.
+  [[nodiscard]] bool lasts() const;
+  std::optional<Nanoseconds> over;  // when what lasts was in order again
 };
 
 /// Faults of which each came within FaultLog::kQuiet of another one.
@@ -25,6 +28,11 @@ struct FaultEpisode {
   Nanoseconds begin = 0, end = 0;  // host clock, of the first fault and of the last
   std::vector<Fault> faults;       // by time: the first is what the others may have followed from
   std::uint64_t left_out = 0;      // beyond kMostFaults
+
+  /// What is told first: the first fault, or, where that is only what frames or clocks have shown (another working
+  /// counter, no frame, the master out of sync), what was found to be the cause within kSameMoment.
+  static constexpr Nanoseconds kSameMoment = 20 * kMillisecond;
+  [[nodiscard]] std::size_t leading() const;
 };
 
 /// What an event says of the machine's order; a step that was asked for is news.
@@ -36,7 +44,8 @@ class FaultLog {
   static constexpr Nanoseconds kQuiet = 2 * kSecond;
   static constexpr std::size_t kMostEpisodes = 64;
 
-  /// What is no fault, or was before clear(), is passed over. Times may come out of order within an episode.
+  /// What is no fault is passed over, but that it ends one that lasts; so is what was before clear(). Times may come
+  /// out of order within an episode.
   void add(const Event& event);
   /// The slave has missed so many more SM2 events, as read at `time`.
   void add_missed(Nanoseconds time, int slave, std::uint64_t missed);
@@ -47,9 +56,12 @@ class FaultLog {
   [[nodiscard]] const std::vector<FaultEpisode>& episodes() const { return episodes_; }
   /// All, those that were forgotten included.
   [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// What lasts and is not over, oldest first; valid until something is added.
+  [[nodiscard]] std::vector<const Fault*> lasting() const;
 
  private:
   void add(Fault fault);
+  void end(const Event& news);
   FaultEpisode& episode_at(Nanoseconds time);
 
   std::vector<FaultEpisode> episodes_;

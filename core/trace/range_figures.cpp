@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "trace/counted_cycle.h"
 #include "trace/untold.h"
 
 namespace syncline {
@@ -27,11 +28,11 @@ std::optional<double> RangeFigure::margin(double limit) const {
   return 1 - std::abs(largest->value) / limit;
 }
 
-RangeFigures::RangeFigures(std::size_t slaves, Nanoseconds begin, Nanoseconds end, bool in_op)
-    : begin_(begin), end_(end), in_op_(in_op), slaves_(slaves), counters_(slaves) {
+RangeFigures::RangeFigures(std::size_t slaves, Nanoseconds begin, Nanoseconds end, bool armed)
+    : begin_(begin), end_(end), armed_(armed), slaves_(slaves), counters_(slaves) {
   for (const auto& row : syncline::signals()) {
     const bool own = row.form == SignalInfo::Form::kCycles || row.form == SignalInfo::Form::kReadings;
-    if (own && row.of_cycle != nullptr) signals_.push_back({row.id, {}});
+    if (own && row.of_cycle != nullptr) signals_.emplace_back().signal = row.id;
   }
 }
 
@@ -43,15 +44,17 @@ void RangeFigures::add(const CycleSample& sample) {
   if (sample.send_time >= end_) return;
   add_missed(sample);
   if (sample.send_time < begin_) return;
-  const bool in_op = static_cast<AlState>(sample.master_state) == AlState::kOp || !is_told(sample, kStateUntold);
-  if (in_op_ && !in_op) return;
+  if (armed_ && !counts_in_figures(sample)) return;
   ++cycles_;
   untold_ |= sample.flags & (kFramesUntold | kExpectedUntold | kLatenessUntold);
   lost_frames_ += sample.frames_lost;
   skipped_cycles_ += sample.skipped_cycles;
   if ((sample.flags & CycleSample::kWkcError) != 0) ++wkc_errors_;
-  for (auto& [signal, figure] : signals_) {
-    if (const auto number = info(signal).of_cycle(sample)) figure.add(sample.send_time, *number);
+  for (auto& [signal, figure, lasting] : signals_) {
+    const auto number = info(signal).of_cycle(sample);
+    if (!number) continue;
+    figure.add(sample.send_time, *number);
+    if (signal == Signal::kDcmErrorFiltered) lasting.add(sample.send_time, std::abs(sample.dcm_error_filtered_ns));
   }
   const bool follows = sample.slave_position >= 0 && (sample.flags & CycleSample::kSlaveFollows) != 0;
   if (follows && static_cast<std::size_t>(sample.slave_position) < slaves_.size()) {

@@ -8,6 +8,7 @@
 
 #include "channels/cycle_sample.h"
 #include "trace/histogram.h"
+#include "trace/lasting_magnitude.h"
 #include "trace/signals.h"
 #include "trace/statistics.h"
 #include "trace/untold.h"
@@ -36,8 +37,10 @@ struct RangeFigure {
 class RangeFigures {
  public:
   struct OfSignal {
-    Signal signal;
-    RangeFigure figure;
+    Signal signal{};
+    RangeFigure figure{};
+    /// Of the filtered DCM error alone: what its limit is for.
+    LastingMagnitude lasting{};
   };
   struct OfSlave {
     RangeFigure deviation;  // of the readings as a follower of the reference clock, ns
@@ -45,8 +48,8 @@ class RangeFigures {
     std::optional<std::uint64_t> missed;
   };
 
-  /// [begin, end), host clock. `in_op`: only what was while the master was in OP, as the overview does.
-  RangeFigures(std::size_t slaves, Nanoseconds begin, Nanoseconds end, bool in_op);
+  /// [begin, end), host clock. `armed`: only the cycles that the overview of an armed run counts.
+  RangeFigures(std::size_t slaves, Nanoseconds begin, Nanoseconds end, bool armed);
   /// All samples of the run, in their order.
   void add(std::span<const CycleSample> samples);
 
@@ -67,7 +70,7 @@ class RangeFigures {
   }
 
   Nanoseconds begin_, end_;
-  bool in_op_;
+  bool armed_;
   std::uint16_t untold_ = 0;  // by some cycle
   std::uint64_t cycles_ = 0, lost_frames_ = 0, wkc_errors_ = 0, skipped_cycles_ = 0;
   std::vector<OfSignal> signals_;

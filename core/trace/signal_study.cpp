@@ -5,6 +5,45 @@
 #include <utility>
 
 namespace syncline {
+namespace {
+
+/// Of all squares about the mean, the part in the fullest `window` of neighbouring samples.
+double fullest(Stretches<float> stretches, std::size_t window) {
+  double sum = 0, count = 0;
+  for (const auto stretch : stretches) {
+    for (const float value : stretch) sum += static_cast<double>(value);
+    count += static_cast<double>(stretch.size());
+  }
+  const auto mean = count > 0 ? sum / count : 0;
+  const auto square = [mean](float value) {
+    const auto off = static_cast<double>(value) - mean;
+    return off * off;
+  };
+  double all = 0, most = 0;
+  for (const auto stretch : stretches) {
+    double in_window = 0;
+    for (std::size_t i = 0; i < stretch.size(); ++i) {
+      in_window += square(stretch[i]);
+      all += square(stretch[i]);
+      if (i >= window) in_window -= square(stretch[i - window]);
+      most = std::max(most, in_window);
+    }
+  }
+  return all > 0 ? most / all : 0;
+}
+
+/// A single step makes the same hump as a swing; but what swings comes again, all over the range.
+void tell_disturbance(StabilityReading& reading, const EvenSamples& samples, double interval) {
+  constexpr double kPeriods = 3, kNearlyAll = 0.9, kShortPart = 0.25;
+  if (reading.hunting_period <= 0) return;
+  const auto window = static_cast<std::size_t>(kPeriods * reading.hunting_period / interval);
+  if (static_cast<double>(window) > kShortPart * static_cast<double>(samples.used())) return;
+  if (fullest(samples.stretches(), window) < kNearlyAll) return;
+  reading.disturbed_for = kPeriods * reading.hunting_period;
+  reading.hunting_period = 0;
+}
+
+}  // namespace
 
 SignalStudy study_of(const EvenSamples& samples, double unit, const std::atomic<bool>* stop) {
   SignalStudy study;
@@ -17,6 +56,7 @@ SignalStudy study_of(const EvenSamples& samples, double unit, const std::atomic<
   study.points = stability_octaves(samples.stretches(), study.interval, unit, stop);
   std::erase_if(study.points, [](const StabilityPoint& point) { return point.windows < kFewestWindows; });
   study.reading = read_stability(study.points);
+  tell_disturbance(study.reading, samples, study.interval);
   study.spectrum = spectrum_of(samples.stretches(), study.interval, stop);
   return study;
 }

@@ -54,6 +54,7 @@ struct StabilityReading {
   bool jitter = false;  // falls with tau: the differences of neighbouring samples have nothing to do with each other
   bool drift = false;   // rises with tau to the end: the rates differ, and nobody takes it back
   double hunting_period = 0;  // s, about; 0: no hump
+  double disturbed_for = 0;   // s: one disturbance is nearly all there is, within this, and the hump is its; 0: none
   double runs_away = 0;       // unit of the samples in a second: a rate that stays, which ADEV does not see; 0: none
 };
 [[nodiscard]] StabilityReading read_stability(const std::vector<StabilityPoint>& points);

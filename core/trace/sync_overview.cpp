@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "trace/counted_cycle.h"
 #include "trace/signals.h"
-#include "trace/untold.h"
 
 namespace syncline {
 namespace {
@@ -21,10 +21,6 @@ void follow(SyncLamp& lamp, SyncState state, Nanoseconds time, bool counts) {
   }
   lamp.state = state;
   lamp.since = time;
-}
-
-bool is_run_in_op(const CycleSample& sample) {
-  return static_cast<AlState>(sample.master_state) == AlState::kOp || !is_told(sample, kStateUntold);
 }
 
 void note(OverviewFigure& figure, const CycleSample& sample, Signal signal, bool counts) {
@@ -59,7 +55,10 @@ std::optional<double> OverviewFigure::margin(std::int64_t limit) const {
 
 bool is_ready(SyncState state) { return !is_watched(state) || state == SyncState::kInSync; }
 
-OverviewRecorder::OverviewRecorder(std::size_t slaves) : counters_(slaves) { overview_.missed.by_slave.resize(slaves); }
+OverviewRecorder::OverviewRecorder(std::size_t slaves) : counters_(slaves) {
+  overview_.missed.by_slave.resize(slaves);
+  overview_.followed.resize(slaves);
+}
 
 void OverviewRecorder::add(std::span<const CycleSample> samples) {
   for (const auto& sample : samples) add(sample);
@@ -79,10 +78,15 @@ void OverviewRecorder::add(const CycleSample& sample) {
   }
   follow(overview_.slaves, sample.slaves_sync, sample.send_time, overview_.armed.has_value());
   follow(overview_.master, sample.master_sync, sample.send_time, overview_.armed.has_value());
-  const bool counts = overview_.armed && is_run_in_op(sample);
+  const bool counts = overview_.armed && counts_in_figures(sample);
   note(overview_.deviation, sample, Signal::kDeviation, counts);
   note(overview_.dcm_error, sample, Signal::kDcmError, counts);
   note(overview_.dcm_filtered, sample, Signal::kDcmErrorFiltered, counts);
+  if (const auto& filtered = overview_.dcm_filtered.now; counts && filtered && filtered->time == sample.send_time)
+    overview_.dcm_lasting.add(filtered->time, std::abs(filtered->value));
+  const bool follows = sample.slave_position >= 0 && (sample.flags & CycleSample::kSlaveFollows) != 0;
+  if (follows && static_cast<std::size_t>(sample.slave_position) < overview_.followed.size())
+    overview_.followed[static_cast<std::size_t>(sample.slave_position)] = true;
   add_missed(sample);
 }
 
@@ -135,6 +139,7 @@ void OverviewRecorder::begin_anew(Nanoseconds time) {
   forget(overview_.deviation);
   forget(overview_.dcm_error);
   forget(overview_.dcm_filtered);
+  overview_.dcm_lasting.clear();
   auto& missed = overview_.missed;
   missed.count = 0;
   missed.last.reset();

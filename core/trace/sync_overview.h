@@ -9,6 +9,7 @@
 #include "channels/cycle_sample.h"
 #include "trace/fault_log.h"
 #include "trace/histogram.h"
+#include "trace/lasting_magnitude.h"
 #include "trace/statistics.h"
 
 /// Whether the machine is in sync, since when, with how much margin, and what happened first: what one page shows of a
@@ -43,11 +44,12 @@ struct SyncOverview {
   Nanoseconds begin = 0, end = 0;    // of the samples
   AlState state = AlState::kNone;    // of the master, in the newest of them
   SyncLamp slaves, master;
-  OverviewFigure deviation;  // ns, largest of the slaves that follow the reference clock, a magnitude
-  OverviewFigure dcm_error;  // ns, signed
-  /// ns, signed. Single cycles over the limit are borne for a while (dc/dcm/sync_judge.h): the margin of the master
-  /// synchronisation is that of what its controller has made of them.
-  OverviewFigure dcm_filtered;
+  OverviewFigure deviation;     // ns, largest of the slaves that follow the reference clock, a magnitude
+  OverviewFigure dcm_error;     // ns, signed
+  OverviewFigure dcm_filtered;  // ns, signed: what the controller has made of it
+  /// Of the filtered error, ns. What is over the limit for a moment is borne by the verdict: the margin of the master
+  /// synchronisation is that of what lasted.
+  LastingMagnitude dcm_lasting;
   struct Missed {
     std::uint64_t count = 0;  // SM2 events of all slaves since it was armed
     std::optional<Nanoseconds> last;
@@ -55,13 +57,14 @@ struct SyncOverview {
     bool known = false;  // some slave has such a counter
   } missed;
   FaultLog faults;
+  std::vector<bool> followed;  // by position: it has followed the reference clock since the run began
 };
 
 /// Nothing that is watched is out of sync, or has yet to come: what arming waits for, beside OP.
 [[nodiscard]] bool is_ready(SyncState state);
 
 /// Fills one; feed it everything that is drained, samples first. Bring-up is no part of the figures: they begin in OP,
-/// once whatever is watched is in sync.
+/// once whatever is watched is in sync; which cycles count from then on says trace/counted_cycle.h.
 class OverviewRecorder {
  public:
   explicit OverviewRecorder(std::size_t slaves);

@@ -15,6 +15,7 @@ class SampleStore;
 enum UntoldFlag : std::uint16_t {
   kStateUntold = 16,         // master_state; the run is judged as one in OP
   kExpectedUntold = 32,      // wkc_expected
+  kLearnedUntold = 64,       // dcm_output_sum_ns, dcm_output_total_ns
   kLatenessUntold = 8192,    // wake_lateness_ns, skipped_cycles
   kRoundTripUntold = 16384,  // round_trip_ns
   kFramesUntold = 32768,     // whether frames came back, and working counters

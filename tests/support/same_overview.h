@@ -49,6 +49,7 @@ inline void expect_same(const FaultLog& is, const FaultLog& was) {
       EXPECT_EQ(a.faults[j].last, b.faults[j].last);
       EXPECT_EQ(a.faults[j].slave, b.faults[j].slave);
       EXPECT_EQ(a.faults[j].count, b.faults[j].count);
+      EXPECT_EQ(a.faults[j].over, b.faults[j].over);
       ASSERT_EQ(a.faults[j].event.has_value(), b.faults[j].event.has_value());
       if (a.faults[j].event) {
         EXPECT_EQ(a.faults[j].event->kind(), b.faults[j].event->kind());
@@ -68,6 +69,12 @@ inline void expect_same(const SyncOverview& is, const SyncOverview& was) {
   expect_same(is.deviation, was.deviation);
   expect_same(is.dcm_error, was.dcm_error);
   expect_same(is.dcm_filtered, was.dcm_filtered);
+  ASSERT_EQ(is.dcm_lasting.largest().has_value(), was.dcm_lasting.largest().has_value());
+  if (is.dcm_lasting.largest()) {
+    EXPECT_EQ(is.dcm_lasting.largest()->time, was.dcm_lasting.largest()->time);
+    EXPECT_EQ(is.dcm_lasting.largest()->magnitude, was.dcm_lasting.largest()->magnitude);
+  }
+  EXPECT_EQ(is.followed, was.followed);
   EXPECT_EQ(is.missed.count, was.missed.count);
   EXPECT_EQ(is.missed.last, was.missed.last);
   EXPECT_EQ(is.missed.by_slave, was.missed.by_slave);

@@ -124,7 +124,7 @@ TEST(AcceptanceText, AreTheWordsOfThePage) {
       .kind = Kind::kMasterInSync, .verdict = reports::Verdict::kNotKept, .required = 127, .found = 90};
   sync.state = SyncState::kInSync;
   sync.margin = -0.2;
-  EXPECT_THAT(foundText(sync).toStdString(), HasSubstr("; largest 90 ns, over the limit"));
+  EXPECT_THAT(foundText(sync).toStdString(), HasSubstr("; largest that lasted 90 ns, over the limit"));
 }
 
 }  // namespace

@@ -360,13 +360,13 @@ TEST_F(FreeViewTest, TheTableOfARangeHasItsSignals) {
 TEST_F(FreeViewTest, FiguresAreALineForEachCurve) {
   showView(viewWith({ofBus("dcm_error_ns"), ofBus("drift_ppm")}));
   auto text = strip.figures().replace(QChar(0x00A0), u' ').toStdString();
-  EXPECT_THAT(text, HasSubstr("Signal\tAt A\tAt B"));
-  EXPECT_THAT(text, HasSubstr("DCM error\t\t\t\t-200 ns\t+200 ns\t0 ns\t9800"));
+  EXPECT_THAT(text, HasSubstr("Signal\tUnit\tAt A\tAt B"));
+  EXPECT_THAT(text, HasSubstr("DCM error\tns\t\t\t\t-200\t200\t0\t200\t9800"));
   strip.cursors()->set(CursorSet::kA, kBegin + kSecond);
   strip.cursors()->set(CursorSet::kB, kBegin + kSecond + 9 * kMillisecond);
   text = strip.figures().replace(QChar(0x00A0), u' ').toStdString();
-  EXPECT_THAT(text, HasSubstr("DCM error\t+200 ns\t-200 ns\t-400 ns\t-200 ns\t+200 ns\t0 ns\t10\t\n"));
-  EXPECT_THAT(text, HasSubstr("Drift\t+12.50 ppm"));
+  EXPECT_THAT(text, HasSubstr("DCM error\tns\t200\t-200\t-400\t-200\t200\t0\t200\t10\t\n"));
+  EXPECT_THAT(text, HasSubstr("Drift\tppm\t12.5\t"));
 }
 
 /// All plots, whatever the scroll area shows, and no buttons.

@@ -232,6 +232,29 @@ TEST_F(OverlayTest, FiguresOfBothStandSideBySide) {
   EXPECT_NE(lines.toStdString(), all);
 }
 
+/// Copied figures: each row has a name, and those of the other are of its samples at the times where it is drawn.
+TEST_F(OverlayTest, CopiedFiguresOfTheOtherHaveItsNameAndItsSamples) {
+  openBoth();
+  // What is drawn there now has other times of its own.
+  overlay().setOffset(3 * kSecond);
+  strip().timeView()->setSpan(500 * kMillisecond);
+  strip().timeView()->goTo(below().overview().begin + 5 * kSecond);
+  strip().refresh();
+  const auto begin = strip().timeView()->begin() - overlay().shift(),
+             end = strip().timeView()->end() - overlay().shift();
+  const auto& series = overlay().run().record->samples().series(Signal::kDcmError);
+  int wanted = 0;
+  series.for_each(begin, end + 1, [&wanted](Nanoseconds, float value) { wanted += std::isnan(value) ? 0 : 1; });
+  ASSERT_GT(wanted, 300);
+  const auto lines = strip().panels()[2]->figures();
+  const auto other = std::find_if(lines.begin(), lines.end(), [](const QString& line) {
+    return line.section(u'\t', 0, 0).contains(QLatin1String("after"));
+  });
+  ASSERT_NE(other, lines.end()) << lines.join(u'\n').toStdString();
+  EXPECT_EQ(other->section(u'\t', 9, 9).toInt(), wanted) << qPrintable(*other);
+  for (const auto& line : lines) EXPECT_FALSE(line.section(u'\t', 0, 0).isEmpty()) << qPrintable(line);
+}
+
 TEST_F(OverlayTest, TheDistributionCountsBoth) {
   openBoth();
   strip().showBody(LiveStrip::Body::kDistribution);

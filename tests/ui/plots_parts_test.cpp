@@ -106,7 +106,7 @@ TEST(SeriesCsv, MergesByTimeAndLeavesMissingFieldsEmpty) {
   const auto cycle = [](Nanoseconds time) {
     return time < 2000 ? std::nullopt : std::optional(static_cast<std::uint64_t>(time / 1000 + 40));
   };
-  EXPECT_EQ(series_csv({{"a_ns", &a}, {"b, \"x\"", &b}}, cycle, 1000, 0, 4001),
+  EXPECT_EQ(series_csv({{{"a_ns", &a}, {"b, \"x\"", &b}}, cycle, 1000, 0, 4001}),
             "time_ns,time_utc,cycle,a_ns,\"b, \"\"x\"\"\"\n"
             "0,2000-01-01T00:00:00.000001000Z,,1.5,\n"
             "1000,2000-01-01T00:00:00.000002000Z,42,,7\n"
@@ -120,7 +120,7 @@ TEST(SeriesCsv, DoesNotDependOnTheLocale) {
   const auto before = QLocale();
   QLocale::setDefault(QLocale(QLocale::German));
   const char* set = std::setlocale(LC_ALL, "de_DE.UTF-8");
-  const auto table = series_csv({{"a", &a}}, {}, 0, 0, 1);
+  const auto table = series_csv({{{"a", &a}}, {}, 0, 0, 1});
   if (set != nullptr) std::setlocale(LC_ALL, "C.UTF-8");
   QLocale::setDefault(before);
   EXPECT_THAT(table, testing::HasSubstr(",1234.5\n"));

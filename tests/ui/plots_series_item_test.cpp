@@ -54,6 +54,22 @@ TEST(SeriesItem, OneSampleSpikeIsInThePictureAtEveryZoom) {
   }
 }
 
+/// A line that leaves the axis keeps its slope: it is cut there, and no end of it is moved.
+TEST(SeriesItem, ALineToAPointOffTheAxisKeepsItsSlope) {
+  MinMaxSeries series(1U << 10);
+  series.append(kSeriesStart, 0);
+  series.append(kSeriesStart + 100 * kMillisecond, 500);  // the axis ends at 50, after a tenth of the way
+  series.append(kSeriesStart + 200 * kMillisecond, 0);
+  SeriesItem item(QStringLiteral("off"));
+  item.setMaxGap(kSecond);
+  item.setSeries(&series);
+  const auto image = drawn(item, kSeriesStart, kSeriesStart + 200 * kMillisecond);
+  // 200 columns lead to the point: after ten of them it is half way to the end of the axis.
+  EXPECT_GT(darkPixels(image, 10, 20, 30), 0);
+  for (int x = 30; x < 370; ++x) ASSERT_EQ(darkPixels(image, x, 0, kHeight), 0) << x;
+  EXPECT_GT(darkPixels(image, 390, 20, 30), 0) << "and it comes back as steep";
+}
+
 TEST(SeriesItem, ColumnsAreTheBruteForceExtremes) {
   std::mt19937_64 random(7);
   MinMaxSeries series(1U << 17);

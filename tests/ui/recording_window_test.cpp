@@ -523,11 +523,11 @@ TEST(Overview, SaysWhatWasFoundWhereNothingHappened) {
   EXPECT_EQ(worstOf({&found, 1}, 2 * kSecond), &found);
   EXPECT_EQ(worstOf({&found, 1}, 3 * kSecond), nullptr) << "it was over when the figures were armed anew";
   found.from = found.to = 0;
-  const auto nothing = firstFaultText(record, {}), something = firstFaultText(record, {&found, 1});
+  const auto nothing = firstFaultText(record, {}, 0), something = firstFaultText(record, {&found, 1}, 0);
   EXPECT_NE(nothing, something);
   EXPECT_TRUE(something.contains(QStringLiteral("Servo"))) << qPrintable(something);
   found.severity = Severity::kNote;
-  EXPECT_EQ(firstFaultText(record, {&found, 1}), nothing) << "news is no fault";
+  EXPECT_EQ(firstFaultText(record, {&found, 1}, 0), nothing) << "news is no fault";
 }
 
 /// A machine that never comes in sync is never armed: then the banner is all the more asked why.
@@ -541,12 +541,12 @@ TEST(Overview, SaysWhatArmingWaitsForAndWhatIsFound) {
   sample.slaves_sync = SyncState::kOutOfSync;
   sample.master_sync = SyncState::kInSync;
   record.add({&sample, 1});
-  const auto waits = firstFaultText(record, {});
+  const auto waits = firstFaultText(record, {}, 0);
   EXPECT_TRUE(waits.contains(QStringLiteral("Now: SAFEOP; slaves: Out of sync."))) << qPrintable(waits);
   EXPECT_FALSE(waits.contains(QStringLiteral("master:"))) << qPrintable(waits);
   Finding found{code::kGatewayCycleExceeded, Severity::kError};
   found.place.slave = 1;
-  const auto because = firstFaultText(record, {&found, 1});
+  const auto because = firstFaultText(record, {&found, 1}, 0);
   EXPECT_TRUE(because.contains(QStringLiteral("Found so far: <b>Servo"))) << qPrintable(because);
 }
 

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -125,6 +126,34 @@ TEST(Recovery, AWindowThatIsEndedLeavesItsWork) {
   EXPECT_FALSE(then);
   test::find<QPushButton>(*dialog, "recoveryRecover")->click();
   EXPECT_EQ(workspace.document().project().slaves[1].alias, 5);
+  workspace.autosave().forget();
+  workspace.document().undoStack().setClean();
+}
+
+/// The file of the command line is not dropped without a word when the work of a killed window is taken.
+TEST(Recovery, TheFileThatWasAskedForIsOfferedBehindTheRecoveredWork) {
+  QTemporaryDir folder;
+  {
+    Workspace workspace(keepingIn(folder.path()));
+    workspace.document().take(Machine{{}, {test::smallProject()}}, {});
+    setAlias(workspace, 5);
+  }
+  Workspace workspace(keepingIn(folder.path()));
+  MainWindow window(workspace);
+  window.show();
+  window.files().offerRecovery([] {}, folder.filePath(QStringLiteral("other.syncline")));
+  QString asked;
+  QTimer::singleShot(0, &window, [&asked] {
+    for (auto* widget : QApplication::topLevelWidgets()) {
+      auto* box = qobject_cast<QMessageBox*>(widget);
+      if (box == nullptr || box->objectName() != QLatin1String("askedFileQuestion")) continue;
+      asked = box->text();
+      box->button(QMessageBox::Cancel)->click();
+    }
+  });
+  test::find<QPushButton>(*window.findChild<RecoveryDialog*>(), "recoveryRecover")->click();
+  EXPECT_TRUE(asked.contains(QStringLiteral("other.syncline"))) << qPrintable(asked);
+  EXPECT_EQ(workspace.document().project().slaves[1].alias, 5) << "the recovered work stays";
   workspace.autosave().forget();
   workspace.document().undoStack().setClean();
 }

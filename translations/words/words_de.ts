@@ -1073,6 +1073,10 @@
         <translation>Ganze Frames aufzeichnen (tcpdump -s 0).</translation>
     </message>
     <message>
+        <source>Capture with a probe in the line, or at the master; compare with the lost frames that the master counts.</source>
+        <translation>Mit einer Sonde in der Leitung oder am Master aufzeichnen; mit den verlorenen Frames vergleichen, die der Master zählt.</translation>
+    </message>
+    <message>
         <source>Check its name and folder.</source>
         <translation>Namen und Ordner prüfen.</translation>
     </message>
@@ -2121,6 +2125,10 @@
         <translation>Nach dem Gerät dahinter sehen.</translation>
     </message>
     <message>
+        <source>Lost on the bus and lost by who captured look alike. A mirror port of a switch passes over frames when both ways together are more than it carries, and gives no two frames their true distance.</source>
+        <translation>Auf dem Bus verloren und beim Aufzeichnen verloren sieht gleich aus. Ein Spiegelport eines Switches lässt Frames aus, wenn beide Richtungen zusammen mehr sind, als er trägt, und gibt keinen zwei Frames ihren wahren Abstand.</translation>
+    </message>
+    <message>
         <source>Mend the clock; neither the slave's firmware nor its shift is the reason.</source>
         <translation>Bringen Sie die Uhr in Ordnung; weder die Firmware des Slaves noch seine Verschiebung ist der Grund.</translation>
     </message>
@@ -2129,8 +2137,16 @@
         <translation>Namen vieler Variablen</translation>
     </message>
     <message>
+        <source>Only frames on their way back were captured: round trips and lost frames are not known.</source>
+        <translation>Nur Frames auf dem Rückweg wurden aufgezeichnet: Umlaufzeiten und verlorene Frames sind nicht bekannt.</translation>
+    </message>
+    <message>
         <source>Read it from another copy; what is shown beside it is as it was written.</source>
         <translation>Aus einer anderen Kopie lesen; was daneben gezeigt wird, ist wie geschrieben.</translation>
+    </message>
+    <message>
+        <source>Replies are missing in an imported capture</source>
+        <translation>In einer importierten Aufzeichnung fehlen Antworten</translation>
     </message>
     <message>
         <source>Row {row} of the table {table} is damaged and left out.</source>
@@ -2201,6 +2217,22 @@
         <translation>Ihre eigenen Ablesungen (0x092C) zeigen es nicht lange. Wo die Verzögerungen nicht neu gemessen wurden, steht ein Gerät am Bus, das niemand kennt: Richten Sie es ein oder entfernen Sie es, ehe Positionen über es hinweg verglichen werden.</translation>
     </message>
     <message>
+        <source>Times are software stamps of the host that captured.</source>
+        <translation>Zeiten sind Software-Stempel des Rechners, der aufgezeichnet hat.</translation>
+    </message>
+    <message>
+        <source>Times are the hardware stamps of a probe, which the frames carry; dated by the first frame.</source>
+        <translation>Zeiten sind die Hardware-Stempel einer Sonde, die die Frames tragen; datiert nach dem ersten Frame.</translation>
+    </message>
+    <message>
+        <source>Times of a probe are good to nanoseconds. Those of a host hold its interrupts and its clock, too: what is in the lateness or the round trip of a few microseconds may be its own.</source>
+        <translation>Zeiten einer Sonde stimmen auf Nanosekunden. Die eines Rechners enthalten auch seine Interrupts und seine Uhr: einige Mikrosekunden in Verspätung oder Umlaufzeit können seine eigenen sein.</translation>
+    </message>
+    <message>
+        <source>Who stamped the frames of an imported capture</source>
+        <translation>Wer die Frames einer importierten Aufzeichnung gestempelt hat</translation>
+    </message>
+    <message>
         <source>Write it as SerialNo of the device's Type into the project file, or switch check.serial off.</source>
         <translation>Tragen Sie sie als SerialNo im Type des Geräts in die Projektdatei ein oder schalten Sie check.serial aus.</translation>
     </message>
@@ -2227,6 +2259,14 @@
     <message>
         <source>there is no file {file}</source>
         <translation>es gibt keine Datei {file}</translation>
+    </message>
+    <message>
+        <source>{count:# cyclic frame has|# cyclic frames have} no reply in the capture, of {frames}: lost on the bus, or by who captured.</source>
+        <translation>{count:# zyklischer Frame hat|# zyklische Frames haben} in der Aufzeichnung keine Antwort, von {frames}: auf dem Bus verloren, oder beim Aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>{count:# frame has|# frames have} hardware stamps of a probe, the others of {frames} are stamped by the host that captured them: times between the two do not compare.</source>
+        <translation>{count:# Frame trägt|# Frames tragen} Hardware-Stempel einer Sonde, die übrigen von {frames} hat der aufzeichnende Rechner gestempelt: Zeiten zwischen beiden sind nicht vergleichbar.</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

@@ -1073,6 +1073,10 @@
         <translation>抓取完整的帧 (tcpdump -s 0)。</translation>
     </message>
     <message>
+        <source>Capture with a probe in the line, or at the master; compare with the lost frames that the master counts.</source>
+        <translation>请用串接在线路中的探针或在主站处抓包；并与主站统计的丢帧数比较。</translation>
+    </message>
+    <message>
         <source>Check its name and folder.</source>
         <translation>检查其名称和文件夹。</translation>
     </message>
@@ -2121,6 +2125,10 @@
         <translation>检查它后面的设备。</translation>
     </message>
     <message>
+        <source>Lost on the bus and lost by who captured look alike. A mirror port of a switch passes over frames when both ways together are more than it carries, and gives no two frames their true distance.</source>
+        <translation>在总线上丢失与在抓包时丢失看起来一样。当双向流量之和超过交换机镜像端口的容量时，该端口会漏掉帧，且任何两帧之间的间隔都不真实。</translation>
+    </message>
+    <message>
         <source>Mend the clock; neither the slave's firmware nor its shift is the reason.</source>
         <translation>请修复时钟；原因既不是从站固件，也不是其偏移。</translation>
     </message>
@@ -2129,8 +2137,16 @@
         <translation>许多变量的名称</translation>
     </message>
     <message>
+        <source>Only frames on their way back were captured: round trips and lost frames are not known.</source>
+        <translation>只抓到了返回途中的帧：往返时间和丢帧情况未知。</translation>
+    </message>
+    <message>
         <source>Read it from another copy; what is shown beside it is as it was written.</source>
         <translation>请从另一份副本读取；其余显示的内容与写入时一致。</translation>
+    </message>
+    <message>
+        <source>Replies are missing in an imported capture</source>
+        <translation>导入的抓包中缺少应答</translation>
     </message>
     <message>
         <source>Row {row} of the table {table} is damaged and left out.</source>
@@ -2201,6 +2217,22 @@
         <translation>它们自己的读数（0x092C）很快就不再显示这一点。如果延迟没有重新测量，说明总线上有未知设备：在跨该设备比较位置之前，请对其进行设置或将其移除。</translation>
     </message>
     <message>
+        <source>Times are software stamps of the host that captured.</source>
+        <translation>时间为抓包主机的软件时间戳。</translation>
+    </message>
+    <message>
+        <source>Times are the hardware stamps of a probe, which the frames carry; dated by the first frame.</source>
+        <translation>时间为帧所携带的探针硬件时间戳；日期取自第一帧。</translation>
+    </message>
+    <message>
+        <source>Times of a probe are good to nanoseconds. Those of a host hold its interrupts and its clock, too: what is in the lateness or the round trip of a few microseconds may be its own.</source>
+        <translation>探针的时间精确到纳秒。主机的时间还包含其中断和自身时钟的影响：延迟或往返时间中的几微秒可能来自主机自身。</translation>
+    </message>
+    <message>
+        <source>Who stamped the frames of an imported capture</source>
+        <translation>导入的抓包中帧的时间戳由谁给出</translation>
+    </message>
+    <message>
         <source>Write it as SerialNo of the device's Type into the project file, or switch check.serial off.</source>
         <translation>请在项目文件中该设备的 Type 里写入 SerialNo，或关闭 check.serial。</translation>
     </message>
@@ -2227,6 +2259,14 @@
     <message>
         <source>there is no file {file}</source>
         <translation>没有文件 {file}</translation>
+    </message>
+    <message>
+        <source>{count:# cyclic frame has|# cyclic frames have} no reply in the capture, of {frames}: lost on the bus, or by who captured.</source>
+        <translation>抓包中 {frames} 个周期帧有 {count} 个没有应答：在总线上丢失，或在抓包时丢失。</translation>
+    </message>
+    <message>
+        <source>{count:# frame has|# frames have} hardware stamps of a probe, the others of {frames} are stamped by the host that captured them: times between the two do not compare.</source>
+        <translation>{frames} 帧中有 {count} 帧带有探针的硬件时间戳，其余由抓包主机加盖：两者之间的时间不可比较。</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

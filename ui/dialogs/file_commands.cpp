@@ -118,12 +118,15 @@ bool FileCommands::mayOpenBeside(const QString& path) {
              tr("Open Read-only"));
 }
 
-void FileCommands::offerRecovery(const std::function<void()>& then) {
+void FileCommands::offerRecovery(const std::function<void()>& then, const QString& asked) {
   auto lost = workspace_.autosave().lost();
   if (lost.empty()) return then();
   auto* dialog = new RecoveryDialog(workspace_.autosave(), std::move(lost), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &RecoveryDialog::wanted, this, &FileCommands::recover);
+  connect(dialog, &RecoveryDialog::wanted, this, [this, asked](const LostWork& work) {
+    recover(work);
+    offerAsked(asked);
+  });
   connect(dialog, &QDialog::finished, this, [this, then](int result) {
     if (result == QDialog::Accepted) return;  // recover() follows
     workspace_.autosave().leaveAll();
@@ -139,6 +142,18 @@ void FileCommands::recover(const LostWork& work) {
   }
   workspace_.autosave().leaveAll();
   workspace_.inform(tr("Project"), tr("Recovered %1; it is not saved yet").arg(workspace_.document().displayName()));
+}
+
+/// What the program was started with waits behind the recovered work, which is not saved yet.
+void FileCommands::offerAsked(const QString& asked) {
+  if (asked.isEmpty() || QFileInfo(asked) == QFileInfo(workspace_.document().path())) return;
+  const auto name = QFileInfo(asked).fileName();
+  if (ask(window_, "askedFileQuestion", tr("Open %1 now?").arg(name),
+          tr("Syncline was started with it. The recovered work is not saved yet; what would take its place asks "
+             "first."),
+          tr("Open")))
+    return openAny(asked);
+  workspace_.inform(tr("Open"), tr("%1 was not opened: the recovered work is shown").arg(name));
 }
 
 bool FileCommands::save() {

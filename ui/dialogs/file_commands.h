@@ -36,8 +36,9 @@ class FileCommands final : public QObject {
   void openAny(const QString& path);
   /// The same for a file that was dropped: a machine can be compared with the open project instead.
   void openDropped(const QString& path);
-  /// Offers the unsaved work of windows that were killed; `then` follows when there is none or the user has decided.
-  void offerRecovery(const std::function<void()>& then);
+  /// Offers the unsaved work of windows that were killed; `then` follows when there is none or the user wants none of
+  /// it. `asked`: the file with which the program was started; it is offered behind what was recovered.
+  void offerRecovery(const std::function<void()>& then, const QString& asked = {});
   bool save();
   bool saveAs();
   void exportEni();
@@ -61,6 +62,7 @@ class FileCommands final : public QObject {
   bool saveTo(const QString& path);
   bool mayOpenBeside(const QString& path);
   void recover(const LostWork& work);
+  void offerAsked(const QString& asked);
 
   Workspace& workspace_;
   QWidget& window_;

@@ -233,7 +233,10 @@ void DistributionView::showFigures() {
   const auto unit = [](const Source& source) { return fromView(info(source.signal).unit); };
   const auto number = [&](double value, const Source& source) {
     if (source.signal == Signal::kVariable) return numberText(value);
-    return locale.toString(value, 'f', value == std::floor(value) ? 0 : 2) + u' ' + unit(source);
+    // A quantile is exact to a part of its value: more digits say nothing.
+    const auto size = std::abs(value);
+    const int digits = value == std::floor(value) || size >= 100 ? 0 : size >= 10 ? 1 : 2;
+    return locale.toString(value, 'f', digits) + u' ' + unit(source);
   };
   const auto shown = columns();
   const int count_of_columns = static_cast<int>(shown.size());

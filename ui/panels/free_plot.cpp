@@ -302,6 +302,11 @@ QString FreePlot::itemText(const SeriesItem& item, double value) const {
   return curve == nullptr ? numberText(value) : valueOf(signalOf(*curve), value);
 }
 
+QString FreePlot::unitText(const SeriesItem& item) const {
+  const auto* curve = curveOf(item);
+  return curve == nullptr ? QString() : unitOf(signalOf(*curve));
+}
+
 std::vector<CsvColumn> FreePlot::columns() {
   std::vector<CsvColumn> columns;
   renew();

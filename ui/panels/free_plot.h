@@ -63,6 +63,7 @@ class FreePlot final : public TracePanel {
   [[nodiscard]] const SeriesItem* primary() const override;
   [[nodiscard]] QString valueText(double value) const override;
   [[nodiscard]] QString itemText(const SeriesItem& item, double value) const override;
+  [[nodiscard]] QString unitText(const SeriesItem& item) const override;
 
  private:
   struct Curve {

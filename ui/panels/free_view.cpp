@@ -380,8 +380,8 @@ void FreeView::setForPicture(bool on) {
   for (auto* plot : plots_) plot->plot()->redraw();
 }
 
-std::string FreeView::csv(Nanoseconds from, Nanoseconds to) const {
-  if (record_ == nullptr) return series_csv({}, {}, 0, 0, 0);
+CsvTable FreeView::table(Nanoseconds from, Nanoseconds to) const {
+  if (record_ == nullptr) return {{}, {}, 0, 0, 0};
   std::vector<CsvColumn> columns;
   for (auto* plot : plots_) {
     for (auto& column : plot->columns()) {
@@ -392,7 +392,7 @@ std::string FreeView::csv(Nanoseconds from, Nanoseconds to) const {
   }
   const auto& samples = record_->samples();
   const auto cycle = [&samples](Nanoseconds time) { return samples.cycle_at(time); };
-  return series_csv(columns, cycle, view_->origin(), from, to + 1);
+  return {std::move(columns), cycle, view_->origin(), from, to + 1};
 }
 
 }  // namespace syncline::ui

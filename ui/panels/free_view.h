@@ -9,6 +9,7 @@
 #include "record/run_record.h"
 #include "ui/plots/cursor_item.h"
 #include "ui/plots/event_marks_item.h"
+#include "ui/plots/series_csv.h"
 #include "ui/plots/time_view.h"
 
 class QMenu;
@@ -66,7 +67,7 @@ class FreeView final : public QWidget {
   /// Draws all of it, also what the scroll area hides, without the buttons while `on`.
   void setForPicture(bool on);
   /// The samples of what is shown, as LiveStrip::csv().
-  [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
+  [[nodiscard]] CsvTable table(Nanoseconds from, Nanoseconds to) const;
 
  Q_SIGNALS:
   /// These are the project's views from now on.

@@ -140,6 +140,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
 LiveStrip::~LiveStrip() = default;
 
 void LiveStrip::setRecord(const RunRecord* record, bool recorded) {
+  if (csv_export_ != nullptr) csv_export_->cancel();
   record_ = record;
   marks_.clear();
   marked_ = 0;

@@ -12,6 +12,7 @@
 
 #include "record/run_record.h"
 #include "ui/panels/picture_file.h"
+#include "ui/plots/series_csv.h"
 #include "ui/plots/trace_panel.h"
 
 class QLabel;
@@ -20,6 +21,7 @@ class QStackedLayout;
 
 namespace syncline::ui {
 
+class CsvExport;
 class CycleView;
 class DistributionView;
 class FreeView;
@@ -92,7 +94,12 @@ class LiveStrip : public QWidget {
   /// where they are shown; else the stretch that is shown as a table: times in ns since the run began and in UTC, one
   /// column a series; C locale.
   [[nodiscard]] std::string csv() const;
-  [[nodiscard]] std::string csv(Nanoseconds from, Nanoseconds to) const;
+  /// The same of a stretch of the plots over time, or of the user's own.
+  [[nodiscard]] CsvTable table(Nanoseconds from, Nanoseconds to) const;
+  /// Writes it, with progress and Cancel; who waits looks at csvExport().
+  void exportTable(const QString& path, CsvTable table);
+  /// Null before the first one.
+  [[nodiscard]] CsvExport* csvExport() const { return csv_export_; }
   /// What is shown, with a caption, in light colours whatever the theme is. To be drawn at once.
   [[nodiscard]] Picture picture();
   /// The figures of the plots that are shown, a line a curve, for a spreadsheet.
@@ -154,6 +161,7 @@ class LiveStrip : public QWidget {
   void askForDistance();
   void askForLimit(TracePanel& panel);
   void exportCsv();
+  [[nodiscard]] CsvTable tableOfAll(Nanoseconds from, Nanoseconds to) const;
   void exportPicture();
   void copyPicture();
   void zoomAtMiddle(double factor);
@@ -172,6 +180,7 @@ class LiveStrip : public QWidget {
   SlavesView* slaves_;
   CycleView* cycle_;
   FreeView* free_;
+  CsvExport* csv_export_ = nullptr;
   std::array<TracePanel*, 3> panels_{};
   VariablesRow* variables_;
   OverlayFigures* overlay_figures_;

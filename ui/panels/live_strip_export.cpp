@@ -6,6 +6,7 @@
 
 #include "support/whole_file.h"
 #include "ui/files/save_name.h"
+#include "ui/panels/csv_export.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/free_plot.h"
@@ -32,13 +33,17 @@ std::string LiveStrip::csv() const {
   if (body_ == Body::kStability) return stability_->csv();
   if (body_ == Body::kSlaves) return slaves_->csv();
   if (body_ == Body::kCycle) return cycle_->csv();
-  if (body_ == Body::kFree) return free_->csv(view_.begin(), view_.end());
-  return csv(view_.begin(), view_.end());
+  return series_csv(table(view_.begin(), view_.end()));
 }
 
-std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
+CsvTable LiveStrip::table(Nanoseconds from, Nanoseconds to) const {
+  if (body_ == Body::kFree) return free_->table(from, to);
+  return tableOfAll(from, to);
+}
+
+CsvTable LiveStrip::tableOfAll(Nanoseconds from, Nanoseconds to) const {
   std::vector<CsvColumn> columns;
-  if (record_ == nullptr) return series_csv(columns, {}, 0, 0, 0);
+  if (record_ == nullptr) return {columns, {}, 0, 0, 0};
   const auto& samples = record_->samples();
   using Scope = SignalInfo::Scope;
   for (const auto& signal : signals()) {
@@ -57,7 +62,7 @@ std::string LiveStrip::csv(Nanoseconds from, Nanoseconds to) const {
     }
   }
   const auto cycle = [&samples](Nanoseconds time) { return samples.cycle_at(time); };
-  return series_csv(columns, cycle, view_.origin(), from, to + 1);
+  return {std::move(columns), cycle, view_.origin(), from, to + 1};
 }
 
 Picture LiveStrip::picture() {
@@ -74,7 +79,7 @@ Picture LiveStrip::picture() {
     if (body_ == Body::kSlaves) slaves_->refresh();
     if (body_ == Body::kCycle) cycle_->refresh();
     if (body_ == Body::kFree) free_->setForPicture(true);
-    shown->render(&painter, place, {}, QWidget::DrawChildren);
+    renderWithoutControls(*shown, painter, place);
     if (body_ == Body::kFree) free_->setForPicture(false);
     shown->setPalette(colours);
     for (auto* panel : all_panels_) panel->applyTheme();
@@ -85,14 +90,26 @@ void LiveStrip::exportCsv() {
   const auto path = askSaveName(this, tr("Export the range shown"), QStringLiteral("syncline.csv"),
                                 tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
+  // A line a moment may be millions of lines; figures and cells are as many as are shown.
+  if (body_ == Body::kPlots || body_ == Body::kFree) return exportTable(path, table(view_.begin(), view_.end()));
   tellUnwritten(this, write_whole_file(path.toStdString(), csv()));
+}
+
+void LiveStrip::exportTable(const QString& path, CsvTable table) {
+  if (csv_export_ == nullptr) {
+    csv_export_ = new CsvExport(this);
+    connect(csv_export_, &CsvExport::failed, this, [this](const Error& error) {
+      if (error.code != ErrorCode::kCancelled) tellUnwritten(this, tl::unexpected(error));
+    });
+  }
+  csv_export_->start(path, std::move(table));
 }
 
 void LiveStrip::exportRange(Nanoseconds from, Nanoseconds to) {
   const auto path =
       askSaveName(this, tr("Export the episode"), QStringLiteral("episode.csv"), tr("Comma-separated values (*.csv)"));
   if (path.isEmpty()) return;
-  tellUnwritten(this, write_whole_file(path.toStdString(), csv(from, to)));
+  exportTable(path, tableOfAll(from, to));
 }
 
 void LiveStrip::exportPicture() {

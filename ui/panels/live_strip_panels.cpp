@@ -50,7 +50,7 @@ DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* pare
   other_ = addOverlayItem(SeriesItem::Shape::kEnvelope);
 }
 
-void DeviationPanel::attachOverlay() { drawOverlay(*other_, Signal::kDeviation); }
+void DeviationPanel::attachOverlay() { drawOverlay(*other_, largest_->title().text(), Signal::kDeviation); }
 
 void DeviationPanel::attach() {
   slots_.clear();
@@ -110,6 +110,7 @@ QString DeviationPanel::summary(Nanoseconds) const {
   return tr("peak %1").arg(timeText(rounded(static_cast<double>(extent->max))));
 }
 
+QString DeviationPanel::unitText(const SeriesItem&) const { return QStringLiteral("ns"); }
 QString DeviationPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
 QString DeviationPanel::spreadText(double half) const { return timeText(rounded(std::ceil(half))); }
 
@@ -129,7 +130,8 @@ Sm2Panel::Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent)
 void Sm2Panel::attachOverlay() {
   hideAll(others_);
   for (std::size_t i = 0; i < slots_.slots().size(); ++i)
-    drawOverlay(*others_[i], Signal::kSm2Missed, static_cast<std::size_t>(slots_.slots()[i].slave));
+    drawOverlay(*others_[i], slaves_[i]->title().text(), Signal::kSm2Missed,
+                static_cast<std::size_t>(slots_.slots()[i].slave));
 }
 
 void Sm2Panel::attach() {
@@ -243,7 +245,7 @@ void DcmPanel::renew() {
   if (hasSource() && !(limits_ == source().limits())) showLimit();
 }
 
-void DcmPanel::attachOverlay() { drawOverlay(*other_, Signal::kDcmError); }
+void DcmPanel::attachOverlay() { drawOverlay(*other_, raw_->title().text(), Signal::kDcmError); }
 
 void DcmPanel::colorItems() {
   raw_->setColor(plot_colors::envelope(palette()));
@@ -266,6 +268,7 @@ QString DcmPanel::summary(Nanoseconds time) const {
   return tr("drift %1").arg(drift ? ppmText(static_cast<double>(drift->value)) : QStringLiteral("\u2013"));
 }
 
+QString DcmPanel::unitText(const SeriesItem&) const { return QStringLiteral("ns"); }
 QString DcmPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
 QString DcmPanel::remark(Nanoseconds begin, Nanoseconds end) const { return stepText(source(), begin, end); }
 QString DcmPanel::spreadText(double half) const { return timeText(rounded(std::ceil(half))); }

@@ -27,6 +27,7 @@ class DeviationPanel final : public TracePanel {
   [[nodiscard]] const SeriesItem* primaryOfOverlay() const override { return other_; }
   [[nodiscard]] QString valueText(double value) const override;
   [[nodiscard]] QString spreadText(double half) const override;
+  [[nodiscard]] QString unitText(const SeriesItem& item) const override;
 
  private:
   SeriesItem* largest_;
@@ -80,6 +81,7 @@ class DcmPanel final : public TracePanel {
   [[nodiscard]] const SeriesItem* primaryOfOverlay() const override { return other_; }
   [[nodiscard]] QString valueText(double value) const override;
   [[nodiscard]] QString spreadText(double half) const override;
+  [[nodiscard]] QString unitText(const SeriesItem& item) const override;
   [[nodiscard]] QString remark(Nanoseconds begin, Nanoseconds end) const override;
 
  private:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/overview_panel.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QEvent>
-#include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -19,8 +19,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/panels/fault_banner.h"
 #include "ui/panels/figure_card.h"
 #include "ui/text/glossary.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/overview_text.h"
 #include "ui/text/recorded_text.h"
 #include "ui/text/sync_text.h"
@@ -35,17 +37,6 @@ constexpr int kOverviewTickMs = 200;  // faster cannot be read
 constexpr double kThinMargin = 0.25;
 enum : std::size_t { kMean, kRms, kQuantile, kMax };
 enum : std::size_t { kWorst, kLast, kSince };
-
-/// An outline in the colour of what it tells, on its quiet fill.
-class Banner final : public QFrame {
- public:
-  void setTone(theme::Tone tone) {
-    QPalette colors;  // of nothing else: the rest follows the theme, or a picture
-    colors.setColor(QPalette::Window, theme::toneFill(palette(), tone));
-    setPalette(colors);
-    setAutoFillBackground(true);
-  }
-};
 
 void addFigures(FigureCard& card) {
   card.addFigure(OverviewPanel::tr("mean"), OverviewPanel::tr("Since it was armed"));
@@ -65,14 +56,16 @@ OverviewPanel::OverviewPanel(QWidget* parent)
       master_(named(new Pill, "overviewMaster", tr("Master in sync"))),
       slaves_text_(named(new QLabel, "overviewSlavesText", tr("Slaves: since when"))),
       master_text_(named(new QLabel, "overviewMasterText", tr("Master: since when"))),
-      fault_(named(new QLabel, "overviewFault", tr("First fault"))),
-      banner_(named(new Banner, "overviewBanner", tr("First fault"))),
+      standing_(named(new QLabel, "overviewStanding", tr("Slaves in OP"))),
+      banner_(new FaultBanner),
       deviation_(new FigureCard("overviewDeviation", tr("DC deviation"),
                                 tr("Register 0x092C of the slaves that follow the reference clock: the largest"))),
       missed_(new FigureCard("overviewMissed", tr("SM2 events missed"),
                              tr("Object 0x1C32:0B or 0x1C32:0C of the slaves that have one, since it was armed"))),
       dcm_(new FigureCard("overviewDcm", tr("DCM error"),
-                          tr("Time of the frame at the reference clock minus its wanted time in the cycle"))),
+                          tr("Time of the frame at the reference clock minus its wanted time in the cycle. The margin "
+                             "is that of the filtered error as far as it has lasted for 200 ms: what is over before "
+                             "is no loss of synchronisation"))),
       arm_(named(new QPushButton(tr("Re-arm")), "overviewArm", tr("Begin figures and faults anew"))),
       menu_(named(new QToolButton, "overviewMenuButton", tr("Export and copy"))) {
   setObjectName(QStringLiteral("overviewPanel"));
@@ -87,21 +80,16 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   auto* cards = new QHBoxLayout;
   cards->setSpacing(8);
   for (auto* card : {verdict, deviation_, missed_, dcm_}) cards->addWidget(card, 1);
-  fault_->setWordWrap(true);
-  fault_->setTextInteractionFlags(Qt::TextBrowserInteraction);
-  connect(fault_, &QLabel::linkActivated, this,
-          [this](const QString& link) { Q_EMIT momentWanted(link.toLongLong()); });
+  connect(banner_, &FaultBanner::momentWanted, this, &OverviewPanel::momentWanted);
+  connect(banner_, &FaultBanner::turned, this, &OverviewPanel::refresh);
   arm_->setAutoDefault(false);
   connect(arm_, &QPushButton::clicked, this, &OverviewPanel::armWanted);
-  auto* row = new QHBoxLayout(banner_);
-  row->setContentsMargins(10, 5, 8, 5);
-  row->addWidget(fault_, 1);
-  row->addWidget(arm_);
+  banner_->addButton(arm_);
   menu_->setText(QStringLiteral("\u22EF"));
   menu_->setToolTip(tr("Export and copy"));
   menu_->setAutoRaise(true);
   connect(menu_, &QToolButton::clicked, this, [this] { openMenu(menu_->mapToGlobal(menu_->rect().bottomLeft())); });
-  row->addWidget(menu_);
+  banner_->addButton(menu_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 4);
   layout->setSpacing(6);
@@ -116,6 +104,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
 
 void OverviewPanel::buildVerdict(QWidget& card) {
   auto* layout = qobject_cast<QVBoxLayout*>(card.layout());
+  layout->setSpacing(0);  // it has the most lines, and a small window must hold them
   int place = 1;
   const auto add = [&](const QString& name, Pill* pill, QLabel* text) {
     auto* row = new QHBoxLayout;
@@ -129,6 +118,9 @@ void OverviewPanel::buildVerdict(QWidget& card) {
   };
   add(tr("Slaves"), slaves_, slaves_text_);
   add(tr("Master"), master_, master_text_);
+  standing_->setWordWrap(true);
+  standing_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->insertWidget(place, standing_);
 }
 
 void OverviewPanel::setRecord(const RunRecord* record, bool recorded) {
@@ -145,22 +137,44 @@ void OverviewPanel::setLive(bool live) {
 /// Now is the running machine's, or that of the moment of a recording that is shown.
 bool OverviewPanel::hasNow() const { return live_ || (record_ != nullptr && record_->shown_at()); }
 
-void OverviewPanel::showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp) {
+void OverviewPanel::showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp,
+                             const std::optional<SlavesStanding>& standing) {
   const bool any = record_ != nullptr && !record_->samples().empty();
   if (!any) {
     pill.setState(theme::Tone::kNeutral, live_ ? syncStateText(SyncState::kNotReady) : tr("Offline"));
     return text.clear();
   }
-  const auto state = syncStateText(lamp.state);
+  const StateText verdict{syncTone(lamp.state), syncStateText(lamp.state)};
+  const auto state = withSilent(verdict, standing);
   // What has ended says nothing about now.
-  pill.setState(live_ || recorded_ ? syncTone(lamp.state) : theme::Tone::kNeutral,
-                hasNow() ? state : tr("At the end: %1").arg(state));
-  text.setText(lampText(lamp, record_->overview()));
+  const bool silent = state.text != verdict.text;
+  pill.setState(live_ || recorded_ ? state.tone : theme::Tone::kNeutral,
+                hasNow() || silent ? state.text : tr("At the end: %1").arg(state.text));
+  const auto since = lampText(lamp, record_->overview());
+  text.setText(silent ? tr("the others: %1").arg(joinedParts({verdict.text, since})) : since);
 }
 
-/// `judged`: what is held against the limit.
-void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, const OverviewFigure& judged,
-                               std::int64_t limit, Signal signal) {
+void OverviewPanel::showStanding(const std::optional<SlavesStanding>& standing) {
+  standing_->setVisible(standing.has_value());
+  if (!standing) return;
+  auto text = tr("%1 of %2 slaves in OP").arg(standing->in_op).arg(standing->slaves);
+  if (standing->silent > 0)
+    text = joinedParts({text, tr("%n do(es) not answer", nullptr, static_cast<int>(standing->silent))});
+  if (standing_->text() != text) standing_->setText(text);
+  const auto tone = standing->silent > 0                 ? theme::Tone::kBad
+                    : standing->in_op < standing->slaves ? theme::Tone::kWarning
+                                                         : theme::Tone::kGood;
+  standing_tone_ = live_ || recorded_ ? tone : theme::Tone::kNeutral;
+  colorStanding();
+}
+
+void OverviewPanel::colorStanding() {
+  QPalette colors;  // of nothing else: the rest follows the theme, or a picture
+  colors.setColor(QPalette::WindowText, theme::toneColor(palette(), standing_tone_));
+  standing_->setPalette(colors);
+}
+
+void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, Signal signal) {
   const bool is_signed = signal == Signal::kDcmError;
   const auto text = [is_signed](double value) {
     return is_signed ? signedTimeText(wholeNs(value)) : timeText(wholeNs(value));
@@ -177,21 +191,29 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, c
                                             .arg(text(static_cast<double>(figure.largest->value)),
                                                  momentText(figure.largest->time, *record_))
                                       : noText());
-  const bool filtered = &judged != &figure;
-  const auto margin = judged.margin(limit);
+}
+
+void OverviewPanel::showMargin(FigureCard& card, const std::optional<double>& margin, std::int64_t limit,
+                               const SyncLamp& lamp, bool lasting) {
   if (limit <= 0) return card.setNote(theme::Tone::kNeutral, tr("no limit is set"));
-  if (!margin) return card.setNote(theme::Tone::kNeutral, tr("limit \u00B1%1").arg(timeText(limit)));
+  const bool lost = lamp.times_lost > 0;
   const auto note = [&](theme::Tone tone, const QString& words) {
-    card.setNote(tone, filtered ? tr("filtered: %1").arg(words) : words);
+    const auto times = static_cast<int>(std::min<std::uint64_t>(lamp.times_lost, INT32_MAX));
+    card.setNote(lost ? theme::Tone::kBad : tone,
+                 lost ? joinedParts({tr("lost %n time(s)", nullptr, times), words}) : words);
+  };
+  if (!margin) return note(theme::Tone::kNeutral, tr("limit \u00B1%1").arg(timeText(limit)));
+  const auto judged = [&](theme::Tone tone, const QString& words) {
+    note(tone, lasting ? tr("filtered, lasting: %1").arg(words) : words);
   };
   const auto percent = QLocale().toString(std::floor(std::abs(*margin) * 100), 'f', 0);
   if (*margin <= -1)
-    return note(theme::Tone::kBad,
-                tr("%1 times the limit \u00B1%2")
-                    .arg(QLocale().toString(1 - *margin, 'f', *margin > -9 ? 1 : 0), timeText(limit)));
-  if (*margin < 0) return note(theme::Tone::kBad, tr("%1 % over the limit \u00B1%2").arg(percent, timeText(limit)));
-  note(*margin < kThinMargin ? theme::Tone::kWarning : theme::Tone::kGood,
-       tr("%1 % margin to \u00B1%2").arg(percent, timeText(limit)));
+    return judged(theme::Tone::kBad,
+                  tr("%1 times the limit \u00B1%2")
+                      .arg(QLocale().toString(1 - *margin, 'f', *margin > -9 ? 1 : 0), timeText(limit)));
+  if (*margin < 0) return judged(theme::Tone::kBad, tr("%1 % over the limit \u00B1%2").arg(percent, timeText(limit)));
+  judged(*margin < kThinMargin ? theme::Tone::kWarning : theme::Tone::kGood,
+         tr("%1 % margin to \u00B1%2").arg(percent, timeText(limit)));
 }
 
 void OverviewPanel::showMissed() {
@@ -222,41 +244,34 @@ void OverviewPanel::setFindings(std::vector<Finding> findings) {
   if (isVisible()) refresh();
 }
 
-void OverviewPanel::showFaults() {
-  const auto& overview = record_->overview();
-  const bool found = worstOf(findings_, overview.armed.value_or(0)) != nullptr;
-  auto tone = found ? theme::Tone::kWarning : theme::Tone::kNeutral;
-  if (overview.armed) {
-    if (!found) tone = theme::Tone::kGood;
-    if (!overview.faults.episodes().empty()) tone = theme::Tone::kBad;
-  }
-  static_cast<Banner*>(banner_)->setTone(tone);
-  const auto text = firstFaultText(*record_, findings_);
-  if (fault_->text() != text) fault_->setText(text);
-}
-
 void OverviewPanel::refresh() {
   const bool any = record_ != nullptr && !record_->samples().empty();
   arm_->setEnabled(any && !recorded_);
   arm_->setToolTip(recorded_ ? tr("A recording stays as it is")
                              : tr("Mean, rms, quantile, maximum, missed events and faults begin anew now"));
   static const SyncLamp kDark;
-  showLamp(*slaves_, *slaves_text_, any ? record_->overview().slaves : kDark);
-  showLamp(*master_, *master_text_, any ? record_->overview().master : kDark);
+  const auto standing =
+      any ? slaves_standing(record_->config(), record_->samples(), record_->overview()) : std::nullopt;
+  showLamp(*slaves_, *slaves_text_, any ? record_->overview().slaves : kDark, standing);
+  showLamp(*master_, *master_text_, any ? record_->overview().master : kDark, {});
+  showStanding(standing);
   if (any) {
     const auto& overview = record_->overview();
-    showFigure(*deviation_, overview.deviation, overview.deviation, record_->limits().deviation_ns, Signal::kDeviation);
-    showFigure(*dcm_, overview.dcm_error, overview.dcm_filtered, record_->limits().dcm_error_ns, Signal::kDcmError);
+    const auto& limits = record_->limits();
+    showFigure(*deviation_, overview.deviation, Signal::kDeviation);
+    showMargin(*deviation_, overview.deviation.margin(limits.deviation_ns), limits.deviation_ns, overview.slaves,
+               false);
+    showFigure(*dcm_, overview.dcm_error, Signal::kDcmError);
+    showMargin(*dcm_, overview.dcm_lasting.margin(limits.dcm_error_ns), limits.dcm_error_ns, overview.master, true);
     showMissed();
-    return showFaults();
+    return banner_->show(*record_, findings_);
   }
   for (auto* card : {deviation_, missed_, dcm_}) {
     card->setMain(noText());
     card->setNote(theme::Tone::kNeutral, {});
     for (std::size_t i = 0; i < (card == missed_ ? kSince + 1 : kMax + 1); ++i) card->setFigure(i, noText());
   }
-  static_cast<Banner*>(banner_)->setTone(theme::Tone::kNeutral);
-  fault_->setText(tr("Nothing has run yet: go online."));
+  banner_->showNothing(tr("Nothing has run yet: go online."));
 }
 
 Picture OverviewPanel::picture() {
@@ -272,19 +287,26 @@ Picture OverviewPanel::picture() {
         const auto colours = palette();
         const bool explicitly = testAttribute(Qt::WA_SetPalette);
         const QPointer<QWidget> focus = QApplication::focusWidget();
+        setPalette(picturePalette());
+        refresh();
         // What can be pressed is no part of it; its room stays, so that nothing moves.
-        for (QWidget* button : {static_cast<QWidget*>(arm_), static_cast<QWidget*>(menu_)}) {
+        auto buttons = banner_->findChildren<QAbstractButton*>();
+        buttons.removeIf([](const QAbstractButton* button) { return button->isHidden(); });
+        for (auto* button : buttons) {
           auto keep = button->sizePolicy();
           keep.setRetainSizeWhenHidden(true);
           button->setSizePolicy(keep);
           button->hide();
         }
-        setPalette(picturePalette());
-        refresh();
         render(&painter, place, {}, QWidget::DrawChildren);
         setPalette(explicitly ? colours : QPalette());
         refresh();
-        for (QWidget* button : {static_cast<QWidget*>(arm_), static_cast<QWidget*>(menu_)}) button->show();
+        for (auto* button : buttons) {
+          auto usual = button->sizePolicy();
+          usual.setRetainSizeWhenHidden(false);
+          button->setSizePolicy(usual);
+          button->show();
+        }
         if (focus) focus->setFocus();
       },
       layout()->contentsMargins().left());
@@ -292,9 +314,10 @@ Picture OverviewPanel::picture() {
 
 QString OverviewPanel::text() const {
   const auto plain = [](const QString& html) { return QTextDocumentFragment::fromHtml(html).toPlainText(); };
-  QStringList lines{plain(fault_->text())};
+  QStringList lines{plain(banner_->text())};
   lines << QStringList{tr("Slaves"), slaves_->text(), slaves_text_->text()}.join(u'\t');
   lines << QStringList{tr("Master"), master_->text(), master_text_->text()}.join(u'\t');
+  if (!standing_->isHidden()) lines << standing_->text();
   for (const auto* card : {deviation_, missed_, dcm_}) lines << card->lines();
   return lines.join(u'\n') + u'\n';
 }
@@ -320,12 +343,7 @@ bool OverviewPanel::event(QEvent* event) {
   const bool done = QWidget::event(event);
   if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
     setMinimumHeight(layout()->totalMinimumHeightForWidth(width()));
-  if (event->type() == QEvent::PaletteChange) {
-    // Rich text keeps the colour that links had when it was set.
-    const auto text = fault_->text();
-    fault_->clear();
-    fault_->setText(text);
-  }
+  if (event->type() == QEvent::PaletteChange) colorStanding();
   return done;
 }
 

@@ -6,16 +6,17 @@
 #include <vector>
 
 #include "record/run_record.h"
+#include "trace/slaves_standing.h"
 #include "ui/panels/picture_file.h"
 #include "ui/theme/theme.h"
 
-class QFrame;
 class QLabel;
 class QPushButton;
 class QToolButton;
 
 namespace syncline::ui {
 
+class FaultBanner;
 class FigureCard;
 class Pill;
 
@@ -54,18 +55,22 @@ class OverviewPanel final : public QWidget {
   void openMenu(const QPoint& global);
   void buildVerdict(QWidget& card);
   [[nodiscard]] bool hasNow() const;
-  void showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp);
-  void showFigure(FigureCard& card, const OverviewFigure& figure, const OverviewFigure& judged, std::int64_t limit,
-                  Signal signal);
+  void showLamp(Pill& pill, QLabel& text, const SyncLamp& lamp, const std::optional<SlavesStanding>& standing);
+  void showStanding(const std::optional<SlavesStanding>& standing);
+  void colorStanding();
+  void showFigure(FigureCard& card, const OverviewFigure& figure, Signal signal);
+  /// How much of the limit is left, and whether the verdict was lost.
+  void showMargin(FigureCard& card, const std::optional<double>& margin, std::int64_t limit, const SyncLamp& lamp,
+                  bool lasting);
   void showMissed();
-  void showFaults();
 
   const RunRecord* record_ = nullptr;
   std::vector<Finding> findings_;
   bool recorded_ = false, live_ = false;
+  theme::Tone standing_tone_ = theme::Tone::kNeutral;
   Pill *slaves_, *master_;
-  QLabel *slaves_text_, *master_text_, *fault_;
-  QFrame* banner_;
+  QLabel *slaves_text_, *master_text_, *standing_;
+  FaultBanner* banner_;
   FigureCard *deviation_, *missed_, *dcm_;
   QPushButton* arm_;
   QToolButton* menu_;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/picture_file.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QBuffer>
 #include <QClipboard>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QFileDialog>
@@ -13,6 +16,7 @@
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QPointer>
 #include <QStringList>
 #include <QSvgGenerator>
 #include <QSvgRenderer>
@@ -147,6 +151,39 @@ Picture captioned(const QWidget& widget, const QString& caption,
                      Qt::AlignVCenter, caption);
   };
   return {size + QSize(2 * kPaperMargin, 2 * kPaperMargin + kCaptionHeight), widget.logicalDpiX(), caption, whole};
+}
+
+void renderWithoutControls(QWidget& widget, QPainter& painter, const QPoint& place) {
+  const QPointer<QWidget> focus = QApplication::focusWidget();
+  QList<QWidget*> controls;
+  for (auto* child : widget.findChildren<QWidget*>()) {
+    const bool is_control =
+        qobject_cast<QComboBox*>(child) != nullptr || qobject_cast<QAbstractButton*>(child) != nullptr;
+    const bool in_table = qobject_cast<QAbstractItemView*>(child->parentWidget()) != nullptr;
+    if (is_control && !in_table && child->isVisibleTo(&widget)) controls << child;
+  }
+  for (auto* control : controls) {
+    auto keep = control->sizePolicy();
+    keep.setRetainSizeWhenHidden(true);
+    control->setSizePolicy(keep);
+    control->hide();
+  }
+  widget.render(&painter, place, {}, QWidget::DrawChildren);
+  painter.save();
+  painter.setPen(widget.palette().color(QPalette::WindowText));
+  for (auto* control : controls) {
+    if (const auto* choice = qobject_cast<QComboBox*>(control)) {
+      const QRect room(place + control->mapTo(&widget, QPoint()), control->size());
+      painter.setFont(control->font());
+      painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, choice->currentText());
+    }
+    auto usual = control->sizePolicy();
+    usual.setRetainSizeWhenHidden(false);
+    control->setSizePolicy(usual);
+    control->show();
+  }
+  painter.restore();
+  if (focus) focus->setFocus();
 }
 
 QString utcRangeText(Nanoseconds begin, Nanoseconds end) {

@@ -39,6 +39,9 @@ struct Picture {
 /// place that it is given; `inset`: what the widget leaves free at its left, in pixels.
 [[nodiscard]] Picture captioned(const QWidget& widget, const QString& caption,
                                 const std::function<void(QPainter&, const QPoint&)>& paint, int inset = 0);
+/// Draws the children of a widget without what can be pressed or chosen in them, whose room stays; of a choice its text
+/// is drawn, which says what the picture is of.
+void renderWithoutControls(QWidget& widget, QPainter& painter, const QPoint& place);
 /// "2026-03-01 12:00:00.000 \u2013 12:00:10.250 UTC", of host clock times.
 [[nodiscard]] QString utcRangeText(Nanoseconds begin, Nanoseconds end);
 

@@ -7,7 +7,9 @@
 #include <QStatusBar>
 #include <QStorageInfo>
 #include <algorithm>
+#include <utility>
 
+#include "trace/slaves_standing.h"
 #include "ui/panels/run_state.h"
 #include "ui/session/workspace.h"
 #include "ui/text/black_box_text.h"
@@ -56,6 +58,7 @@ StatusPanel::StatusPanel(Workspace& workspace, QStatusBar& bar) : QObject(&bar),
   connect(&workspace.runs(), &NetworkRuns::snapshotChanged, this, &StatusPanel::showOthers);
   connect(&workspace.document(), &ProjectDocument::networksChanged, this, &StatusPanel::showOthers);
   connect(&workspace.recording(), &OpenedRecording::changed, this, &StatusPanel::refresh);
+  connect(&workspace.replay(), &RecordingReplay::moved, this, &StatusPanel::refresh);
   connect(&workspace.runs(), &NetworkRuns::diskChanged, this, &StatusPanel::refresh);
   connect(&workspace.runs(), &NetworkRuns::linkChanged, this, &StatusPanel::refresh);
   connect(&workspace.document(), &ProjectDocument::projectChanged, this, &StatusPanel::refresh);
@@ -82,11 +85,53 @@ Pill* StatusPanel::addState(QStatusBar& bar, const char* object_name, const QStr
 }
 
 void StatusPanel::refresh() {
+  const bool recorded = workspace_.recording().isOpen();
+  recorded ? showRecorded() : showLive();
+  forced_->setVisible(!recorded && workspace_.live().snapshot().forced_bits > 0);
+  showRecording();
+  showBlackBox();
+}
+
+/// What the recording says at the moment that is shown; what it does not tell is a dash.
+void StatusPanel::showRecorded() {
+  const auto& record = *workspace_.recording().run().record;
+  const auto& overview = record.overview();
+  phase_->setState(theme::Tone::kBusy, tr("Recording"));
+  const auto path = workspace_.recording().path();
+  link_->setText(QFileInfo(path).fileName());
+  link_->setToolTip(path);
+  const auto standing = slaves_standing(record.config(), record.samples(), overview);
+  if (standing) {
+    slaves_->setText(tr("Slaves %1/%2 %3").arg(standing->in_op).arg(standing->slaves).arg(stateName(AlState::kOp)));
+  } else {
+    const auto count = record.config().slaves.size();
+    slaves_->setText(count == 0 ? tr("Slaves %1").arg(noText()) : tr("%n slave(s)", nullptr, static_cast<int>(count)));
+  }
+  showSlavesSync({syncTone(overview.slaves.state), syncStateText(overview.slaves.state)}, standing);
+  dcm_->setState(syncTone(overview.master.state), tr("DCM: %1").arg(syncStateText(overview.master.state)));
+  const auto told = [&](Signal signal) { return record.samples().value(signal, overview.end); };
+  const auto drift = told(Signal::kDrift);
+  drift_->setText(tr("Drift %1").arg(drift ? ppmText(static_cast<double>(drift->value)) : noText()));
+  const auto cycle = record.limits().cycle_time;
+  cycle_->setText(tr("Cycle %1").arg(cycle > 0 ? cycleText(cycle) : noText()));
+  const auto count = [&](Signal signal) {
+    const auto reading = told(signal);
+    return reading ? countText(static_cast<std::uint64_t>(reading->value)) : noText();
+  };
+  losses_->setText(tr("Lost %1  Late %2  Left out %3")
+                       .arg(count(Signal::kLostFrames), count(Signal::kLateFrames), count(Signal::kLeftOutCycles)));
+}
+
+void StatusPanel::showSlavesSync(StateText verdict, const std::optional<SlavesStanding>& standing) {
+  const auto dc = withSilent(std::move(verdict), standing);
+  dc_->setState(dc.tone, tr("DC: %1").arg(dc.text));
+}
+
+void StatusPanel::showLive() {
   const auto& live = workspace_.live();
   const auto& snapshot = live.snapshot();
   const auto& project = workspace_.document().project();
-  const bool recorded = workspace_.recording().isOpen();
-  const auto phase = recorded ? StateText{theme::Tone::kBusy, tr("Recording")} : phaseText(workspace_.live().run());
+  const auto phase = phaseText(workspace_.live().run());
   phase_->setState(phase.tone, phase.text);
   const auto link = workspace_.link();
   link_->setText(link.isEmpty() ? tr("No link chosen") : linkName(link, workspace_.environment().demo_link));
@@ -100,8 +145,11 @@ void StatusPanel::refresh() {
   } else {
     slaves_->setText(tr("%n slave(s)", nullptr, static_cast<int>(project.slaves.size())));
   }
-  const auto dc = slavesSync(snapshot);
-  dc_->setState(dc.tone, tr("DC: %1").arg(dc.text));
+  const auto* record = live.record();
+  const auto standing = record != nullptr && snapshot.online
+                            ? slaves_standing(record->config(), record->samples(), record->overview())
+                            : std::nullopt;
+  showSlavesSync(slavesSync(snapshot), standing);
   const auto dcm = masterSync(snapshot);
   dcm_->setState(dcm.tone, tr("DCM: %1").arg(dcm.text));
   const bool drifting = snapshot.online && snapshot.dcm.mode != DcmMode::kOff;
@@ -113,10 +161,7 @@ void StatusPanel::refresh() {
           .arg(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles));
   if (dropped > 0) losses += tr("  Dropped %1").arg(countText(dropped));
   losses_->setText(losses);
-  forced_->setVisible(snapshot.forced_bits > 0);
   forced_->setState(theme::Tone::kWarning, tr("%n bit(s) forced", nullptr, static_cast<int>(snapshot.forced_bits)));
-  showRecording();
-  showBlackBox();
 }
 
 /// What goes on where nobody looks: with one network its state, with more how many and the gravest tone.

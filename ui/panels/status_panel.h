@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
+
+#include "ui/text/sync_text.h"
 
 class QLabel;
 class QStatusBar;
@@ -22,6 +25,10 @@ class StatusPanel final : public QObject {
   QLabel* addField(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip);
   Pill* addState(QStatusBar& bar, const char* object_name, const QString& accessible, const QString& tool_tip);
   void refresh();
+  void showLive();
+  void showRecorded();
+  /// What they say of the slaves together, those included that do not answer.
+  void showSlavesSync(StateText verdict, const std::optional<SlavesStanding>& standing);
   void showRecording();
   void showBlackBox();
   void showOthers();

@@ -69,6 +69,13 @@ MonitorView counterView(const RunRecord& record, std::size_t slave) {
     const bool of_port = row.id >= Signal::kPortErrors && row.id < Signal::kSyncBase;
     (of_port ? ports : others).signals.push_back(viewSignalOf(record, {row.id, slave}));
   }
+  // The fuse is a level, no count: it says something beside where it trips.
+  ViewPlot fuse;
+  fuse.title = words(QT_TRANSLATE_NOOP("FreeView", "Fuse and its limit"));
+  for (const auto signal : {Signal::kSm2Integrator, Signal::kSm2Limit}) {
+    if (!record.samples().series(signal, slave).empty()) fuse.signals.push_back(viewSignalOf(record, {signal, slave}));
+  }
+  if (!fuse.signals.empty()) view.plots.push_back(std::move(fuse));
   if (!ports.signals.empty()) view.plots.push_back(std::move(ports));
   if (!others.signals.empty()) view.plots.push_back(std::move(others));
   return view;

@@ -23,10 +23,37 @@ struct CsvColumn {
 /// The number of the latest cycle at or before a time; empty: none is known.
 using CycleAt = std::function<std::optional<std::uint64_t>(Nanoseconds)>;
 
-/// Samples in [begin, end) of all columns, merged by time: `time_ns` since `origin`, `time_utc`, `cycle`, then one
-/// value a column. No value and not-a-number are empty fields. Independent of the locale; text fields
-/// that need it are quoted.
-[[nodiscard]] std::string series_csv(const std::vector<CsvColumn>& columns, const CycleAt& cycle_at, Nanoseconds origin,
-                                     Nanoseconds begin, Nanoseconds end);
+/// Some rows of a table, as numbers: they can be made words of in any thread.
+struct CsvRows {
+  std::vector<Nanoseconds> times;
+  std::vector<std::optional<std::uint64_t>> cycles;
+  std::vector<float> values;  // row by row; not-a-number: none
+  Nanoseconds origin = 0;
+};
+
+/// The samples of [begin, end) of all columns, merged by time, a portion at a time: however long the range is, only a
+/// portion is in memory. The series must stay; what leaves them before it was taken is missing.
+class CsvTable {
+ public:
+  CsvTable(std::vector<CsvColumn> columns, CycleAt cycle_at, Nanoseconds origin, Nanoseconds begin, Nanoseconds end);
+  /// `time_ns` since `origin`, `time_utc`, `cycle`, then one value a column; text fields that need it are quoted.
+  [[nodiscard]] std::string head() const;
+  /// The next rows, of about so many values together.
+  [[nodiscard]] CsvRows next(std::size_t values);
+  [[nodiscard]] bool complete() const { return next_ >= end_; }
+  /// Thousandths of the range.
+  [[nodiscard]] int progress() const;
+
+ private:
+  std::vector<CsvColumn> columns_;
+  CycleAt cycle_at_;
+  Nanoseconds origin_, begin_, next_, end_;
+};
+
+/// Behind `out`, a line a row. No value is an empty field. Independent of the locale.
+void append_csv(std::string& out, const CsvRows& rows);
+
+/// The whole table at once.
+[[nodiscard]] std::string series_csv(CsvTable table);
 
 }  // namespace syncline::ui

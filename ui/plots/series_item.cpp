@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/series_item.h"
 
+#include <qwt_clipper.h>
 #include <qwt_painter.h>
 #include <qwt_scale_map.h>
 
@@ -32,9 +33,12 @@ struct ColumnMap {
   [[nodiscard]] double operator()(double column) const { return left + column * width; }
 };
 
-/// Values far outside would overflow the rasteriser.
+constexpr double kBeyondCanvas =
+    4;  // pixels beyond the canvas that are drawn: the rasteriser would overflow far outside
+
+/// Of bars and steps, which have no slope.
 double clampedY(const QwtScaleMap& y, double value, const QRectF& canvas) {
-  return std::clamp(y.transform(value), canvas.top() - 4, canvas.bottom() + 4);
+  return std::clamp(y.transform(value), canvas.top() - kBeyondCanvas, canvas.bottom() + kBeyondCanvas);
 }
 
 std::optional<MinMaxSeries::Extent> extentOf(const std::vector<SeriesColumn>& columns) {
@@ -220,18 +224,21 @@ void SeriesItem::drawPoints(QPainter* painter, const QwtScaleMap& x, const QwtSc
   if (isVector(*painter)) pen = QPen(color_, 1);
   painter->setPen(pen);
   painter->setRenderHint(QPainter::Antialiasing, points_.size() < 2000);
+  constexpr double kFarAway = 1e9;  // pixels; a logarithm of nothing is infinitely far
+  const auto room = canvas.adjusted(-kBeyondCanvas, -kBeyondCanvas, kBeyondCanvas, kBeyondCanvas);
   QPolygonF line;
   line.reserve(static_cast<qsizetype>(points_.size()));
   const auto flush = [&] {
-    if (line.size() == 1) painter->drawPoint(line.front());
-    if (line.size() > 1) QwtPainter::drawPolyline(painter, line);
+    if (line.size() == 1 && room.contains(line.front())) painter->drawPoint(line.front());
+    // The line is cut where it leaves, and no point of it moved: it keeps its slope.
+    if (line.size() > 1) QwtPainter::drawPolyline(painter, QwtClipper::clippedPolygonF(room, line));
     line.clear();
   };
   for (const auto& point : points_) {
     if (std::isnan(point.y())) {
       flush();
     } else {
-      line.append(QPointF(map(point.x()), clampedY(y, point.y(), canvas)));
+      line.append(QPointF(map(point.x()), std::clamp(y.transform(point.y()), -kFarAway, kFarAway)));
     }
   }
   flush();

@@ -5,12 +5,12 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "trace/statistics.h"
 #include "trace/untold.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/signal_source.h"
@@ -21,6 +21,21 @@
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
+namespace {
+
+constexpr double kCursorQuantile = 0.999;
+
+/// In the language's form, without what parts thousands: a spreadsheet takes it as a number.
+QString spreadsheetText(double value) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  const double shown = std::round(value * 1000) / 1000 + 0.0;  // + 0.0: no "-0"
+  auto text = locale.toString(shown, 'f', shown == std::floor(shown) ? 0 : 3);
+  while (shown != std::floor(shown) && text.endsWith(u'0')) text.chop(1);
+  return text;
+}
+
+}  // namespace
 
 TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, TimeView* view, CursorSet* cursors,
                        QWidget* parent)
@@ -113,13 +128,14 @@ SeriesItem* TracePanel::addOverlayItem(SeriesItem::Shape shape) {
   return item;
 }
 
-void TracePanel::drawOverlay(SeriesItem& item, Signal signal, std::size_t slave) const {
+void TracePanel::drawOverlay(SeriesItem& item, const QString& name, Signal signal, std::size_t slave) const {
   const auto* record = overlay_.record;
   const bool drawn =
       record != nullptr && isThere(*record, {signal, slave}) && !record->samples().series(signal, slave).empty();
   item.setSeries(drawn ? &record->samples().series(signal, slave) : nullptr);
   item.setVisible(drawn);
   if (!drawn) return;
+  item.setTitle(tr("%1 (%2)").arg(name, overlay_.other));
   item.setHeldBy(record->samples().held(signal, slave));
   item.setMaxGap(record->samples().longest_gap(signal));
 }
@@ -207,20 +223,29 @@ QString TracePanel::betweenCursors() {
   return measured_text_;
 }
 
-QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
-  Statistics statistics;
-  const auto own = begin - item.shift();
-  item.series()->for_each(own, own + std::llabs(cursors_->delta()) + 1, [&](Nanoseconds, float value) {
-    if (!std::isnan(value)) statistics.add(static_cast<double>(value));
+TracePanel::OfStretch TracePanel::stretch(const SeriesItem& item, Nanoseconds begin, Nanoseconds end) const {
+  OfStretch found;
+  const bool whole = unitText(item) == QLatin1String("ns");
+  item.series()->for_each(begin - item.shift(), end - item.shift(), [&](Nanoseconds, float value) {
+    if (std::isnan(value)) return;
+    found.statistics.add(static_cast<double>(value));
+    if (whole) found.magnitudes.add(std::llabs(std::llround(static_cast<double>(value))));
   });
+  return found;
+}
+
+QString TracePanel::measure(const SeriesItem& item, Nanoseconds begin) const {
+  const auto [statistics, magnitudes] = stretch(item, begin, begin + std::llabs(cursors_->delta()) + 1);
   const auto a = item.valueAt(*cursors_->at(CursorSet::kA));
   const auto b = item.valueAt(*cursors_->at(CursorSet::kB));
   if (!a || !b) return tr("no samples at A or B");
   const auto text = tr("B−A %1").arg(itemText(item, static_cast<double>(b->value) - static_cast<double>(a->value)));
   if (statistics.count() == 0) return text;
-  return text + tr("   min %1   max %2   mean %3")
-                    .arg(itemText(item, statistics.min()), itemText(item, statistics.max()),
-                         itemText(item, statistics.mean()) + spread(statistics));
+  const auto figures = tr("   min %1   max %2   mean %3")
+                           .arg(itemText(item, statistics.min()), itemText(item, statistics.max()),
+                                itemText(item, statistics.mean()) + spread(statistics));
+  if (magnitudes.count() == 0) return text + figures;
+  return text + figures + tr("   p99.9 %1").arg(timeText(magnitudes.percentile(kCursorQuantile)));
 }
 
 QString TracePanel::spread(const Statistics& statistics) const {
@@ -232,8 +257,8 @@ QString TracePanel::spread(const Statistics& statistics) const {
 QString TracePanel::itemText(const SeriesItem&, double value) const { return valueText(value); }
 
 QStringList TracePanel::figureHeads() {
-  return {tr("Signal"),  tr("At A"), tr("At B"),    tr("B−A"),      tr("Smallest"),
-          tr("Largest"), tr("Mean"), tr("Samples"), tr("Mean 95 %")};
+  return {tr("Signal"),  tr("Unit"), tr("At A"),  tr("At B"),    tr("B−A"),      tr("Smallest"),
+          tr("Largest"), tr("Mean"), tr("p99.9"), tr("Samples"), tr("Mean 95 %")};
 }
 
 QStringList TracePanel::figures() const {
@@ -248,28 +273,29 @@ QStringList TracePanel::figures() const {
   }
   for (const auto* item : plot_->items()) {
     if (!item->isVisible() || item->series() == nullptr) continue;
-    Statistics statistics;
-    item->series()->for_each(begin, end, [&](Nanoseconds, float value) {
-      if (!std::isnan(value)) statistics.add(static_cast<double>(value));
-    });
+    const auto [statistics, magnitudes] = stretch(*item, begin, end);
     const auto at = [&](CursorSet::Which which) {
       const auto time = cursors_->at(which);
       return time ? item->valueAt(*time) : std::nullopt;
     };
     const auto a = at(CursorSet::kA);
     const auto b = at(CursorSet::kB);
-    const auto shown = [&](bool known, double value) { return known ? itemText(*item, value) : QString(); };
+    const auto shown = [&](bool known, double value) { return known ? spreadsheetText(value) : QString(); };
     const auto of = [](const auto& reading) { return reading ? static_cast<double>(reading->value) : 0; };
     const bool any = statistics.count() > 0;
+    const auto half = statistics.mean_half_width();
+    const bool estimated = half && !spreadText(*half).isEmpty();
     lines << QStringList{item->title().text(),
+                         unitText(*item),
                          shown(a.has_value(), of(a)),
                          shown(b.has_value(), of(b)),
                          shown(a && b, of(b) - of(a)),
                          shown(any, any ? statistics.min() : 0),
                          shown(any, any ? statistics.max() : 0),
                          shown(any, any ? statistics.mean() : 0),
+                         shown(magnitudes.count() > 0, static_cast<double>(magnitudes.percentile(kCursorQuantile))),
                          QString::number(statistics.count()),
-                         spread(statistics).trimmed()}
+                         shown(estimated, half.value_or(0))}
                  .join(u'\t');
   }
   return lines;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "record/run_record.h"
+#include "trace/histogram.h"
+#include "trace/statistics.h"
 #include "ui/plots/legend_bar.h"
 #include "ui/plots/trace_plot.h"
 
@@ -59,8 +61,9 @@ class TracePanel : public QWidget {
   [[nodiscard]] LegendBar* legend() const { return legend_; }
   [[nodiscard]] QString readout() const;
   [[nodiscard]] QString title() const;
-  /// One line a curve, columns by tabulators: name, values at A and B, their difference, smallest, largest, mean and
-  /// number of the samples between the cursors, or in the range shown where there are none.
+  /// One line a curve, columns by tabulators: name, unit, values at A and B, their difference, smallest, largest, mean,
+  /// the magnitude that 99.9 % do not exceed and number of the samples between the cursors, or in the range shown where
+  /// there are none. Numbers are numbers in the language's form, for a spreadsheet.
   [[nodiscard]] QStringList figures() const;
   [[nodiscard]] static QStringList figureHeads();
 
@@ -87,6 +90,8 @@ class TracePanel : public QWidget {
   [[nodiscard]] virtual QString remark(Nanoseconds /*begin*/, Nanoseconds /*end*/) const { return {}; }
   /// The same where curves of the panel have several units.
   [[nodiscard]] virtual QString itemText(const SeriesItem& item, double value) const;
+  /// In which the samples are; empty: counts, and what has none.
+  [[nodiscard]] virtual QString unitText(const SeriesItem& /*item*/) const { return {}; }
   /// What is made only when somebody looks is brought up to date.
   virtual void renew() {}
   /// Beside the heading, at the right end.
@@ -103,8 +108,9 @@ class TracePanel : public QWidget {
   /// The same for a slave's item, with its number as the short name.
   /// An item that draws the overlay, above the others and in its colour; nothing is drawn yet.
   [[nodiscard]] SeriesItem* addOverlayItem(SeriesItem::Shape shape);
-  /// The item draws that signal of the overlay; nothing where there is none, or it does not tell it.
-  void drawOverlay(SeriesItem& item, Signal signal, std::size_t slave = 0) const;
+  /// The item draws that signal of the overlay, and is titled by `name` and the file's; nothing where there is none, or
+  /// it does not tell it.
+  void drawOverlay(SeriesItem& item, const QString& name, Signal signal, std::size_t slave = 0) const;
   /// Of an item of the overlay, with its file's name.
   [[nodiscard]] LegendBar::Entry overlayEntry(const SeriesItem& item, const QString& name, Nanoseconds time) const;
   /// Adds the file's name to an entry, while there is an overlay to tell it from.
@@ -124,6 +130,12 @@ class TracePanel : public QWidget {
   [[nodiscard]] QString betweenCursors();
   [[nodiscard]] QString limitWords() const;
   [[nodiscard]] QString measure(const SeriesItem& item, Nanoseconds begin) const;
+  struct OfStretch {
+    Statistics statistics;
+    Histogram magnitudes;  // of what is measured in whole ns; else empty
+  };
+  /// The samples of [begin, end) in the time of the run.
+  [[nodiscard]] OfStretch stretch(const SeriesItem& item, Nanoseconds begin, Nanoseconds end) const;
   /// " ± 3 ns" of a mean; empty without.
   [[nodiscard]] QString spread(const Statistics& statistics) const;
 

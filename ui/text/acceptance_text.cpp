@@ -25,7 +25,9 @@ QString syncText(const Criterion& criterion) {
   if (criterion.times_lost > 0)
     text += AcceptanceText::tr(", lost %n time(s)", nullptr, static_cast<int>(criterion.times_lost));
   if (!criterion.margin) return text + AcceptanceText::tr("; no value since it was armed");
-  text += AcceptanceText::tr("; largest %1 ns").arg(QLocale().toString(static_cast<qlonglong>(*criterion.found)));
+  const auto largest = QLocale().toString(static_cast<qlonglong>(*criterion.found));
+  text += criterion.kind == Kind::kMasterInSync ? AcceptanceText::tr("; largest that lasted %1 ns").arg(largest)
+                                                : AcceptanceText::tr("; largest %1 ns").arg(largest);
   return text + (*criterion.margin < 0
                      ? AcceptanceText::tr(", over the limit")
                      : AcceptanceText::tr(", %1 % margin").arg(static_cast<int>(std::floor(*criterion.margin * 100))));

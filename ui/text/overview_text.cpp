@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
+#include <cstdlib>
 
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
@@ -79,27 +80,89 @@ class Overview {
     return joinedSentences(sentences);
   }
 
-  static QString firstFault(const RunRecord& record, std::span<const Finding> findings) {
+  static QString firstFault(const RunRecord& record, std::span<const Finding> findings, std::size_t place) {
     const auto& overview = record.overview();
     if (!overview.armed) return notArmed(record, findings);
     const auto& log = overview.faults;
     const auto since = momentText(*overview.armed, record);
     if (log.episodes().empty()) return nothingHappened(since, record, findings);
-    const auto& episode = log.episodes().back();
-    const auto& first = episode.faults.front();
-    auto text =
-        tr("<b>First: %1</b> at %2.").arg(link(first.first, fault(first, record)), momentText(first.first, record));
-    QStringList followers;
-    for (std::size_t i = 1; i < std::min(episode.faults.size(), kMostFollowers + 1); ++i) {
-      const auto& next = episode.faults[i];
-      followers << tr("%1 later %2").arg(timeText(next.first - first.first), link(next.first, fault(next, record)));
+    const auto& episode = log.episodes()[std::min(place, log.episodes().size() - 1)];
+    const auto& lead = episode.faults[episode.leading()];
+    auto text = leading(lead, record) + followers(episode, record);
+    if (const auto others = lasting(log, lead, record); !others.isEmpty())
+      text += tr(" Not over: %1.").arg(joinedClauses(others));
+    if (log.count() > 1) {
+      text += tr(" It is episode %1 of %2 since %3.")
+                  .arg(countText(log.count() - log.episodes().size() + std::min(place, log.episodes().size() - 1) + 1),
+                       countText(log.count()), since);
     }
-    if (!followers.isEmpty()) text += tr(" Then %1").arg(joinedClauses(followers));
-    const auto rest = episode.faults.size() - 1 - static_cast<std::size_t>(followers.size()) + episode.left_out;
-    if (rest > 0) text += tr("; %1 more").arg(countText(rest));
-    if (!followers.isEmpty()) text += QLatin1Char('.');
-    if (log.count() > 1) text += tr(" It is episode %1 since %2.").arg(countText(log.count()), since);
     return text;
+  }
+
+  static QString leading(const Fault& lead, const RunRecord& record) {
+    const auto what = link(lead.first, fault(lead, record));
+    const auto when = momentText(lead.first, record);
+    if (lead.over) return tr("<b>First: %1</b> at %2, until %3.").arg(what, when, momentText(*lead.over, record));
+    if (lead.lasts()) return tr("<b>First: %1</b> at %2, and it is not over.").arg(what, when);
+    return tr("<b>First: %1</b> at %2.").arg(what, when);
+  }
+
+  /// How much later, or earlier: by the cycles in which it was seen, as long as these can be counted.
+  static QString distance(Nanoseconds time, const RunRecord& record) {
+    constexpr Nanoseconds kCountable = 20;
+    const auto cycle = record.limits().cycle_time;
+    const auto size = std::abs(time);
+    const auto span = [size] {
+      if (size >= kSecond) return spanText(size);
+      return cycleText(size < kMillisecond ? size : (size + kMillisecond / 2) / kMillisecond * kMillisecond);
+    };
+    const auto cycles = cycle > 0 ? static_cast<int>((size + cycle / 2) / cycle) : 0;
+    if (cycle > 0 && cycles == 0) return tr("in the same cycle");
+    const bool counted = cycle > 0 && size < kCountable * cycle;
+    if (time < 0) return counted ? tr("%n cycle(s) before", nullptr, cycles) : tr("%1 before").arg(span());
+    return counted ? tr("%n cycle(s) later", nullptr, cycles) : tr("%1 later").arg(span());
+  }
+
+  static QString followers(const FaultEpisode& episode, const RunRecord& record) {
+    const auto lead = episode.leading();
+    QStringList before, after;
+    QString said;
+    for (std::size_t i = 0; i < std::min(episode.faults.size(), kMostFollowers + 1); ++i) {
+      if (i == lead) continue;
+      const auto& next = episode.faults[i];
+      auto& list = i < lead ? before : after;
+      const auto when = distance(next.first - episode.faults[lead].first, record);
+      const auto what = link(next.first, fault(next, record));
+      list << (when == said ? what : tr("%1 %2", "when, what").arg(when, what));
+      said = when;
+    }
+    QString text;
+    if (!before.isEmpty()) text += tr(" Seen %1.").arg(joinedClauses(before));
+    if (after.isEmpty()) return text;
+    text += tr(" Then %1").arg(joinedClauses(after));
+    const auto shown = static_cast<std::size_t>(before.size() + after.size());
+    const auto rest = episode.faults.size() - 1 - shown + episode.left_out;
+    if (rest > 0) text += tr("; %1 more").arg(countText(rest));
+    return text + QLatin1Char('.');
+  }
+
+  /// What lasts, of all episodes, but the one that is told already; slaves that do not answer in one clause.
+  static QStringList lasting(const FaultLog& log, const Fault& told, const RunRecord& record) {
+    QStringList all;
+    const Fault* silent = nullptr;
+    int count = 0;
+    for (const auto* fault : log.lasting()) {
+      if (fault == &told) continue;
+      if (fault->event->is<events::SlaveLost>()) {
+        if (silent == nullptr) silent = fault;
+        ++count;
+      } else {
+        all << link(fault->first, Overview::fault(*fault, record));
+      }
+    }
+    if (count == 1) all << link(silent->first, fault(*silent, record));
+    if (count > 1) all << link(silent->first, tr("%n slave(s) do(es) not answer", nullptr, count));
+    return all;
   }
 
   static QString moment(Nanoseconds time, const RunRecord& record) {
@@ -111,8 +174,8 @@ class Overview {
 
 QString faultText(const Fault& fault, const RunRecord& record) { return Overview::fault(fault, record); }
 QString lampText(const SyncLamp& lamp, const SyncOverview& overview) { return Overview::lamp(lamp, overview); }
-QString firstFaultText(const RunRecord& record, std::span<const Finding> findings) {
-  return Overview::firstFault(record, findings);
+QString firstFaultText(const RunRecord& record, std::span<const Finding> findings, std::size_t episode) {
+  return Overview::firstFault(record, findings, episode);
 }
 const Finding* worstOf(std::span<const Finding> findings, Nanoseconds since) {
   const Finding* worst = nullptr;

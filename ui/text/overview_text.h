@@ -12,9 +12,9 @@ namespace syncline::ui {
 [[nodiscard]] QString faultText(const Fault& fault, const RunRecord& record);
 /// What one of the lamps says below its state: for how long, and when it was lost last.
 [[nodiscard]] QString lampText(const SyncLamp& lamp, const SyncOverview& overview);
-/// What came first and what followed, as rich text whose links are moments of the run (host clock, ns). Where nothing
-/// happened, the worst of what was found nevertheless.
-[[nodiscard]] QString firstFaultText(const RunRecord& record, std::span<const Finding> findings);
+/// What came first in an episode of the log and what followed, and what of all episodes is not over, as rich text whose
+/// links are moments of the run (host clock, ns). Where nothing happened, the worst of what was found nevertheless.
+[[nodiscard]] QString firstFaultText(const RunRecord& record, std::span<const Finding> findings, std::size_t episode);
 /// The most severe warning or error that was not over by then (host clock); null: there is none.
 [[nodiscard]] const Finding* worstOf(std::span<const Finding> findings, Nanoseconds since);
 /// A moment as the plots' axis has it: "12.345 s" since the first sample.

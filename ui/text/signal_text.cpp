@@ -49,10 +49,14 @@ QString signalText(Signal signal) {
       return QCoreApplication::translate("DistributionView", "Drift");
     case Signal::kDcmAdjust:
       return QCoreApplication::translate("DistributionView", "Adjustment");
+    case Signal::kDcmOutputSum:
+      return QCoreApplication::translate("DistributionView", "Learned by the controller, a cycle");
+    case Signal::kDcmOutputTotal:
+      return QCoreApplication::translate("DistributionView", "All adjustments");
     case Signal::kDeviation:
       return QCoreApplication::translate("DistributionView", "Largest deviation");
     case Signal::kDeviationOred:
-      return QCoreApplication::translate("DistributionView", "Deviation, or-ed");
+      return QCoreApplication::translate("DistributionView", "Deviation, or-ed (upper estimate)");
     case Signal::kNetworkToSlave:
       return QCoreApplication::translate("DistributionView", "Network to slave");
     case Signal::kMasterToNetwork:

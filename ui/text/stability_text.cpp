@@ -52,6 +52,10 @@ QString verdictText(const SignalStudy& study, Quantity quantity) {
     said << say(QT_TRANSLATE_NOOP("StabilityText", "Hunting: it swings, with a period of about %1."))
                 .arg(quantityText(Quantity::kSeconds, reading.hunting_period));
   }
+  if (reading.disturbed_for > 0) {
+    said << say(QT_TRANSLATE_NOOP("StabilityText", "One disturbance: nearly all that moves does so within %1."))
+                .arg(quantityText(Quantity::kSeconds, reading.disturbed_for));
+  }
   if (reading.drift) {
     said << say(QT_TRANSLATE_NOOP(
                     "StabilityText",

@@ -35,6 +35,13 @@ StateText slavesSync(const Snapshot& snapshot) {
   return {syncTone(snapshot.dc.state), syncStateText(snapshot.dc.state)};
 }
 
+StateText withSilent(StateText verdict, const std::optional<SlavesStanding>& standing) {
+  if (!standing || standing->silent_followers == 0) return verdict;
+  const auto count = static_cast<int>(standing->silent_followers);
+  return {theme::Tone::kBad,
+          QCoreApplication::translate("Sync", "%n of %1 do(es) not answer", nullptr, count).arg(standing->followers)};
+}
+
 StateText masterSync(const Snapshot& snapshot) {
   if (!snapshot.online) return {theme::Tone::kNeutral, offline()};
   if (snapshot.dcm.mode == DcmMode::kOff) return {theme::Tone::kNeutral, dcmModeText(DcmMode::kOff)};

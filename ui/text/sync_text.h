@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "channels/snapshot.h"
+#include "trace/slaves_standing.h"
 #include "ui/theme/theme.h"
 
 /// The synchronisation states in words and tones, the same in the pages and in the status bar.
@@ -16,6 +18,9 @@ struct StateText {
 
 [[nodiscard]] theme::Tone syncTone(SyncState state);
 [[nodiscard]] StateText slavesSync(const Snapshot& snapshot);
+/// The verdict speaks of those who answer. Where slaves that were part of it do not, that is what is said in its place:
+/// a machine with dead followers is not in sync.
+[[nodiscard]] StateText withSilent(StateText verdict, const std::optional<SlavesStanding>& standing);
 [[nodiscard]] StateText masterSync(const Snapshot& snapshot);
 
 }  // namespace syncline::ui

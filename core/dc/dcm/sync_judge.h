@@ -13,6 +13,9 @@ namespace syncline::dc {
 /// of the reference clock that lasts, because one late or lost frame is no loss of synchronisation.
 class SyncJudge {
  public:
+  /// So long a violation, or a silence, must last.
+  static constexpr Nanoseconds kPatience = 200 * kMillisecond;
+
   explicit SyncJudge(const DcmSettings& settings);
   void start(Nanoseconds time);
   /// One cycle; `error` in ns.
@@ -27,7 +30,6 @@ class SyncJudge {
   [[nodiscard]] std::optional<Nanoseconds> in_sync_after() const { return after_; }
 
  private:
-  static constexpr Nanoseconds kPatience = 200 * kMillisecond;
   void endure(std::optional<Nanoseconds>& since, Nanoseconds time);
 
   Nanoseconds limit_, settle_, delay_;

@@ -80,6 +80,12 @@ std::vector<std::uint8_t> stamped(std::vector<std::uint8_t> frame, std::uint64_t
   return frame;
 }
 
+std::string codes_of(const ImportedRun& run) {
+  std::string codes;
+  for (const auto& finding : run.findings) codes += std::string(codes.empty() ? "" : " ") + std::string(finding.code);
+  return codes;
+}
+
 TEST(ImportCapture, TellsWhatItsFramesHold) {
   const test::TemporaryFolder folder;
   PlainCapture file;
@@ -109,6 +115,8 @@ TEST(ImportCapture, TellsWhatItsFramesHold) {
   EXPECT_EQ(one.deviation_ns, 300U) << "the largest of the latest readings";
   EXPECT_NE(run->samples[40].flags & CycleSample::kFrameLost, 0);
   EXPECT_EQ(run->samples[40].frames_lost, 1);
+  EXPECT_EQ(codes_of(*run), "import-times");
+  EXPECT_NE(facts_text(run->findings.front()).find("software stamps"), std::string::npos);
   const auto replay = replayed(*run);
   for (const auto signal : {Signal::kLateness, Signal::kDcmError, Signal::kDrift, Signal::kDeviationOred})
     EXPECT_FALSE(replay.record->samples().series(signal).extent(0, INT64_MAX)) << info(signal).key;
@@ -132,6 +140,7 @@ TEST(ImportCapture, TakesTheStampsOfAProbe) {
   const auto run = import_capture(file.write(folder));
   ASSERT_TRUE(run.has_value()) << run.error().detail.text();
   ASSERT_EQ(run->samples.size(), 50U);
+  EXPECT_NE(facts_text(run->findings.front()).find("hardware stamps"), std::string::npos);
   for (std::size_t i = 0; i < run->samples.size(); ++i) {
     EXPECT_EQ(run->samples[i].send_time, kCaptureBegin + static_cast<Nanoseconds>(i) * kMillisecond);
     EXPECT_EQ(run->samples[i].round_trip_ns, 12'345);
@@ -152,6 +161,25 @@ TEST(ImportCapture, OneWayIsNoRoundTrip) {
   EXPECT_EQ(run->samples[3].reference_time, run->samples[3].send_time);
   EXPECT_FALSE(info(Signal::kRoundTrip).of_cycle(run->samples[3]));
   EXPECT_FALSE(info(Signal::kFramesLost).of_cycle(run->samples[3]));
+  EXPECT_EQ(codes_of(*run), "import-times import-replies-missing");
+}
+
+/// A mirror port that cannot carry both ways leaves replies out: the capture alone does not tell that from lost frames.
+TEST(ImportCapture, SaysHowManyRepliesAreMissing) {
+  const test::TemporaryFolder folder;
+  PlainCapture file;
+  for (int i = 0; i < 60; ++i) {
+    const auto sent = kCaptureBegin + i * kMillisecond;
+    const auto frame = cyclic_frame(static_cast<std::uint8_t>(i), 1002);
+    file.add(sent, frame);
+    if (i % 10 != 5) file.add(sent + 28'000, answered(frame, static_cast<std::uint64_t>(sent), 5));
+  }
+  const auto run = import_capture(file.write(folder));
+  ASSERT_TRUE(run.has_value()) << run.error().detail.text();
+  EXPECT_EQ(codes_of(*run), "import-times import-replies-missing");
+  EXPECT_NE(facts_text(run->findings.back()).find("6 cyclic frames have no reply in the capture, of 60"),
+            std::string::npos)
+      << facts_text(run->findings.back());
 }
 
 TEST(ImportCapture, SaysWhatIsMissing) {

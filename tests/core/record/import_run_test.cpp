@@ -83,11 +83,12 @@ TEST(ImportRun, WhatALogDoesNotHoldIsUnknown) {
   ASSERT_TRUE(run.has_value());
   RangeFigures figures(0, 0, INT64_MAX, false);
   figures.add(run->samples);
-  for (const auto& [signal, figure] : figures.signals()) {
+  for (const auto& [signal, figure, lasting] : figures.signals()) {
     const bool held = signal == Signal::kDcmError || signal == Signal::kDcmErrorFiltered || signal == Signal::kDrift ||
                       signal == Signal::kDcmAdjust || signal == Signal::kDeviation ||
                       signal == Signal::kDeviationOred || signal == Signal::kNetworkToSlave ||
-                      signal == Signal::kMasterToNetwork;
+                      signal == Signal::kMasterToNetwork || signal == Signal::kDcmOutputSum ||
+                      signal == Signal::kDcmOutputTotal;
     EXPECT_EQ(figure.statistics.count(), held ? 1000U : 0U) << info(signal).key;
   }
   const auto replay = replayed(*run);

@@ -38,6 +38,23 @@ TEST(SignalStudy, SaysOnWhatItRests) {
   EXPECT_GT(study.spectrum.step, 0);
 }
 
+/// A step that dies away makes the hump of a swing once; nobody would look for a loop that hunts.
+TEST(SignalStudy, OneDisturbanceIsNoHunting) {
+  const auto reading = [](auto value) {
+    MinMaxSeries series(20'000);
+    std::mt19937 random(3);
+    for (int i = 0; i < 20'000; ++i)
+      series.append(kBegin + i * kMillisecond, static_cast<float>(value(i) + static_cast<int>(random() % 21) - 10));
+    return study_of(EvenSamples(series, kBegin, kBegin + 20 * kSecond, 0), 1e-9).reading;
+  };
+  const auto step = reading([](int i) { return i < 9000 ? 0 : 48'000 * std::exp(-(i - 9000) / 150.0); });
+  EXPECT_EQ(step.hunting_period, 0);
+  EXPECT_GT(step.disturbed_for, 0.1);
+  const auto swing = reading([](int i) { return 500 * std::sin(i / 25.0); });
+  EXPECT_GT(swing.hunting_period, 0.08);
+  EXPECT_EQ(swing.disturbed_for, 0);
+}
+
 TEST(SignalStudy, LeavesOutObservationTimesWithTooFewWindows) {
   const auto series = noise();
   const EvenSamples samples(series, kBegin, kBegin + 6 * kSecond, 0);

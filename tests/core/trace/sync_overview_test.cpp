@@ -92,16 +92,51 @@ TEST(SyncOverview, NothingWasLostByWhatWasSetAnew) {
   EXPECT_FALSE(recorder.overview().master.last_lost);
 }
 
-/// Single cycles far over the limit are borne; what the controller has made of them is what the limit is for.
-TEST(SyncOverview, TheMasterHasTheMarginOfTheFilteredError) {
+/// Single cycles far over the limit are borne, and so is what the controller has made of them until it has lasted.
+TEST(SyncOverview, TheMasterHasTheMarginOfTheFilteredErrorThatLasted) {
   OverviewRecorder recorder(1);
-  auto one = sample(0, SyncState::kInSync, 10, 65'000);
-  one.dcm_error_filtered_ns = -3'000;
-  feed(recorder, one);
-  EXPECT_EQ(*recorder.overview().dcm_filtered.margin(4'000), 0.25);
+  std::int64_t ms = 0;
+  const auto go = [&](int cycles, std::int32_t filtered) {
+    for (int i = 0; i < cycles; ++i) {
+      auto one = sample(ms++, SyncState::kInSync, 10, 65'000);
+      one.dcm_error_filtered_ns = i % 2 == 0 ? filtered : -filtered;
+      feed(recorder, one);
+    }
+  };
+  go(200, 3'000);
+  EXPECT_FALSE(recorder.overview().dcm_lasting.margin(4'000)) << "too short yet";
+  go(2, 3'000);
+  EXPECT_EQ(*recorder.overview().dcm_lasting.margin(4'000), 0.25);
   EXPECT_LT(*recorder.overview().dcm_error.margin(4'000), 0);
+  go(200, 5'000);
+  EXPECT_EQ(*recorder.overview().dcm_lasting.margin(4'000), 0.25) << "a tail of 199 ms is no loss";
+  go(1, 100);
+  go(201, 5'000);
+  EXPECT_EQ(*recorder.overview().dcm_lasting.margin(4'000), -0.25) << "the verdict has lost it by now";
   recorder.arm();
-  EXPECT_FALSE(recorder.overview().dcm_filtered.margin(4'000)) << "it begins anew with the others";
+  EXPECT_FALSE(recorder.overview().dcm_lasting.margin(4'000)) << "it begins anew with the others";
+}
+
+/// A slave that is away takes the master out of OP, and the clocks of the others still count.
+TEST(SyncOverview, EveryCycleCountsAlsoBelowOpOnceItWasArmed) {
+  OverviewRecorder recorder(1);
+  const auto below_op = [&](std::int64_t ms, SyncState state, std::uint32_t deviation) {
+    auto one = sample(ms, state, deviation);
+    one.master_state = static_cast<std::uint8_t>(AlState::kNone);
+    feed(recorder, one);
+  };
+  for (int ms = 0; ms < 10; ++ms) below_op(ms, SyncState::kInSync, 70);
+  EXPECT_EQ(recorder.overview().deviation.statistics.count(), 0U) << "of the bring-up";
+  for (int ms = 10; ms < 20; ++ms) feed(recorder, sample(ms, SyncState::kInSync, 20));
+  for (int ms = 20; ms < 30; ++ms) below_op(ms, SyncState::kInSync, 30);
+  below_op(30, SyncState::kOutOfSync, 48'502);
+  const auto& deviation = recorder.overview().deviation;
+  EXPECT_EQ(deviation.statistics.count(), 21U);
+  EXPECT_EQ(deviation.largest->value, 48'502);
+  for (int ms = 31; ms < 40; ++ms) below_op(ms, SyncState::kBusy, 900'000);
+  EXPECT_EQ(deviation.largest->value, 48'502) << "who is brought up again has yet to settle";
+  for (int ms = 40; ms < 50; ++ms) below_op(ms, SyncState::kUnknown, 900'000);
+  EXPECT_EQ(deviation.largest->value, 48'502) << "of what is unknown nothing is claimed";
 }
 
 TEST(SyncOverview, TheMarginIsWhatTheLargestHasLeft) {
@@ -158,6 +193,46 @@ TEST(FaultLog, SaysWhatCameFirstAndWhatFollowed) {
   EXPECT_FALSE(episode.faults[2].event);
   EXPECT_EQ(episode.begin, at(10));
   EXPECT_EQ(episode.end, at(500));
+}
+
+/// What frames show first is not the cause, where the cable is found within the same moment.
+TEST(FaultLog, LeadsWithTheCauseOfTheSameMoment) {
+  FaultLog log;
+  log.add({at(10), -1, events::WkcError{15, 12, 1}});
+  log.add({at(11), 5, events::SlaveLost{}});
+  log.add({at(11), 5, events::CableChanged{}});
+  log.add({at(900), 2, events::CableChanged{}});
+  const auto leading = [&] { return log.episodes().back().leading(); };
+  ASSERT_EQ(log.episodes().size(), 1U);
+  EXPECT_EQ(log.episodes().front().faults[leading()].slave, 5);
+  EXPECT_TRUE(log.episodes().front().faults[leading()].event->is<events::CableChanged>());
+  log.add({at(5000), -1, events::WkcError{15, 12, 1}});
+  log.add({at(5100), 5, events::CableChanged{}});
+  EXPECT_EQ(leading(), 0U) << "too late to be the cause of it";
+  log.add({at(12'000), -1, events::DcmError{}});
+  log.add({at(12'000), -1, events::MasterOutOfSync{}});
+  EXPECT_EQ(leading(), 1U) << "the loss says why, the code does not";
+  log.add({at(12'001), -1, events::CyclesLeftOut{}});
+  EXPECT_EQ(leading(), 2U);
+  log.add({at(20'000), 3, events::AlStatusError{}});
+  log.add({at(20'001), 3, events::CableChanged{}});
+  EXPECT_EQ(leading(), 0U) << "a slave that says something itself came first";
+}
+
+TEST(FaultLog, KnowsWhatStillLastsAndSinceWhenItDoesNot) {
+  FaultLog log;
+  log.add({at(10), 5, events::CableChanged{}});
+  log.add({at(11), 5, events::SlaveLost{}});
+  log.add({at(11), 6, events::SlaveLost{}});
+  log.add({at(12), -1, events::WkcError{15, 12, 1}});
+  ASSERT_EQ(log.lasting().size(), 3U) << "a working counter is a moment";
+  log.add({at(2000), 5, events::CableChanged{.healed = true}});
+  log.add({at(2010), 5, events::SlaveFound{}});
+  ASSERT_EQ(log.lasting().size(), 1U);
+  EXPECT_EQ(log.lasting().front()->slave, 6);
+  EXPECT_EQ(log.episodes().front().faults.front().over, at(2000));
+  log.add({at(2020), 5, events::SlaveLost{}});
+  EXPECT_EQ(log.lasting().size(), 2U) << "it went again";
 }
 
 TEST(FaultLog, WhatIsOverIsAReturnToOrder) {
