@@ -67,7 +67,11 @@ Status Operation::start(AlState target) {
   snapshot.requested = target;
   run_.channels().snapshot.publish_first(run_.snapshot);
   auto status = through_outages(target, [&](bool again) {
-    if (again) esm_.abandon();
+    if (again) {
+      esm_.abandon();
+    } else {
+      tell_whether_it_runs();
+    }
     return bring_up(target);
   });
   snapshot.time = clock_.now();  // also where it ended without a cycle
@@ -75,12 +79,16 @@ Status Operation::start(AlState target) {
   return status;
 }
 
-/// From INIT, whatever the slaves are doing.
-Status Operation::bring_up(AlState target) {
+/// Nobody has led these slaves up for us.
+void Operation::tell_whether_it_runs() {
   std::array<std::uint8_t, 2> al_status{};
   const auto answered = bus_.exchange(Command::kBrd, 0, reg::kAlStatus, al_status);
   // Or-ed: the bit of SAFEOP, or of OP.
   if (answered && *answered > 0 && (al_status[0] & 0x0C) != 0) run_.event(clock_.now(), -1, events::BusWasRunning{});
+}
+
+/// From INIT, whatever the slaves are doing.
+Status Operation::bring_up(AlState target) {
   if (auto status = esm_.reset(); !status) return status;
   run_.snapshot.link_up = true;  // frames have come back, whatever the adapter says
   return target == AlState::kInit ? Status{} : esm_.change_to(target);

@@ -65,6 +65,7 @@ class Operation {
   bool serve_state_request();
   void end_requests();
   void tell_forced();
+  void tell_whether_it_runs();
   void tell_left_behind(const Error& why);
 
   NetworkConfig config_;

@@ -13,6 +13,7 @@
 #include "support/running_window.h"
 #include "support/speak.h"
 #include "ui/dialogs/link_chooser.h"
+#include "ui/editors/page.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
 
