@@ -47,16 +47,18 @@ struct ToldByEvent {
   }
 
   // ---- states
+  static std::string_view state_name(AlState state) {
+    return state == AlState::kNone ? "unknown" : al_state_name(state);
+  }
   Told operator()(const events::Online&) const { return tell("event-online"); }
   Told operator()(const events::Offline&) const { return tell("event-offline"); }
   Told operator()(const events::StateChanged& e) const {
-    const auto name = [](AlState state) { return state == AlState::kNone ? "unknown" : al_state_name(state); };
-    return tell("event-state", subject(), fig::phrase<"from">(name(e.from)), fig::phrase<"to">(name(e.to)));
+    return tell("event-state", subject(), fig::phrase<"from">(state_name(e.from)), fig::phrase<"to">(state_name(e.to)));
   }
   Told operator()(const events::AlStatusError& e) const;
   Told operator()(const events::LeftUnasked& e) const {
-    return tell("event-left-unasked", subject(), fig::phrase<"from">(al_state_name(e.from)),
-                fig::phrase<"to">(al_state_name(e.to)));
+    return tell("event-left-unasked", subject(), fig::phrase<"from">(state_name(e.from)),
+                fig::phrase<"to">(state_name(e.to)));
   }
   Told operator()(const events::BusWasRunning&) const { return tell("event-bus-was-running"); }
   Told operator()(const events::SlaveLost&) const { return tell("event-slave-lost", subject()); }

@@ -30,9 +30,9 @@ class SharedLink final : public Link {
 
 class Master {
  public:
-  Master(Link& link, Clock& clock, const NetworkConfig& config)
+  Master(Link& link, Clock& clock, const NetworkConfig& config, AlState target)
       : service_(std::make_unique<SharedLink>(link), clock), recorder_(config) {
-    service_.channels().commands.push(GoOnlineCommand{config, AlState::kOp});
+    service_.channels().commands.push(GoOnlineCommand{config, target});
   }
   void run_for(Nanoseconds time) {
     service_.run_for(time);
@@ -64,14 +64,14 @@ TEST(TwoMasters, AreTold) {
   const auto network = test::two_axes();
   const auto config = network.compiled();
   const auto link = network.link(clock);
-  Master first(*link, clock, config), second(*link, clock, config);
+  Master first(*link, clock, config, AlState::kOp), second(*link, clock, config, AlState::kInit);
   first.run_for(6 * kSecond);
   ASSERT_EQ(first.snapshot.state, AlState::kOp);
   EXPECT_EQ(first.count<events::BusWasRunning>(), 0U);
   EXPECT_EQ(first.count<events::LeftUnasked>(), 0U) << "what it does itself it has asked for";
   second.run_for(100 * kMillisecond);
   EXPECT_EQ(second.count<events::BusWasRunning>(), 1U);
-  first.run_for(kSecond);
+  for (int i = 0; i < 10; ++i) first.run_for(100 * kMillisecond);
   EXPECT_EQ(first.count<events::LeftUnasked>(), 3U);
   const auto found = first.findings();
   EXPECT_TRUE(std::ranges::any_of(found, [](const Finding& f) { return f.code == code::kSlaveLeftUnasked; }));

@@ -75,7 +75,7 @@ TEST_F(OwnMachine, GoesOnlineOnASimulatedBusOfItsOwn) {
   EXPECT_EQ(missed.count, 0U);
   window_.selectNode(1);
   workspace_.live().advance(kSecond);
-  EXPECT_EQ(test::find<QLabel>(window_, "slaveMissed")->text(), QStringLiteral("0"))
+  EXPECT_EQ(test::find<QLabel>(window_, "slaveMissed")->text(), QStringLiteral("0 (object 0x1C32:0C)"))
       << "a drive of its family, that counts";
   EXPECT_FALSE(action("actionChooseLink")->isEnabled()) << "it runs";
   workspace_.live().shutDown();
