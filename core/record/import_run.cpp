@@ -111,6 +111,9 @@ Finding unended(int line, bool kept) {
 
 // ---- log of the master synchronisation -----------------------------------------------------------------------------
 
+/// Of a century, in ns: what is beyond leaves no room to count with.
+bool is_time(std::int64_t time) { return time >= 0 && time <= 100LL * 366 * 24 * 3600 * kSecond; }
+
 /// At most by so much that it can be added to any date.
 std::int64_t later_by(std::int64_t time, std::int64_t begin) {
   constexpr std::int64_t kMost = 900'000'000 * kSecond;
@@ -127,7 +130,8 @@ Status put_times(const DcmLogTable& log, std::vector<CycleSample>& samples, cons
   const bool by_host = log.has("Time[ms]") && std::ranges::adjacent_find(rows, same_time) == rows.end();
   if (!by_host && !has_bus_time && rows.size() > 1)
     return no_cycles(name, because("its times do not tell the cycles apart"));
-  const auto begin = has_bus_time && rows.front().bus_time_ns > kFirstDate ? rows.front().bus_time_ns : kNoDate;
+  const auto first = rows.front().bus_time_ns;
+  const auto begin = has_bus_time && first > kFirstDate && is_time(first) ? first : kNoDate;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto since = by_host ? std::llround(std::clamp((rows[i].time_ms - rows.front().time_ms) * 1e6, 0.0, 9e17))
                                : later_by(rows[i].bus_time_ns, rows.front().bus_time_ns);
@@ -140,7 +144,7 @@ CycleSample sample_of(const DcmLogRow& row, const DcmLogTable& log) {
   CycleSample sample;
   sample.flags = kStateUntold | kLatenessUntold | kRoundTripUntold | kFramesUntold | kExpectedUntold;
   if (!log.has("CtlOutSum") || !log.has("CtlOutTot")) sample.flags |= kLearnedUntold;
-  if (log.has("BusTime [ns]")) sample.reference_time = row.bus_time_ns;
+  if (log.has("BusTime [ns]") && is_time(row.bus_time_ns)) sample.reference_time = row.bus_time_ns;
   if (log.has("CtlErr [ns]")) {
     sample.flags |= Flag::kReferenceValid | Flag::kDcmActive;
     sample.dcm_error_ns = fitting<std::int32_t>(-row.error_ns);
@@ -332,6 +336,8 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
     CycleSample sample;
     sample.flags = untold;
     auto wrong = table.read(line, sample);
+    if (wrong.empty() && !is_time(sample.send_time)) wrong = because("its times do not tell the cycles apart");
+    if (!is_time(sample.reference_time)) sample.reference_time = 0;
     if (wrong.empty() && !run.samples.empty() && sample.cycle <= run.samples.back().cycle)
       wrong = because("its cycle {cycle} does not come behind that of the line before", sample.cycle);
     if (!ended) run.findings.push_back(unended(number, wrong.empty()));

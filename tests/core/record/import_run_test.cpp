@@ -218,6 +218,9 @@ TEST(ImportRun, SaysWhatIsWrong) {
   const auto back = import_table("cycle,send_time_ns,lateness_ns\n4,1000,2\n4,2000,2\n5,3000,1\n", "x.csv");
   ASSERT_FALSE(back);
   EXPECT_EQ(back.error().line, 3);
+  const auto never = import_table("cycle,send_time_ns,lateness_ns\n4,1000,2\n5,9223372036854775807,2\n", "x.csv");
+  ASSERT_FALSE(never);
+  EXPECT_EQ(never.error().line, 3);
   const auto bad = import_table("cycle,send_time_ns,lateness_ns\n0,1000,2\n1,2000,late\n", "x.csv");
   ASSERT_FALSE(bad.has_value());
   EXPECT_EQ(bad.error().line, 3);
