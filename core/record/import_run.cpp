@@ -336,8 +336,8 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
     CycleSample sample;
     sample.flags = untold;
     auto wrong = table.read(line, sample);
-    if (wrong.empty() && !is_time(sample.send_time)) wrong = because("its times do not tell the cycles apart");
-    if (!is_time(sample.reference_time)) sample.reference_time = 0;
+    if (wrong.empty() && !(is_time(sample.send_time) && is_time(sample.reference_time)))
+      wrong = because("its times do not tell the cycles apart");
     if (wrong.empty() && !run.samples.empty() && sample.cycle <= run.samples.back().cycle)
       wrong = because("its cycle {cycle} does not come behind that of the line before", sample.cycle);
     if (!ended) run.findings.push_back(unended(number, wrong.empty()));

@@ -152,7 +152,7 @@ void find_states(const RunReport& report, Findings& findings) {
                            {"from", Unit::kAlStatus, static_cast<std::int64_t>(unasked->from)},
                            {"to", Unit::kAlStatus, static_cast<std::int64_t>(unasked->to)},
                            moment_figure(report, "since", unasked->time)}});
-      continue;
+      if ((slave.al_status & kAlErrorFlag) == 0) continue;
     }
     if ((slave.al_status & kAlErrorFlag) != 0) {
       findings.push_back(fallen(report, slave));

@@ -109,7 +109,9 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
     event(time, position, events::StateChanged{al_state_of(old), al_state_of(status)});
   }
   const bool failed = (status & kAlErrorFlag) != 0;
-  if (watched_for_others_ && !failed && rank(state) < rank(al_state_of(old)))
+  // From BOOT a slave goes by itself, with new firmware.
+  const bool operated = al_state_of(old) == AlState::kSafeop || al_state_of(old) == AlState::kOp;
+  if (watched_for_others_ && operated && !failed && rank(state) < rank(al_state_of(old)))
     event(time, position, events::LeftUnasked{al_state_of(old), state});
   const bool news = (old & kAlErrorFlag) == 0 || old_code != code || al_state_of(old) != al_state_of(status);
   if (failed && news) event(time, position, events::AlStatusError{status, code});
