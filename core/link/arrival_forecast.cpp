@@ -11,9 +11,11 @@ namespace {
 constexpr double kAbout = 0.2;
 constexpr double kMemory = 1.0 / 16;
 constexpr unsigned kEnough = 16;  // cycles, until their distance is known
-/// The window, as a part of the cycle, and its length at least: a timer wakes nobody up to the microsecond.
+/// The window, as a part of the cycle, and its length at least: a timer wakes nobody up to the microsecond, and always
+/// too late.
 constexpr double kWidest = 0.1;
-constexpr double kNarrowest = 20'000;  // ns
+constexpr double kNarrowest = 14'000;  // ns
+constexpr double kWakeUp = 10'000;     // ns, before it
 constexpr double kSpreads = 4;         // mean distances from the place that it has room for, each way
 
 }  // namespace
@@ -42,10 +44,10 @@ void ArrivalForecast::arrived(Nanoseconds time) {
 std::optional<ArrivalForecast::Window> ArrivalForecast::next() const {
   if (regular_ < kEnough || !cycle_begin_) return std::nullopt;
   const auto half = std::max(kNarrowest / 2, kSpreads * spread_);
-  if (2 * half > kWidest * period_) return std::nullopt;
+  if (kWakeUp + 2 * half > kWidest * period_) return std::nullopt;
   const auto middle = *cycle_begin_ + static_cast<Nanoseconds>(std::llround(period_));
   const auto each = static_cast<Nanoseconds>(std::llround(half));
-  return Window{middle - each, middle + each};
+  return Window{middle - each - static_cast<Nanoseconds>(kWakeUp), middle + each};
 }
 
 }  // namespace syncline

@@ -19,8 +19,9 @@ class ArrivalForecast {
   struct Window {
     Nanoseconds from = 0, until = 0;
   };
-  /// The window in which the next cycle's first frame is to be expected, no more than a tenth of the cycle wide;
-  /// nothing where frames come at no fixed distance, or by more than a window has room for off their places.
+  /// The window in which the next cycle's first frame is to be expected, with the time in front of it that a timer
+  /// takes to wake somebody up; no more than a tenth of the cycle wide. Nothing where frames come at no fixed distance,
+  /// or by more than a window has room for off their places.
   [[nodiscard]] std::optional<Window> next() const;
 
  private:

@@ -18,8 +18,6 @@ constexpr double kLuckMemory = 0.02, kWorthIt = 0.8;
 /// A reply that is due so soon is waited for awake: woken up by the timer it would leave as much too late as the whole
 /// way through a small segment takes, and a master would measure the host instead of the bus.
 constexpr Nanoseconds kAwake = 60 * kMicrosecond;
-/// Waking up by a timer takes about so long.
-constexpr Nanoseconds kWakeUp = 10 * kMicrosecond;
 
 }  // namespace
 
@@ -74,7 +72,7 @@ bool BusResponder::looks(Nanoseconds now) const {
   if (options_.spin == 0) return false;
   if (luck_ > kWorthIt && now - last_frame_ < options_.spin) return true;
   const auto window = forecast_.next();
-  return window && now >= window->from - kWakeUp && now <= window->until;
+  return window && now >= window->from && now <= window->until;
 }
 
 /// A frame has come: would looking for it have been worth the time, as a rule?
@@ -85,8 +83,8 @@ void BusResponder::learn(Nanoseconds now) {
 
 Nanoseconds BusResponder::idle_time(Nanoseconds now, Nanoseconds end) const {
   auto until = bus_time_ + kIdleStep;
-  if (const auto window = options_.spin > 0 ? forecast_.next() : std::nullopt; window && window->from - kWakeUp > now)
-    until = std::min(until, window->from - kWakeUp);
+  if (const auto window = options_.spin > 0 ? forecast_.next() : std::nullopt; window && window->from > now)
+    until = std::min(until, window->from);
   if (!replies_.empty()) until = std::min(until, replies_.front().due - (options_.spin > 0 ? kAwake : 0));
   if (end > 0) until = std::min(until, end);
   return until - now;

@@ -209,9 +209,14 @@ struct HistoryRecorder::OfSlave {
     if (group.what == events::HotConnect::What::kConnected) return operator()(events::SlaveFound{});
     operator()(events::SlaveLost{});
   }
+  void operator()(const events::StateChanged& change) const {
+    if (change.from == AlState::kOp || change.from == AlState::kNone) slave.left_op = time;
+  }
+  /// One who refuses to be led up again has not fallen once more.
   void operator()(const events::AlStatusError& error) const {
     slave.fall = RunHistory::Fall{time, error.al_status, error.al_status_code};
-    if (reached_op && slave.falls.size() < RunHistory::kMostFalls) slave.falls.push_back(*slave.fall);
+    if (reached_op && slave.left_op == time && slave.falls.size() < RunHistory::kMostFalls)
+      slave.falls.push_back(*slave.fall);
   }
   void operator()(const events::LeftUnasked& left) const {
     if (!slave.unasked) slave.unasked = RunHistory::Unasked{time, left.from, left.to};

@@ -70,7 +70,8 @@ struct RunHistory {
     bool absent = false;
     std::optional<Cable> cable;              // over which nothing comes back, as told last
     std::optional<Fall> fall;                // the last AL status error
-    std::vector<Fall> falls;                 // the first kMostFalls once OP was reached, the same
+    std::vector<Fall> falls;                 // those out of OP, or of nobody knows what; the first kMostFalls
+    std::optional<Nanoseconds> left_op;      // the last time, or that its state became known again
     std::optional<Unasked> unasked;          // the first time
     std::optional<DelayTrouble> delay;       // what the last measurement of its propagation delay stumbled over
     std::optional<std::uint16_t> emergency;  // the last error code (0x603F)

@@ -22,6 +22,8 @@ QWidget* turnable(QObject* object) {
 CalmWheel::CalmWheel(QObject* parent) : QObject(parent) { QCoreApplication::instance()->installEventFilter(this); }
 
 bool CalmWheel::eventFilter(QObject* watched, QEvent* event) {
+  // What other threads have posted is of no widget, and theirs until its receiver takes it.
+  if (!watched->isWidgetType()) return false;
   if (event->type() == QEvent::Polish) {
     if (auto* widget = turnable(watched); widget != nullptr && widget->focusPolicy() == Qt::WheelFocus)
       widget->setFocusPolicy(Qt::StrongFocus);

@@ -24,7 +24,8 @@ struct AlStatusError {
   std::uint16_t al_status_code = 0;  // register 0x0134
 };
 
-/// The slave went down without an error, and nobody here has asked it: another master did, or it began anew.
+/// The slave went down from SAFEOP or OP without an error, and nobody here has asked it: another master did, or it
+/// began anew.
 struct LeftUnasked {
   AlState from = AlState::kNone;
   AlState to = AlState::kNone;

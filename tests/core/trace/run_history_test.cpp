@@ -119,6 +119,19 @@ TEST_F(RunHistoryTest, FollowsASlaveThatGoesAndComesBack) {
   EXPECT_EQ(slave.absences.list()[0].to - slave.absences.list()[0].from, 3 * kSecond);
 }
 
+TEST_F(RunHistoryTest, ARefusedTryToLeadASlaveUpIsNoFurtherFall) {
+  constexpr std::uint16_t kFallen = 0x14;  // SAFEOP with an error
+  add(sample(kSecond));
+  recorder.add({2 * kSecond, 1, events::StateChanged{AlState::kOp, AlState::kSafeop}});
+  recorder.add({2 * kSecond, 1, events::AlStatusError{kFallen, 0x1A}});
+  for (int i = 0; i < 3; ++i) recorder.add({(3 + i) * kSecond, 1, events::AlStatusError{kFallen, 0x1D}});
+  EXPECT_EQ(recorder.history().slaves[1].falls.size(), 1U);
+  EXPECT_EQ(recorder.history().slaves[1].fall->al_status_code, 0x1D) << "the last one is what it is in now";
+  recorder.add({8 * kSecond, 1, events::StateChanged{AlState::kNone, AlState::kSafeop}});
+  recorder.add({8 * kSecond, 1, events::AlStatusError{kFallen, 0x1B}});
+  EXPECT_EQ(recorder.history().slaves[1].falls.size(), 2U) << "it may have been in OP before it was lost";
+}
+
 TEST_F(RunHistoryTest, CountsSyncLossesInOpAlone) {
   recorder.add(Event{kSecond, 2, events::SlavesOutOfSync{500, 1}});
   EXPECT_TRUE(recorder.history().slave_losses.empty()) << "still coming up";
