@@ -47,7 +47,7 @@ struct Names {
   Name operator()(const events::PortErrors&) const { return "port_errors"; }
   Name operator()(const events::WatchdogExpired&) const { return "watchdog"; }
   Name operator()(const events::LongCycles&) const { return "firmware_slow"; }
-  Name operator()(const events::StaleInputs&) const { return "firmware_slow"; }
+  Name operator()(const events::StaleProcessData&) const { return "firmware_slow"; }
   Name operator()(const events::CableChanged&) const { return "cable"; }
   Name operator()(const events::UnknownSlave&) const { return "unknown_slave"; }
   Name operator()(const events::RealTimeRefused&) const { return "real_time"; }

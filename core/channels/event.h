@@ -27,7 +27,7 @@ using EventDetails = std::variant<
     events::WkcError, events::WkcExpected, events::FramesLost, events::FramesLate, events::CyclesLeftOut,
     events::LinkDown, events::LinkUp, events::BringUpAgain,  //
     events::Emergency, events::DiagnosisTold, events::PortErrors, events::WatchdogExpired, events::LongCycles,
-    events::StaleInputs, events::CableChanged, events::UnknownSlave,  //
+    events::StaleProcessData, events::CableChanged, events::UnknownSlave,  //
     events::RealTimeRefused, events::OutputsForced, events::Failure, events::MasterStopped, events::EventsLost>;
 
 /// Which of the structs, for tables and comparisons: kind_of<events::SlaveLost>.

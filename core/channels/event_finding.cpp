@@ -147,10 +147,14 @@ struct ToldByEvent {
     return e.begun ? tell("event-firmware-slow", subject(), fig::count<"count">(e.count))
                    : tell("event-firmware-fast", subject());
   }
-  Told operator()(const events::StaleInputs& e) const {
-    return e.begun
-               ? tell("event-firmware-slow/inputs", subject(), fig::count<"stale">(e.stale), fig::count<"cycles">(e.of))
-               : tell("event-firmware-fast/inputs", subject());
+  Told operator()(const events::StaleProcessData& e) const {
+    const auto stale = fig::count<"stale">(e.stale);
+    const auto cycles = fig::count<"cycles">(e.of);
+    if (e.outputs)
+      return e.begun ? tell("event-firmware-slow/outputs", subject(), stale, cycles)
+                     : tell("event-firmware-fast/outputs", subject());
+    return e.begun ? tell("event-firmware-slow/inputs", subject(), stale, cycles)
+                   : tell("event-firmware-fast/inputs", subject());
   }
   Told operator()(const events::CableChanged& e) const {
     Named<"far"> far{event_subject(e.far_slave).figure};

@@ -188,7 +188,11 @@ inline constexpr FindingWords kEventSlaves[] = {
      {{"", "{subject}: {count} of its cycles took longer than the cycle time: its firmware is slow"},
       {"inputs",
        "{subject}: no new inputs in {stale} of {cycles:# cycle|# cycles}, where each brought some before: its firmware "
-       "is slow"}}},
+       "is slow"},
+      {"outputs",
+       "{subject}: outputs waited until the next ones in {stale} of {cycles:# cycle|# cycles}, where it took them "
+       "before: "
+       "its firmware is slow"}}},
     {"event-firmware-fast",
      Severity::kNote,
      "A slave's firmware is fast enough again",
@@ -196,7 +200,8 @@ inline constexpr FindingWords kEventSlaves[] = {
      "",
      "",
      {{"", "{subject}: its cycles are short enough again"},
-      {"inputs", "{subject}: it renews its inputs in every cycle again"}}},
+      {"inputs", "{subject}: it renews its inputs in every cycle again"},
+      {"outputs", "{subject}: it takes its outputs in every cycle again"}}},
     {"event-cable-broken",
      Severity::kError,
      "Nothing comes back over a cable",

@@ -120,6 +120,16 @@ inline constexpr FindingWords kRunBus[] = {
      {{"",
        "{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of "
        "its input SyncManager names the same buffer again)."}}},
+    {"outputs-late",
+     Severity::kWarning,
+     "A slave does not take its outputs in each cycle",
+     "",
+     "Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer "
+     "objects.",
+     "",
+     {{"",
+       "{slave} does not take its outputs in every cycle, as it did before: from {since} on, {count} (0x0220 names its "
+       "output SyncManager when the next ones come)."}}},
     {"gateway-cycle-exceeded",
      Severity::kWarning,
      "A gateway's fieldbus needs longer than a cycle",

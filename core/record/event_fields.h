@@ -70,7 +70,7 @@ struct EventFields {
   void operator()(events::PortErrors& e) { use(32, e.port, e.damaged_frames, e.lost_links); }
   void operator()(events::WatchdogExpired& e) { use(33, e.which, e.count); }
   void operator()(events::LongCycles& e) { use(34, e.begun, e.count); }
-  void operator()(events::StaleInputs& e) { use(35, e.begun, e.stale, e.of); }
+  void operator()(events::StaleProcessData& e) { use(35, e.begun, e.stale, e.of, e.outputs); }
   void operator()(events::CableChanged& e) { use(36, e.port, e.far_slave, e.healed); }
   void operator()(events::UnknownSlave& e) {
     use(37, e.identity.vendor_id, e.identity.product_code, e.identity.revision_no, e.identity.serial_no);

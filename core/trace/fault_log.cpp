@@ -34,7 +34,7 @@ struct MeaningOf {
   EventMeaning operator()(const events::PortErrors&) const { return kFault; }
   EventMeaning operator()(const events::WatchdogExpired&) const { return kFault; }
   EventMeaning operator()(const events::LongCycles& e) const { return fault_or_order(e.begun); }
-  EventMeaning operator()(const events::StaleInputs& e) const { return fault_or_order(e.begun); }
+  EventMeaning operator()(const events::StaleProcessData& e) const { return fault_or_order(e.begun); }
   EventMeaning operator()(const events::CableChanged& e) const { return fault_or_order(!e.healed); }
   EventMeaning operator()(const events::UnknownSlave&) const { return kFault; }
   EventMeaning operator()(const events::MasterStopped&) const { return kFault; }
@@ -109,7 +109,7 @@ bool ends(const Event& order, const Fault& fault) {
   if (order.is<events::MasterInSync>()) return what.is<events::MasterOutOfSync>();
   if (order.is<events::ReferenceClockChanged>()) return what.is<events::ReferenceClockChanged>();
   return same_slave && order.kind() == what.kind() &&
-         (order.is<events::LongCycles>() || order.is<events::StaleInputs>());
+         (order.is<events::LongCycles>() || order.is<events::StaleProcessData>());
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ bool Fault::lasts() const {
   return event->is<events::SlaveLost>() || event->is<events::CableChanged>() || event->is<events::LinkDown>() ||
          event->is<events::SlavesOutOfSync>() || event->is<events::SlavesSyncUnknown>() ||
          event->is<events::MasterOutOfSync>() || event->is<events::ReferenceClockChanged>() ||
-         event->is<events::LongCycles>() || event->is<events::StaleInputs>();
+         event->is<events::LongCycles>() || event->is<events::StaleProcessData>();
 }
 
 std::size_t FaultEpisode::leading() const {

@@ -235,11 +235,12 @@ struct HistoryRecorder::OfSlave {
     if (errors.lost_links > 0) slave.lost_links[port].note(time, errors.lost_links);
   }
   // Of LongCycles the counter itself is in the snapshots.
-  void operator()(const events::StaleInputs& inputs) const {
-    if (inputs.begun) {
-      slave.late_inputs.note(time, 1);
-    } else if (!slave.late_inputs.empty()) {
-      slave.late_inputs.note(time, 0, 0, slave.late_inputs.last());
+  void operator()(const events::StaleProcessData& stale) const {
+    auto& late = stale.outputs ? slave.late_outputs : slave.late_inputs;
+    if (stale.begun) {
+      late.note(time, 1);
+    } else if (!late.empty()) {
+      late.note(time, 0, 0, late.last());
     }
   }
   void operator()(const events::WatchdogExpired& expired) const {

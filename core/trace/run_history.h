@@ -79,7 +79,8 @@ struct RunHistory {
     Spells unprocessed;  // frames that its processing unit could not use (0x030C)
     Spells process_data_watchdog, pdi_watchdog;
     Spells outputs_exceeded, inputs_exceeded;
-    Spells late_inputs;  // times in which it did not renew its inputs as before; count 1 each, the last one may last
+    /// Times in which it did not renew its inputs, or take its outputs, as before; count 1 each, the last one may last.
+    Spells late_inputs, late_outputs;
     std::uint32_t mailbox_silences = 0;          // most requests in a row without an answer
     Nanoseconds silent_from = 0, silent_to = 0;  // within these times; host clock
     Spells missed, shift_too_short;              // SM2 events; outputs too late for SYNC0 (0x1C32:0D)

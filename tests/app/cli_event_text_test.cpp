@@ -52,7 +52,7 @@ TEST(EventText, SaysWhatAProgramMayHaveLearnedToRead) {
       {{0, 2, events::WatchdogExpired{Which::kPdi, 1}}, "slave 2: PDI watchdog expired (once): its firmware is silent"},
       {{0, 2, events::LongCycles{true, 5}},
        "slave 2: 5 of its cycles took longer than the cycle time: its firmware is slow"},
-      {{0, 2, events::StaleInputs{true, 9, 16}},
+      {{0, 2, events::StaleProcessData{true, 9, 16}},
        "slave 2: no new inputs in 9 of 16 cycles, where each brought some before: its firmware is slow"},
       {{0, -1, events::CableChanged{0, 0, true}}, "cable between master port A and slave 0: healed"},
       {{0, 5, events::Emergency{0x8611, 0x20, {1, 2, 3, 4, 0xFF}, {}}},

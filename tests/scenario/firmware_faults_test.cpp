@@ -23,6 +23,18 @@ struct FirmwareKind {
   bool lasts;               // for good, else for some seconds
 };
 
+/// Has no inputs by which one could tell that it works.
+DeviceDescription out8(bool with_dc) {
+  auto device = test::io8();
+  device.type = device.name = "out8";
+  device.identity.product_code = 0x0110;
+  device.fmmus.pop_back();
+  device.sync_managers.pop_back();
+  device.tx_pdos.clear();
+  if (!with_dc) device.dc.reset();
+  return device;
+}
+
 class FirmwareFaults : public ::testing::TestWithParam<FirmwareKind> {};
 
 TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
@@ -34,7 +46,7 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
     machine.network.sim.seed = random.next();
     const auto count = 2 + random.next() % 5;
     for (std::size_t slave = 0; slave < count; ++slave) {
-      switch (random.next() % 4) {
+      switch (random.next() % 5) {
         case 0:
           machine.network.add(sample::own("SL-XE2"), "drive-c");
           break;
@@ -43,6 +55,9 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
           break;
         case 2:
           machine.network.add(test::io8());
+          break;
+        case 3:
+          machine.network.add(out8(random.next() % 2 == 0));
           break;
         default:
           machine.network.add(test::servo(), "servo-y");
@@ -72,7 +87,7 @@ TEST_P(FirmwareFaults, AreToldByNameOfTheSlave) {
     const bool event =
         needs_mailbox || std::ranges::any_of(machine.events, [&](const Event& e) {
           const bool wanted = kind.fault != FaultKind::kSlowApplication ||
-                              test::with(&events::StaleInputs::begun, true)(e) ||
+                              test::with(&events::StaleProcessData::begun, true)(e) ||
                               test::with(&events::LongCycles::begun, true)(e);
           return wanted && e.slave == victim && e.time > 0 && e.time - machine.report.history.begin > 5 * kSecond;
         });
@@ -102,10 +117,31 @@ TEST(SlowFirmware, ATerminalWithoutMailboxIsNamedWithWhenItBeganAndEnded) {
   machine.run(12 * kSecond);
   std::vector<std::pair<int, bool>> told;
   for (const auto& event : machine.events) {
-    if (const auto* inputs = event.as<events::StaleInputs>()) told.emplace_back(event.slave, inputs->begun);
+    if (const auto* inputs = event.as<events::StaleProcessData>()) told.emplace_back(event.slave, inputs->begun);
   }
   EXPECT_EQ(told, (std::vector<std::pair<int, bool>>{{1, true}, {1, false}})) << machine.said();
   EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
+}
+
+TEST(SlowFirmware, ATerminalWithOutputsAloneIsNamedByTheOutputsThatItLeaves) {
+  for (const bool with_dc : {true, false}) {
+    test::DiagnosedRun machine;
+    machine.network.add(test::io8());
+    for (int i = 0; i < 2; ++i) machine.network.add(out8(with_dc));
+    auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
+    fault.value_ns = 2'500'000;
+    fault.until = 8 * kSecond;
+    machine.run(12 * kSecond);
+    std::vector<std::pair<int, bool>> told;
+    for (const auto& event : machine.events) {
+      if (const auto* stale = event.as<events::StaleProcessData>()) {
+        EXPECT_TRUE(stale->outputs);
+        told.emplace_back(event.slave, stale->begun);
+      }
+    }
+    EXPECT_EQ(told, (std::vector<std::pair<int, bool>>{{1, true}, {1, false}})) << machine.said();
+    EXPECT_TRUE(machine.found(code::kOutputsLate, 1)) << machine.said();
+  }
 }
 
 TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
@@ -118,6 +154,7 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
                                 JitterProfile::bad()}[seed % 4];
     machine.network.add(test::io8());
     machine.network.add(sample::own("SL-3002"), "analog-input");
+    machine.network.add(out8(seed % 2 == 0));
     if (seed % 2 == 0) machine.network.add(sample::own("SL-XE2"), "drive-c");
     if (seed % 3 == 0) machine.network.add(sample::own("SL-6751"), "can-gateway");
     machine.network.add(test::servo(), "servo-y");
@@ -127,10 +164,10 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
     if (seed % 4 == 2) machine.fault(FaultKind::kSlaveOff, 7 * kSecond, 0).until = 8 * kSecond;
     machine.run(14 * kSecond);
     for (const auto& event : machine.events) {
-      EXPECT_FALSE(event.is<events::StaleInputs>()) << "seed " << seed << ", slave " << event.slave << "\n"
-                                                    << machine.said();
+      EXPECT_FALSE(event.is<events::StaleProcessData>()) << "seed " << seed << ", slave " << event.slave << "\n"
+                                                         << machine.said();
     }
-    EXPECT_FALSE(machine.found(code::kInputsLate)) << seed;
+    EXPECT_FALSE(machine.found(code::kInputsLate) || machine.found(code::kOutputsLate)) << seed;
   }
 }
 

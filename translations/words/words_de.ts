@@ -541,6 +541,10 @@
         <translation>Ein Slave erneuert seine Eingänge nicht in jedem Zyklus</translation>
     </message>
     <message>
+        <source>A slave does not take its outputs in each cycle</source>
+        <translation>Ein Slave nimmt seine Ausgänge nicht in jedem Zyklus</translation>
+    </message>
+    <message>
         <source>A slave ended a file transfer</source>
         <translation>Ein Slave beendete eine Dateiübertragung</translation>
     </message>
@@ -6797,6 +6801,10 @@
         <translation>{slave} erneuert seine Eingänge nicht mehr in jedem Zyklus wie zuvor: ab {since}, {count} (0x0805 + 8 n seines Eingangs-SyncManagers nennt wieder denselben Puffer).</translation>
     </message>
     <message>
+        <source>{slave} does not take its outputs in every cycle, as it did before: from {since} on, {count} (0x0220 names its output SyncManager when the next ones come).</source>
+        <translation>{slave} nimmt seine Ausgänge nicht mehr in jedem Zyklus wie zuvor: ab {since}, {count} (0x0220 nennt seinen Ausgangs-SyncManager noch, wenn die nächsten kommen).</translation>
+    </message>
+    <message>
         <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0.</source>
         <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}, und der Master sah vorher nur gute Zyklen: kein Frame verloren oder verspätet, keiner ausgelassen, Ausgänge nominell {margin} vor jedem SYNC0.</translation>
     </message>
@@ -7017,6 +7025,10 @@
         <translation>{subject}: er erneuert seine Eingänge wieder in jedem Zyklus</translation>
     </message>
     <message>
+        <source>{subject}: it takes its outputs in every cycle again</source>
+        <translation>{subject}: er nimmt seine Ausgänge wieder in jedem Zyklus</translation>
+    </message>
+    <message>
         <source>{subject}: its cycles are short enough again</source>
         <translation>{subject}: seine Zyklen sind wieder kurz genug</translation>
     </message>
@@ -7031,6 +7043,10 @@
     <message>
         <source>{subject}: not there yet (hot-connect group "{group}")</source>
         <translation>{subject}: noch nicht da (Hot-Connect-Gruppe "{group}")</translation>
+    </message>
+    <message>
+        <source>{subject}: outputs waited until the next ones in {stale} of {cycles:# cycle|# cycles}, where it took them before: its firmware is slow</source>
+        <translation>{subject}: Ausgänge blieben in {stale} von {cycles:# Zyklus|# Zyklen} liegen, bis die nächsten kamen, wo er sie zuvor nahm: seine Firmware ist langsam</translation>
     </message>
     <message>
         <source>{subject}: port {port} has a link and no slave behind it: a closed ring or another master</source>

@@ -541,6 +541,10 @@
         <translation>从站不是每个周期都更新输入</translation>
     </message>
     <message>
+        <source>A slave does not take its outputs in each cycle</source>
+        <translation>从站不是每个周期都取走输出</translation>
+    </message>
+    <message>
         <source>A slave ended a file transfer</source>
         <translation>从站结束了文件传输</translation>
     </message>
@@ -6797,6 +6801,10 @@
         <translation>{slave} 不再像以前那样每个周期更新输入：从 {since} 起，{count}（其输入同步管理器的 0x0805 + 8 n 再次指向同一个缓冲区）。</translation>
     </message>
     <message>
+        <source>{slave} does not take its outputs in every cycle, as it did before: from {since} on, {count} (0x0220 names its output SyncManager when the next ones come).</source>
+        <translation>{slave} 不再像以前那样每个周期取走输出：从 {since} 起，{count}（下一批输出到来时 0x0220 仍指示其输出同步管理器）。</translation>
+    </message>
+    <message>
         <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0.</source>
         <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}，而主站此前看到的周期都正常：没有丢帧或晚到的帧，没有漏掉周期，输出标称在每个 SYNC0 之前 {margin} 到达。</translation>
     </message>
@@ -7017,6 +7025,10 @@
         <translation>{subject}：重新在每个周期更新其输入</translation>
     </message>
     <message>
+        <source>{subject}: it takes its outputs in every cycle again</source>
+        <translation>{subject}：重新在每个周期取走其输出</translation>
+    </message>
+    <message>
         <source>{subject}: its cycles are short enough again</source>
         <translation>{subject}：其周期已恢复到足够短</translation>
     </message>
@@ -7031,6 +7043,10 @@
     <message>
         <source>{subject}: not there yet (hot-connect group "{group}")</source>
         <translation>{subject}：尚未出现（热连接组“{group}”）</translation>
+    </message>
+    <message>
+        <source>{subject}: outputs waited until the next ones in {stale} of {cycles:# cycle|# cycles}, where it took them before: its firmware is slow</source>
+        <translation>{subject}：{cycles} 个周期中有 {stale} 个的输出一直等到下一批输出到来，而此前都会被取走：其固件较慢</translation>
     </message>
     <message>
         <source>{subject}: port {port} has a link and no slave behind it: a closed ring or another master</source>

@@ -46,11 +46,13 @@ struct LongCycles {
   std::uint32_t count = 0;  // since it was read last
 };
 
-/// The slave renews its inputs no longer in every cycle, as it did before; or does again.
-struct StaleInputs {
+/// The slave renews its inputs no longer in every cycle, as it did before, or takes its outputs no longer; or does
+/// again.
+struct StaleProcessData {
   bool begun = false;
-  std::uint32_t stale = 0;  // cycles without new inputs,
+  std::uint32_t stale = 0;  // cycles without new inputs, or whose outputs it left,
   std::uint32_t of = 0;     // of so many
+  bool outputs = false;
 };
 
 /// Between a port of the event's slave (-1: of the master) and the slave behind it.

@@ -36,12 +36,12 @@ void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findi
 }
 
 /// Where the slave counts it itself, or hangs, that says more.
-void find_late_inputs(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
+void find_late_data(const RunReport& report, const RunReport::Slave& slave, bool outputs, Findings& findings) {
   const auto& history = report.history.slaves[slave.position];
-  const auto& late = history.late_inputs;
+  const auto& late = outputs ? history.late_outputs : history.late_inputs;
   const bool counted = slave.evidence.outputs.exceeded.total > 0 || slave.evidence.inputs.exceeded.total > 0;
   if (late.empty() || counted || !history.pdi_watchdog.empty()) return;
-  findings.push_back({code::kInputsLate,
+  findings.push_back({outputs ? code::kOutputsLate : code::kInputsLate,
                       Severity::kWarning,
                       slave.position,
                       late.first(),
@@ -93,7 +93,7 @@ void find_firmware(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     find_watchdogs(report, slave, findings);
     find_exceeded(report, slave, findings);
-    find_late_inputs(report, slave, findings);
+    for (const bool outputs : {false, true}) find_late_data(report, slave, outputs, findings);
     const auto& history = report.history.slaves[slave.position];
     if (slave.present && history.mailbox_silences >= kSilences) {
       findings.push_back({code::kMailboxSilent,

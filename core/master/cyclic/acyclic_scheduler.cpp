@@ -39,7 +39,7 @@ AcyclicScheduler::AcyclicScheduler(RunState& run, const MailboxBits& bits, SyncE
       mailboxes_(run, mailbox_, bits),
       sm2_(run, mailbox_, events),
       evidence_(run),
-      inputs_(run),
+      process_data_(run),
       frames_(kMostFrames) {}
 
 PendingFrame& AcyclicScheduler::clear(const Room& room) {
@@ -71,7 +71,7 @@ void AcyclicScheduler::fill(std::span<Datagram* const> waiting, Nanoseconds now)
   add_waiting(waiting);
   // Whoever waits for an answer goes first, and evidence takes one datagram a cycle.
   evidence_asked_ = false;
-  if (inputs_.add_to(bounded(0))) return;
+  if (process_data_.add_to(bounded(0))) return;
   auto* evidence = evidence_.next(now);
   evidence_asked_ = evidence != nullptr && bounded(0).add(*evidence);
 }
@@ -170,7 +170,7 @@ bool AcyclicScheduler::take_mailboxes(Nanoseconds time, CycleSample& sample) {
 
 void AcyclicScheduler::take_evidence(Nanoseconds time, bool read) {
   if (std::exchange(evidence_asked_, false)) evidence_.take(time);
-  inputs_.take(time, read);
+  process_data_.take(time, {.read = read, .rode = carrier_ != nullptr});
 }
 
 }  // namespace syncline

@@ -8,8 +8,8 @@
 #include "master/cyclic/acyclic_requests.h"
 #include "master/cyclic/cyclic_mailbox.h"
 #include "master/cyclic/evidence_reader.h"
-#include "master/cyclic/input_watch.h"
 #include "master/cyclic/mailbox_watch.h"
+#include "master/cyclic/process_data_watch.h"
 #include "master/cyclic/sm2_reader.h"
 #include "master/exchange/frame_exchange.h"
 #include "master/exchange/run_state.h"
@@ -70,7 +70,7 @@ class AcyclicScheduler {
   MailboxWatch mailboxes_;
   Sm2Reader sm2_;
   EvidenceReader evidence_;
-  InputWatch inputs_;
+  ProcessDataWatch process_data_;
   std::vector<PendingFrame> frames_;
   Nanoseconds left_ = 0;                   // on the wire for the frames of this cycle
   unsigned held_up_ = 0;                   // cycles in which nothing of what waits found room

@@ -14,8 +14,8 @@ namespace syncline {
 
 /// Reads what the slaves' ESCs counted, while the bus runs: the port error counters, the watchdog counters and the
 /// speed counter difference of one slave after the other, one datagram in each cycle that is left for
-/// it (see InputWatch), behind everything else that wants the acyclic frame. Fills SlaveEvidence and tells new errors
-/// by kPortErrors and kWatchdog. Allocates nothing; the cyclic thread.
+/// it (see ProcessDataWatch), behind everything else that wants the acyclic frame. Fills SlaveEvidence and tells new
+/// errors by kPortErrors and kWatchdog. Allocates nothing; the cyclic thread.
 class EvidenceReader final : public SlaveWork {
  public:
   explicit EvidenceReader(RunState& run);

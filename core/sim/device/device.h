@@ -126,6 +126,8 @@ class Device : public Esc::Listener {
   [[nodiscard]] std::uint32_t outputs_taken() const { return process_data_.outputs_taken(); }
   [[nodiscard]] bool inputs_map(std::uint16_t index) { return process_data_.inputs_map(index); }
   [[nodiscard]] bool has_outputs() const { return process_data_.has_outputs(); }
+  /// The SyncManager by which the device works.
+  [[nodiscard]] std::optional<unsigned> output_manager() const { return process_data_.sync_manager(PdoDirection::kRx); }
   [[nodiscard]] bool has_mailbox() const { return config_.device.mailbox.has_value(); }
   [[nodiscard]] Esc& esc() { return esc_; }
   [[nodiscard]] const DcUnit& dc() const { return std::as_const(esc_).dc(); }

@@ -20,6 +20,8 @@ class Generic final : public Device {
  protected:
   void on_sync0(Nanoseconds time) override { cycle(time); }
   void on_outputs(Nanoseconds time) override {
+    if (const auto manager = output_manager(); manager && (application_delay() > 0 || busy_until_))
+      esc().leave_written(*manager);
     if (!dc().sync0_enabled()) cycle(time);
   }
   void check_running(Nanoseconds time) override {
@@ -35,6 +37,7 @@ class Generic final : public Device {
   void cycle(Nanoseconds time) {
     check_running(time);
     if (busy_until_) return;
+    if (const auto manager = output_manager()) esc().take_written(*manager);
     if (application_delay() == 0) return renew_inputs();
     busy_until_ = time + application_delay();
   }

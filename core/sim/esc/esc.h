@@ -199,6 +199,9 @@ class Esc {
   void acknowledge_events(std::uint32_t events);
   /// The PDI deals with the events of SyncManagers as soon as it is told of them: nobody sees them pending.
   void serve_promptly(bool promptly) { prompt_ = promptly; }
+  /// The device has not read yet what the master wrote to this SyncManager; or does so now.
+  void leave_written(unsigned number);
+  void take_written(unsigned number);
   /// The device stops to ask the ESC, or does so again.
   void pdi_stops(Nanoseconds time) {
     pdi_watchdog_.pdi_stops(time);

@@ -31,10 +31,11 @@ void Esc::raise_al_event(std::uint32_t event) {
   memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) | event);
 }
 
-void Esc::raise_buffer_event(unsigned number) {
-  const auto event = kAlEventSyncManager0 << number;
-  prompt_ ? acknowledge_events(event) : raise_al_event(event);
-}
+void Esc::raise_buffer_event(unsigned number) { prompt_ ? take_written(number) : leave_written(number); }
+
+void Esc::leave_written(unsigned number) { raise_al_event(kAlEventSyncManager0 << number); }
+
+void Esc::take_written(unsigned number) { acknowledge_events(kAlEventSyncManager0 << number); }
 
 void Esc::acknowledge_events(std::uint32_t events) {
   const auto request = memory_.u32(reg::kAlEventRequest);

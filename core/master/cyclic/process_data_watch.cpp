@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/cyclic/input_watch.h"
+#include "master/cyclic/process_data_watch.h"
 
 #include <algorithm>
 #include <bit>
 #include <utility>
 
+#include "channels/sync_standing.h"
 #include "protocol/registers.h"
 #include "recover/register_writes.h"
 
@@ -24,35 +25,50 @@ constexpr Nanoseconds kNearly = 1 * kMicrosecond;
 /// Cycles behind each two, in which other evidence is read.
 constexpr std::uint8_t kForOthers = 1;
 
-}  // namespace
+constexpr unsigned kFirstManager = 8;  // bit of SM0 in 0x0220
 
-std::optional<std::uint8_t> input_sync_manager(const SlaveConfig& slave) {
+/// The first SyncManager of buffers in this direction; nothing when the configuration sets none.
+std::optional<std::uint8_t> process_data_manager(const SlaveConfig& slave, bool outputs) {
   for (const auto& [number, manager] : recover::register_writes(slave.init_cmds).sync_managers) {
-    if (manager.enabled() && manager.length > 0 && !manager.is_mailbox() && !manager.ecat_writes()) return number;
+    if (manager.enabled() && manager.length > 0 && !manager.is_mailbox() && manager.ecat_writes() == outputs)
+      return number;
   }
   return std::nullopt;
 }
 
-InputWatch::InputWatch(RunState& run) : run_(run) {
+}  // namespace
+
+ProcessDataWatch::ProcessDataWatch(RunState& run) : run_(run) {
   const auto& config = run.config();
-  // With several tasks the inputs of some are not read in every cycle.
+  // With several tasks the process data of some are not exchanged in every cycle.
   if (config.cyclic.size() != 1) return;
-  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
-    const auto manager = input_sync_manager(config.slaves[i]);
-    if (!manager || !config.slaves[i].receive) continue;
-    Slave slave;
-    slave.position = static_cast<std::uint16_t>(i);
-    slave.address = static_cast<std::uint16_t>(reg::sync_manager(*manager) + kStatusOffset);
-    slaves_.push_back(slave);
-  }
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) add_slave(i);
 }
 
-bool InputWatch::worth_reading(const Slave& slave) const {
+void ProcessDataWatch::add_slave(std::size_t position) {
+  const auto& config = run_.config().slaves[position];
+  const bool outputs = !config.receive;
+  if (outputs && !config.send) return;
+  const auto manager = process_data_manager(config, outputs);
+  if (!manager) return;
+  Slave slave;
+  slave.position = static_cast<std::uint16_t>(position);
+  if (outputs) {
+    const auto bit = kFirstManager + *manager;
+    slave.address = static_cast<std::uint16_t>(reg::kAlEventRequest + bit / 8);
+    slave.event = static_cast<std::uint8_t>(1U << bit % 8);
+  } else {
+    slave.address = static_cast<std::uint16_t>(reg::sync_manager(*manager) + kStatusOffset);
+  }
+  slaves_.push_back(slave);
+}
+
+bool ProcessDataWatch::worth_reading(const Slave& slave) const {
   const auto& status = run_.snapshot.slaves[slave.position];
   return status.present && status.al_status == static_cast<std::uint16_t>(AlState::kOp);
 }
 
-void InputWatch::next() {
+void ProcessDataWatch::next() {
   first_.reset();
   current_ = (current_ + 1) % slaves_.size();
   pause_ = kForOthers;
@@ -60,7 +76,7 @@ void InputWatch::next() {
   if (current_ == 0) pause_ = static_cast<std::uint8_t>(pause_ + shuffle_.next() % 4);
 }
 
-bool InputWatch::add_to(PendingFrame& frame) {
+bool ProcessDataWatch::add_to(PendingFrame& frame) {
   asked_ = false;
   if (slaves_.empty()) return false;
   if (pause_ > 0) {
@@ -85,25 +101,37 @@ bool InputWatch::add_to(PendingFrame& frame) {
   return asked_;
 }
 
-void InputWatch::take(Nanoseconds send_time, bool read) {
+/// In a frame of its own it would see the outputs that came just in front of it. What a slave does at SYNC0 is done
+/// before the next frame as long as the frames keep their distance from it.
+bool ProcessDataWatch::counts(const Slave& slave, Sent sent) const {
+  if (!sent.read || slave.event == 0) return sent.read;
+  const auto& dc = run_.config().slaves[slave.position].dc;
+  const bool has_sync0 = dc && dc->assign_activate != 0;
+  return sent.rode && (!has_sync0 || master_in_sync(run_.snapshot.dcm).value_or(false));
+}
+
+void ProcessDataWatch::take(Nanoseconds send_time, Sent sent) {
   const auto between = send_time - std::exchange(last_send_, send_time);
-  if (!std::exchange(asked_, false) || !read || !datagram_.done()) {
+  if (!std::exchange(asked_, false) || !datagram_.done() || !counts(slaves_[current_], sent)) {
     first_.reset();
     return;
   }
+  auto& slave = slaves_[current_];
+  const bool outputs = slave.event != 0;
   const auto buffer = static_cast<std::uint8_t>((byte_[0] >> kBufferShift) & 3U);
-  // In less than a cycle a slave that renews them once a cycle may not have done so yet.
+  const bool none = !outputs && buffer == kNoBuffer;
+  // In less than a cycle a slave that does it once a cycle may not have done so yet.
   const bool whole_cycle = between + kNearly >= run_.config().cycle_time();
-  if (!first_ || !whole_cycle || buffer == kNoBuffer) {
+  if (!first_ || !whole_cycle || none) {
     first_ = buffer;
-    if (buffer == kNoBuffer) next();
+    if (none) next();
     return;
   }
-  note(slaves_[current_], *first_ == buffer, send_time);
+  note(slave, outputs ? (byte_[0] & slave.event) != 0 : *first_ == buffer, send_time);
   next();
 }
 
-void InputWatch::note(Slave& slave, bool stale, Nanoseconds time) {
+void ProcessDataWatch::note(Slave& slave, bool stale, Nanoseconds time) {
   slave.stale = slave.stale << 1U | (stale ? 1U : 0U);
   slave.readings = static_cast<std::uint8_t>(std::min<int>(slave.readings + 1, kInputLearning));
   if (slave.regular) return judge(slave, time);
@@ -111,11 +139,12 @@ void InputWatch::note(Slave& slave, bool stale, Nanoseconds time) {
   slave.regular = std::popcount(slave.stale) <= kFew;
 }
 
-void InputWatch::judge(Slave& slave, Nanoseconds time) {
+void ProcessDataWatch::judge(Slave& slave, Nanoseconds time) {
   const auto& watchdog = run_.snapshot.slaves[slave.position].evidence.pdi_watchdog;
   const auto count = std::popcount(slave.stale & kWindowMask);
   const auto tell = [&](bool begun) {
-    run_.event(time, slave.position, events::StaleInputs{begun, static_cast<std::uint32_t>(count), kWindow});
+    run_.event(time, slave.position,
+               events::StaleProcessData{begun, static_cast<std::uint32_t>(count), kWindow, slave.event != 0});
   };
   if (count <= kFew) {
     slave.stale_since.reset();

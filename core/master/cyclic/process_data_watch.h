@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "config/network_config.h"
+#include "master/exchange/frame_exchange.h"
+#include "master/exchange/run_state.h"
+#include "support/random.h"
+
+namespace syncline {
+
+/// Whether slaves renew their inputs, and those that have none take their outputs. The status of a buffered SyncManager
+/// names the buffer that was written last (0x0805 + 8 n, bits 5:4; ESC data sheet II, 2.8): behind two readings of the
+/// inputs it is the same only when the firmware has written none in between, because it never writes into the buffer
+/// that is being read. That outputs were written stands in the AL event request until the firmware reads them (0x0220,
+/// bit 8 + n; data sheet II, 2.12): a datagram behind those that bring the next ones still shows what became of the
+/// ones before, because an ESC raises the event at the end of the frame. One byte of one slave a cycle, in two cycles
+/// one behind the other, slave after slave.
+///
+/// Many devices do either seldom, and rightly so: only one that did it in every cycle for its first readings in OP is
+/// held to it. Then StaleProcessData tells when it has stopped to, and when it does it again. Firmware that hangs is
+/// the PDI watchdog's. Allocates nothing; the cyclic thread.
+class ProcessDataWatch {
+ public:
+  explicit ProcessDataWatch(RunState& run);
+  ProcessDataWatch(const ProcessDataWatch&) = delete;
+  ProcessDataWatch& operator=(const ProcessDataWatch&) = delete;
+
+  /// Whether it took this cycle for itself: it leaves at least one in three to others.
+  bool add_to(PendingFrame& frame);
+  /// What became of the cycle's frames: they have come back, so that inputs were read and outputs written; and the
+  /// byte was asked for in the same one.
+  struct Sent {
+    bool read = false, rode = false;
+  };
+  /// Once a cycle, behind its frames.
+  void take(Nanoseconds send_time, Sent sent);
+
+ private:
+  struct Slave {
+    std::uint16_t position = 0, address = 0;  // of the byte
+    std::uint8_t event = 0;     // its bit for outputs that are left; 0: the SyncManager's status of inputs
+    std::uint32_t stale = 0;    // the last readings, the newest in bit 0: nothing new, or left
+    std::uint8_t readings = 0;  // as many as count
+    bool regular = false;       // renewed or took them in every cycle
+    std::optional<Nanoseconds> stale_since;
+    std::uint32_t watchdog_before = 0;  // expirations of the PDI watchdog while it renewed them
+    bool told = false;
+  };
+
+  void add_slave(std::size_t position);
+  void next();
+  /// Whether what was read tells of what was before it.
+  [[nodiscard]] bool counts(const Slave& slave, Sent sent) const;
+  [[nodiscard]] bool worth_reading(const Slave& slave) const;
+  void note(Slave& slave, bool stale, Nanoseconds time);
+  void judge(Slave& slave, Nanoseconds time);
+
+  RunState& run_;
+  std::vector<Slave> slaves_;
+  std::size_t current_ = 0;
+  std::optional<std::uint8_t> first_;  // byte in the first of the two cycles
+  std::array<std::uint8_t, 1> byte_{};
+  Datagram datagram_;
+  bool asked_ = false;
+  std::uint8_t pause_ = 0;
+  Random shuffle_{1};
+  Nanoseconds last_send_ = 0;
+};
+
+}  // namespace syncline
