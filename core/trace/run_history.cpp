@@ -69,7 +69,10 @@ void HistoryRecorder::add(std::span<const CycleSample> samples) {
 void HistoryRecorder::add(const CycleSample& sample) {
   history_.end = sample.send_time;
   const auto before = std::exchange(last_send_, sample.send_time);
-  history_.reached_op = history_.reached_op || in_op(sample);
+  if (!history_.reached_op && in_op(sample)) {
+    history_.reached_op = true;
+    history_.op_reached = sample.send_time;
+  }
   history_.operated = history_.operated || history_.reached_op;
   if ((sample.flags & CycleSample::kFrameLost) != 0) {
     history_.lost_frames.note(sample.send_time, std::max<std::uint16_t>(1, sample.frames_lost));

@@ -103,7 +103,8 @@ struct RunHistory {
   bool link_down = false;
   std::string link;  // its name, once it was away
   bool reached_op = false;
-  bool operated = false;  // the way there is over: in OP, or as far as the slaves came
+  Nanoseconds op_reached = 0;  // the first time
+  bool operated = false;       // the way there is over: in OP, or as far as the slaves came
   Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
   struct WayChange {

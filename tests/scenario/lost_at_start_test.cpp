@@ -8,6 +8,7 @@
 
 #include "support/random.h"
 #include "tests/scenario/machine_run.h"
+#include "tests/support/sample_devices.h"
 #include "tests/support/small_machines.h"
 
 namespace syncline {
@@ -45,6 +46,22 @@ TEST_F(LostAtStart, OthersReachOpWithoutIt) {
   run_until(10 * kSecond);
   for (int slave = 0; slave < 3; ++slave) EXPECT_EQ(snapshot.slaves[slave].al_status, 8) << slave << "\n" << log();
   EXPECT_EQ(snapshot.wkc_errors, 0U) << log();
+}
+
+/// While others are sent objects it has nothing to do; what it is asked behind that it does not get.
+TEST_F(LostAtStart, ATerminalThatWaitsForDrivesIsLostAsOthersAre) {
+  for (auto begin = 1200 * kMillisecond; begin < 3200 * kMillisecond; begin += 40 * kMillisecond) {
+    make(5, DcmMode::kMasterShift);
+    network.add(sample::own("SL-1100"));  // has no SyncManagers to be set, but is asked for its state
+    network.add(test::io8());
+    fault(FaultKind::kSlowMailbox, 1, 0, 30 * kSecond);
+    network.sim.faults.back().value_ns = 30 * kMillisecond;
+    fault(FaultKind::kSlaveOff, 4, begin, begin + 2500 * kMillisecond);
+    go_online();
+    run_until(begin + 14 * kSecond);
+    EXPECT_EQ(snapshot.state, AlState::kOp) << begin << "\n" << log();
+    EXPECT_EQ(count(kind_of<events::Failure>), 0U) << begin << "\n" << log();
+  }
 }
 
 /// SYNCLINE_OUTAGES=n tries n moments and lengths.

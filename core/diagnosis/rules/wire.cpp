@@ -91,21 +91,23 @@ struct LostAt {
 };
 
 /// Behind the last in frame order whose counter says that it had its outputs all the same, or in front of the first one
-/// that counts, when all of them have missed theirs. Only who was in OP all the time counts every frame, and only a
-/// cycle of one frame has all outputs in that which was lost. Where frames are lost here and there, each slave has
-/// missed some of them, and there is no such place.
+/// that counts, when all of them have missed theirs. Only who was in OP all the time since counts every frame, of those
+/// that were lost in OP, and only a cycle of one frame has all outputs in that which was lost. Where frames are lost
+/// here and there, each slave has missed some of them, and there is no such place.
 LostAt place_of(const RunReport& report, const Losses& losses) {
   constexpr std::uint64_t kEnough = 4;                    // fewer may have fallen into other times
   constexpr std::uint64_t kHadThem = 8, kMissedThem = 2;  // an eighth of them at most, and half of them at least
   constexpr auto kFrameLost = static_cast<std::size_t>(dc::MissCause::kFrameLost);
   int last = -1, first_without = -1;
-  if (!report.history.reached_op || report.wire_time != report.first_wire_time) return {};
+  const auto& history = report.history;
+  if (!history.reached_op || losses.first < history.op_reached || report.wire_time != report.first_wire_time) return {};
   for (const auto& slave : report.slaves) {
     const auto& missed = slave.sm2_missed;
     const bool counts =
         slave.sync0_cycle > 0 && missed && missed->known && missed->valid && missed->time + kReadLater >= losses.last;
     const bool in_op = slave.present && al_state_of(slave.al_status) == AlState::kOp;
-    if (!counts || !in_op || report.history.slaves[slave.position].fall) continue;
+    const auto& past = history.slaves[slave.position];
+    if (!counts || !in_op || past.fall || !past.absences.empty()) continue;
     const std::uint64_t lost = missed->by_cause[kFrameLost];
     if (kHadThem * lost <= losses.count) {
       if (first_without >= 0) return {};

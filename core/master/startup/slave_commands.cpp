@@ -135,27 +135,47 @@ Status SlaveCommands::send_all(SlaveList& slaves, Messages messages) {
     if (list.empty()) continue;
     works.emplace_back(run_.mailboxes[slave], std::move(list));
   }
+  const auto losses = losses_of(idle);
   auto status = finish(busy, pointers(works));
+  leave_out_lost(idle, losses);
   slaves.clear();
   std::ranges::merge(busy, idle, std::back_inserter(slaves));
   return status;
 }
 
-/// Runs the works (one a slave of the list) and takes off the list those that failed.
-Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> works) {
+std::vector<std::uint32_t> SlaveCommands::losses_of(std::span<const std::size_t> slaves) const {
   std::vector<std::uint32_t> losses;
   for (const auto slave : slaves) losses.push_back(run_.losses(slave));
+  return losses;
+}
+
+/// Nobody knows what those are in who were lost since and may be back: they are led up as such.
+void SlaveCommands::leave_out_lost(SlaveList& slaves, std::span<const std::uint32_t> before) const {
+  if (!bus_.cyclic()) return;
+  SlaveList stayed;
+  for (std::size_t i = 0; i < slaves.size(); ++i) {
+    if (run_.losses(slaves[i]) == before[i]) stayed.push_back(slaves[i]);
+  }
+  slaves = std::move(stayed);
+}
+
+/// Runs the works (one a slave of the list) and takes off the list those that failed or were lost.
+Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> works) {
+  const auto losses = losses_of(slaves);
   if (auto status = run_side_by_side(bus_, works); !status) return status;
   std::vector<Failed> failed;
   SlaveList good;
+  std::vector<std::uint32_t> losses_of_good;
   for (std::size_t i = 0; i < works.size(); ++i) {
     auto result = works[i]->result();
     if (result) {
       good.push_back(slaves[i]);
+      losses_of_good.push_back(losses[i]);
     } else {
       failed.push_back({slaves[i], losses[i], std::move(result.error())});
     }
   }
+  leave_out_lost(good, losses_of_good);
   slaves = std::move(good);
   if (failed.empty()) return {};
   if (auto status = report(failed); !status) return status;

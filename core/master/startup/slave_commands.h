@@ -63,6 +63,8 @@ class SlaveCommands {
   template <class Work, class Messages>
   Status send_all(SlaveList& slaves, Messages messages);
   Status finish(SlaveList& slaves, std::span<SlaveWork* const> works);
+  [[nodiscard]] std::vector<std::uint32_t> losses_of(std::span<const std::size_t> slaves) const;
+  void leave_out_lost(SlaveList& slaves, std::span<const std::uint32_t> before) const;
   Status report(std::span<const Failed> failed);
   [[nodiscard]] bool was_lost(const Failed& failed) const;
   Status write_acknowledge(std::span<const std::size_t> slaves);

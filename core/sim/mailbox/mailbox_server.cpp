@@ -63,6 +63,7 @@ std::optional<std::vector<std::uint8_t>> MailboxServer::next(std::size_t reply_s
 
 const std::vector<std::uint8_t>& MailboxServer::repeat(bool loaded) {
   if (loaded) {
+    if (before_last_.empty()) return before_last_;  // it was given again already, and lies there still
     queue_.push_front(std::move(last_));
     last_ = std::move(before_last_);
     before_last_.clear();

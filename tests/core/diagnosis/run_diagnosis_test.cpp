@@ -274,6 +274,10 @@ TEST(RunDiagnosis, LooksForLostFramesBehindWhoHadThem) {
   report.first_wire_time = 10 * kMicrosecond;
   report.wire_time = 30 * kMicrosecond;
   EXPECT_THAT(codes(report), ElementsAre(code::kFramesLost)) << "another frame of the cycle may have been lost";
+  report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond, 20);
+  report.history.op_reached = kStart + 6 * kSecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kFramesLost)) << "nobody counted then";
 }
 
 TEST(RunDiagnosis, SaysNothingOfCountersThatWereNotReadSinceFramesWereLost) {

@@ -236,6 +236,20 @@ TEST_F(Server, RepeatGivesTheLostMessageAndThenTheOneThatWasLoaded) {
   EXPECT_EQ(server().next(kMailbox), second);
 }
 
+/// Frames may get lost in front of the slave time after time: nothing was fetched, and the master cannot know.
+TEST_F(Server, AskedAgainAndAgainItGivesNoMessageThatWasNone) {
+  server().queue_emergency({1, 1, {}});
+  EXPECT_EQ(server().next(kMailbox).has_value(), true);
+  EXPECT_TRUE(server().repeat(true).empty()) << "the first one of all lies there still";
+  EXPECT_FALSE(server().waiting());
+  server().queue_emergency({2, 1, {}});
+  const auto second = server().next(kMailbox);
+  EXPECT_FALSE(server().repeat(true).empty());
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(server().repeat(true).empty());
+  EXPECT_EQ(server().next(kMailbox), second);
+  EXPECT_FALSE(server().waiting());
+}
+
 TEST_F(Server, EmergencyIsDelivered) {
   server().queue_emergency({0xA000, 0x81, {0x1E, 0, 0, 0, 0}});
   const auto response = coe::decode_response(fetch().data);
