@@ -67,7 +67,7 @@ struct EventFields {
         e.identity.revision_no, e.identity.serial_no);
   }
   void operator()(events::DiagnosisTold& e) { use(31, e.code, e.type, e.text_id, e.time_stamp); }
-  void operator()(events::PortErrors& e) { use(32, e.port, e.damaged_frames, e.lost_links); }
+  void operator()(events::PortErrors& e) { use(32, e.port, e.damaged_frames, e.lost_links, e.since); }
   void operator()(events::WatchdogExpired& e) { use(33, e.which, e.count); }
   void operator()(events::LongCycles& e) { use(34, e.begun, e.count); }
   void operator()(events::StaleProcessData& e) { use(35, e.begun, e.stale, e.of, e.outputs); }

@@ -234,7 +234,11 @@ struct HistoryRecorder::OfSlave {
   void operator()(const events::Emergency& emergency) const { slave.emergency = emergency.error_code; }
   void operator()(const events::PortErrors& errors) const {
     const auto port = errors.port & 3U;
-    if (errors.damaged_frames > 0) slave.port_errors[port].note(time, errors.damaged_frames);
+    if (errors.damaged_frames > 0) {
+      constexpr Nanoseconds kLongSince = kSecond;  // slaves are read in turn
+      slave.port_errors[port].note(time, errors.damaged_frames);
+      slave.damage[port].note(time, errors.damaged_frames, 0, errors.since != 0 ? errors.since : time - kLongSince);
+    }
     if (errors.lost_links > 0) slave.lost_links[port].note(time, errors.lost_links);
   }
   // Of LongCycles the counter itself is in the snapshots.

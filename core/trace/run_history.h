@@ -68,15 +68,16 @@ struct RunHistory {
   struct Slave {
     Spells absences;  // count 1 each; the last one may last. Of a hot-connect group: not connected
     bool absent = false;
-    std::optional<Cable> cable;              // over which nothing comes back, as told last
-    std::optional<Fall> fall;                // the last AL status error
-    std::vector<Fall> falls;                 // those out of OP, or of nobody knows what; the first kMostFalls
-    std::optional<Nanoseconds> left_op;      // the last time, or that its state became known again
-    std::optional<Unasked> unasked;          // the first time
-    std::optional<DelayTrouble> delay;       // what the last measurement of its propagation delay stumbled over
-    std::optional<std::uint16_t> emergency;  // the last error code (0x603F)
-    std::array<Spells, 4> port_errors, lost_links;
-    Spells unprocessed;  // frames that its processing unit could not use (0x030C)
+    std::optional<Cable> cable;                     // over which nothing comes back, as told last
+    std::optional<Fall> fall;                       // the last AL status error
+    std::vector<Fall> falls;                        // those out of OP, or of nobody knows what; the first kMostFalls
+    std::optional<Nanoseconds> left_op;             // the last time, or that its state became known again
+    std::optional<Unasked> unasked;                 // the first time
+    std::optional<DelayTrouble> delay;              // what the last measurement of its propagation delay stumbled over
+    std::optional<std::uint16_t> emergency;         // the last error code (0x603F)
+    std::array<Spells, 4> port_errors, lost_links;  // when they were read
+    std::array<Spells, 4> damage;                   // from the reading before, within which frames were damaged
+    Spells unprocessed;                             // frames that its processing unit could not use (0x030C)
     Spells process_data_watchdog, pdi_watchdog;
     Spells outputs_exceeded, inputs_exceeded;
     /// Times in which it did not renew its inputs, or take its outputs, as before; count 1 each, the last one may last.

@@ -31,6 +31,7 @@ struct PortErrors {
   std::uint8_t port = 0;             // 0..3
   std::uint32_t damaged_frames = 0;  // on their way into it
   std::uint32_t lost_links = 0;
+  Nanoseconds since = 0;  // when they were read last; 0: nobody knows
 };
 
 struct WatchdogExpired {

@@ -65,7 +65,7 @@ void find_short_cycle(const RunReport& report, Findings& findings);
 /// Who left a sync window at `loss` did so behind a reference clock that a frame which had been held up on its way had
 /// brought an old time.
 [[nodiscard]] bool was_written_late(const RunReport& report, Nanoseconds loss);
-/// Where frames were damaged first in or shortly after the spell; nobody: slave -1.
+/// Where frames were damaged first in the spell, as far as the readings of the ports tell; nobody: slave -1.
 [[nodiscard]] DamagedPort noisy_port(const RunReport& report, const Spell& spell);
 /// The slave was away, fell, or has an active cable fault near that time: what is seen then on the bus is its doing.
 [[nodiscard]] int slave_in_trouble(const RunReport& report, const Spell& spell);

@@ -51,9 +51,8 @@ bool adapter_was_away(const RunReport& report, const Spell& spell) {
 }
 
 DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
-  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
   return first_damaged_port(report.slaves.size(), [&](std::size_t slave, std::size_t port) {
-    return report.history.slaves[slave].port_errors[port].near(read, kTogether);
+    return report.history.slaves[slave].damage[port].near(spell, kTogether);
   });
 }
 

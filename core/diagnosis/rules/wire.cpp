@@ -132,6 +132,21 @@ int lost_link_after(const RunReport& report, const Spell& spell) {
   return lost == slaves.end() ? -1 : static_cast<int>(lost - slaves.begin());
 }
 
+/// So many frames were damaged in the spell at most: no more of those that were lost can have been.
+std::uint64_t damaged_in(const RunReport& report, const Spell& spell) {
+  std::uint64_t count = 0;
+  for (const auto& slave : report.slaves) {
+    for (std::size_t port = 0; port < kPorts; ++port) {
+      for (const auto& damage : report.history.slaves[slave.position].damage[port].list()) {
+        if (damage.from > spell.to + kTogether || spell.from > damage.to + kTogether) continue;
+        if (slave.evidence.ports[port].at_least) return UINT64_MAX;
+        count += damage.count;
+      }
+    }
+  }
+  return count;
+}
+
 /// The error counters of some slave have not been read since: nobody knows what they say.
 bool is_unread(const RunReport& report, const Spell& spell) {
   return std::ranges::any_of(report.slaves, [&](const RunReport::Slave& slave) {
@@ -184,7 +199,7 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
   Losses by_host, by_noise, by_slave, by_link, unread, unexplained;
   DamagedPort noisy;
   int gone = -1, unplugged = -1;
-  for (const auto& spell : report.history.lost_frames.list()) {
+  for (auto spell : report.history.lost_frames.list()) {
     if (adapter_was_away(report, spell)) continue;  // those that were under way at that moment
     if (report.history.stalls.near(spell, kTogether)) {
       by_host.add(spell);
@@ -192,8 +207,11 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
     }
     if (const auto port = noisy_port(report, spell); port.slave >= 0) {
       if (noisy.slave < 0) noisy = port;
-      by_noise.add(spell);
-      continue;
+      auto damaged = spell;
+      damaged.count = std::min(spell.count, damaged_in(report, spell));
+      by_noise.add(damaged);
+      spell.count -= damaged.count;
+      if (spell.count == 0) continue;
     }
     const auto& slaves = report.history.slaves;
     const auto away = std::ranges::find_if(

@@ -94,7 +94,9 @@ void EvidenceReader::take_ports(Nanoseconds time) {
 
 void EvidenceReader::tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time) {
   if (damaged == 0 && lost_links == 0) return;
-  run_.event(time, static_cast<int>(slave_), events::PortErrors{static_cast<std::uint8_t>(port), damaged, lost_links});
+  const auto since = run_.snapshot.slaves[slave_].evidence.ports_time;
+  run_.event(time, static_cast<int>(slave_),
+             events::PortErrors{static_cast<std::uint8_t>(port), damaged, lost_links, since});
 }
 
 void EvidenceReader::take_watchdogs(Nanoseconds time) {

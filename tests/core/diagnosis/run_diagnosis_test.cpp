@@ -209,6 +209,12 @@ TEST(RunDiagnosis, FirmwareThatGoesOnIsAWarningAndOneThatHangsAnError) {
   EXPECT_EQ(diagnose(report)[0].severity, Severity::kError);
 }
 
+/// At the first port of slave 2, between two readings.
+void damage(RunReport& report, Nanoseconds read, std::uint64_t frames, Nanoseconds since) {
+  report.history.slaves[2].port_errors[0].note(read, frames);
+  report.history.slaves[2].damage[0].note(read, frames, 0, since);
+}
+
 /// Frames that are damaged for a while silence all slaves, and none of them was away.
 TEST(RunDiagnosis, NobodyWasAwayBecauseEveryFrameWasDamaged) {
   auto report = healthy();
@@ -216,7 +222,8 @@ TEST(RunDiagnosis, NobodyWasAwayBecauseEveryFrameWasDamaged) {
   for (auto& slave : report.history.slaves) {
     slave.absences.note(kStart + 5300 * kMillisecond, 1, 0, kStart + 5100 * kMillisecond);
   }
-  report.history.slaves[2].port_errors[0].note(kStart + 5400 * kMillisecond, 255);
+  damage(report, kStart + 5400 * kMillisecond, 255, kStart + 4900 * kMillisecond);
+  report.slaves[2].evidence.ports[0].at_least = true;
   EXPECT_THAT(codes(report), ElementsAre(code::kPortErrors, code::kFramesLostByNoise));
   report.history.slaves[0].lost_links[0].note(kStart + 5400 * kMillisecond, 1);
   EXPECT_EQ(codes(report).front(), code::kSlaveWasAbsent) << "the plug of the first slave";
@@ -366,9 +373,21 @@ TEST(RunDiagnosis, MissesOfLostFramesDoNotAskForAnotherSync0) {
 TEST(RunDiagnosis, LostFramesWithErrorsAtAPortAreNoise) {
   auto report = healthy();
   report.history.lost_frames.note(kStart + 5 * kSecond, 3);
-  report.history.slaves[2].port_errors[0].note(kStart + 5 * kSecond + 20 * kMillisecond, 3);
+  damage(report, kStart + 5 * kSecond + 20 * kMillisecond, 3, kStart + 4900 * kMillisecond);
   EXPECT_THAT(codes(report), ElementsAre(code::kPortErrors, code::kFramesLostByNoise));
   EXPECT_EQ(diagnose(report)[1].place.slave, 2);
+}
+
+/// A port that was read in between says that they were none of its doing, and no noise loses more frames than it
+/// damages.
+TEST(RunDiagnosis, NoiseIsToldForNoMoreFramesThanItCanHaveCost) {
+  auto report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond, 3);
+  report.history.lost_frames.note(kStart + 5300 * kMillisecond, 6);
+  damage(report, kStart + 5320 * kMillisecond, 2, kStart + 5200 * kMillisecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kPortErrors, code::kFramesLost, code::kFramesLostByNoise));
+  EXPECT_THAT(describe(diagnose(report)[1]), HasSubstr("7 frames"));
+  EXPECT_THAT(describe(diagnose(report)[2]), HasSubstr("2 frames"));
 }
 
 TEST(RunDiagnosis, LostFramesOfAStandingHostAreTheHosts) {
