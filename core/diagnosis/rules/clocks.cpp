@@ -158,11 +158,22 @@ bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) 
   return loss.back && adapter_was_away(report, {loss.time, loss.time, 0, 0});
 }
 
+/// While the host stands still nobody tells the slaves the time, and their quartzes run apart: no more than that, and
+/// told as what the host did.
+bool without_time(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  constexpr std::int64_t kApart = 10'000;  // standing still for so much longer than the deviation: 100 ppm
+  if (!loss.back || loss.obstacle == dc::SyncObstacle::kClockStep) return false;
+  return std::ranges::any_of(report.history.stalls.list(), [&](const Spell& stall) {
+    const bool then = loss.time + kTogether >= stall.from && loss.time <= stall.to + kTogether;
+    return then && std::abs(loss.size) * kApart <= stall.largest;
+  });
+}
+
 void find_left_window(const RunReport& report, Findings& findings) {
   std::vector<RunHistory::SyncLoss> losses;
   std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
     const bool told = loss.back && was_written_late(report, loss.time);
-    return !told && !came_back(report, loss) && !without_adapter(report, loss);
+    return !told && !came_back(report, loss) && !without_adapter(report, loss) && !without_time(report, loss);
   });
   if (losses.empty()) return;
   const auto& first = losses.front();

@@ -73,8 +73,9 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
   const auto& outputs = history.process_data_watchdog;
   // Outputs that could not come: the cause is told already.
   const bool was_cut_off = std::ranges::all_of(outputs.list(), [&](const Spell& spell) {
-    return adapter_was_away(report, {spell.from - kReadLater, spell.to, 0, 0}) ||
-           history.absences.near(spell, kReadLater);
+    const Spell before{spell.from - kReadLater, spell.to, 0, 0};
+    return adapter_was_away(report, before) || history.absences.near(spell, kReadLater) ||
+           report.history.stalls.near(before, 0);
   });
   if (!outputs.empty() && report.history.reached_op && !was_cut_off) {
     findings.push_back({code::kOutputsWatchdog,

@@ -49,6 +49,16 @@ bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, std::ui
   return slave.sync0_cycle > 0 && missed <= static_cast<std::uint64_t>(away / slave.sync0_cycle);
 }
 
+/// A plug that is loose for a cycle or two lets frames turn back in front of the slave: the working counter is wrong
+/// then, and a link was lost. Told as that.
+bool was_passed_over(const RunReport& report, std::uint64_t missed) {
+  std::uint64_t cycles = 0;
+  for (const auto& spell : report.history.wrong_counters.list()) {
+    if (lost_link_after(report, spell) >= 0) cycles += spell.count;
+  }
+  return missed <= cycles;
+}
+
 /// Frames were lost, too, when the slave and the adapter were there: an outage does not excuse those.
 bool lost_while_there(const RunReport& report, int slave) {
   const auto& absences = report.history.slaves[static_cast<std::size_t>(slave)].absences;
@@ -113,6 +123,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     const bool by_absence = cause == dc::MissCause::kUnknown ||
                             (cause == dc::MissCause::kFrameLost && !lost_while_there(report, slave.position));
     if (by_absence && was_cut_off(report, slave, status.missed)) continue;
+    if (cause == dc::MissCause::kUnknown && was_passed_over(report, status.missed)) continue;
     if (cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate) {
       if (const auto moved = sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)) {
         findings.push_back(

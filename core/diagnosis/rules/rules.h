@@ -67,7 +67,9 @@ void find_short_cycle(const RunReport& report, Findings& findings);
 [[nodiscard]] bool was_written_late(const RunReport& report, Nanoseconds loss);
 /// Where frames were damaged first in the spell, as far as the readings of the ports tell; nobody: slave -1.
 [[nodiscard]] DamagedPort noisy_port(const RunReport& report, const Spell& spell);
-/// The slave was away, fell, or has an active cable fault near that time: what is seen then on the bus is its doing.
+/// Who lost the link over which frames came to it, shortly after the spell; -1: nobody. Its counters are read in turn.
+[[nodiscard]] int lost_link_after(const RunReport& report, const Spell& spell);
+/// The slave was away, fell, or lost its link near that time: what is seen then on the bus is its doing; -1: nobody.
 [[nodiscard]] int slave_in_trouble(const RunReport& report, const Spell& spell);
 
 }  // namespace syncline::diagnosis

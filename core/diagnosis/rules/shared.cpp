@@ -56,6 +56,15 @@ DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
   });
 }
 
+int lost_link_after(const RunReport& report, const Spell& spell) {
+  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
+  const auto& slaves = report.history.slaves;
+  const auto lost = std::ranges::find_if(slaves, [&](const RunHistory::Slave& slave) {
+    return std::ranges::any_of(slave.lost_links, [&](const Spells& port) { return port.near(read, kTogether); });
+  });
+  return lost == slaves.end() ? -1 : static_cast<int>(lost - slaves.begin());
+}
+
 bool has_other_master(const RunReport& report) {
   return std::ranges::any_of(report.history.slaves,
                              [](const RunHistory::Slave& slave) { return slave.unasked.has_value(); });
@@ -69,7 +78,7 @@ int slave_in_trouble(const RunReport& report, const Spell& spell) {
     const bool away = slave.absences.near(spell, kNear) || (slave.absent && slave.absences.last() <= spell.to + kNear);
     if (fell || away) return static_cast<int>(i);
   }
-  return -1;
+  return lost_link_after(report, spell);
 }
 
 }  // namespace syncline::diagnosis

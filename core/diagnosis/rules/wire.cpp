@@ -122,16 +122,6 @@ LostAt place_of(const RunReport& report, const Losses& losses) {
   return first_without < 0 ? LostAt{} : LostAt{code::kFramesLostInFront, first_without};
 }
 
-/// Who lost the link over which frames came to it, shortly after the spell; -1: nobody. Its counters are read in turn.
-int lost_link_after(const RunReport& report, const Spell& spell) {
-  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
-  const auto& slaves = report.history.slaves;
-  const auto lost = std::ranges::find_if(slaves, [&](const RunHistory::Slave& slave) {
-    return std::ranges::any_of(slave.lost_links, [&](const Spells& port) { return port.near(read, kTogether); });
-  });
-  return lost == slaves.end() ? -1 : static_cast<int>(lost - slaves.begin());
-}
-
 /// So many frames were damaged in the spell at most: no more of those that were lost can have been.
 std::uint64_t damaged_in(const RunReport& report, const Spell& spell) {
   std::uint64_t count = 0;

@@ -612,6 +612,30 @@ TEST(RunDiagnosis, WhatASlaveMissedWhileItWasCutOffIsItsAbsence) {
   EXPECT_THAT(codes(report), testing::Contains(code::kMissedUnexplained)) << "more than it was away for";
 }
 
+/// A plug that is loose for a cycle: frames turn back in front of those behind it.
+TEST(RunDiagnosis, WhatSlavesMissBehindALooseLinkIsTheLinks) {
+  auto report = healthy();
+  report.history.wrong_counters.note(kStart + 5 * kSecond, 1);
+  miss(report, 1, dc::MissCause::kUnknown, 1);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained));
+  EXPECT_THAT(codes(report), Contains(code::kWorkingCounter));
+  report.history.slaves[1].lost_links[0].note(kStart + 5060 * kMillisecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(code::kLinkLost, code::kWorkingCounterExplained));
+  miss(report, 1, dc::MissCause::kUnknown, 7);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained)) << "more than cycles in which it was passed over";
+}
+
+/// While the host stands still nobody gets outputs, or the time.
+TEST(RunDiagnosis, WhatAStandstillOfTheHostDoesIsToldWithIt) {
+  auto report = healthy();
+  report.history.stalls.note(kStart + 5 * kSecond, 200, 201 * kMillisecond, kStart + 4800 * kMillisecond);
+  report.history.slaves[1].process_data_watchdog.note(kStart + 5 * kSecond, 1);
+  report.history.slave_losses.push_back({kStart + 5 * kSecond, 1, 306, {}, kStart + 6 * kSecond});
+  EXPECT_THAT(codes(report), ElementsAre(code::kHostStalled));
+  report.history.slave_losses.push_back({kStart + 5 * kSecond, 1, 500'000, {}, kStart + 6 * kSecond});
+  EXPECT_THAT(codes(report), Contains(code::kWindowLeft)) << "no quartz runs away so fast";
+}
+
 TEST(RunDiagnosis, AnOutageExcusesNoFramesThatWereLostAtAnotherTime) {
   auto report = healthy();
   report.slaves[1].sync0_cycle = kMillisecond;
