@@ -32,6 +32,8 @@ class SimulatedSegment final : public Link {
   bool record = false;
   std::vector<std::vector<std::uint8_t>> sent;  // filled when `record`
   std::function<void()> on_frame;               // before a frame is executed
+  /// May change what comes back, as a slave would that lies.
+  std::function<void(DatagramView&)> on_reply;
 
   template <std::unsigned_integral T>
   [[nodiscard]] T get(std::size_t position, std::uint16_t address) const {
@@ -65,7 +67,12 @@ class SimulatedSegment final : public Link {
     return inner_->send(frame);
   }
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
-    return inner_->receive(buffer, deadline);
+    auto received = inner_->receive(buffer, deadline);
+    if (on_reply && received && received->length > 0) {
+      FrameReader reader(buffer.first(received->length));
+      while (auto datagram = reader.next()) on_reply(*datagram);
+    }
+    return received;
   }
   [[nodiscard]] LinkDescription describe() const override { return inner_->describe(); }
 
@@ -86,6 +93,12 @@ inline void give_addresses(SimulatedSegment& segment, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     segment.set(i, reg::kStationAddress, static_cast<std::uint16_t>(1001 + i));
   }
+}
+
+/// The reply to a datagram that slave `position` of `count` was asked for by its place.
+inline bool is_reply_of(const DatagramView& reply, std::size_t position, std::size_t count, std::uint16_t ado) {
+  return is_auto_increment(reply.header.command) && reply.header.ado() == ado &&
+         reply.header.adp() == static_cast<std::uint16_t>(count - position);
 }
 
 }  // namespace syncline::test
