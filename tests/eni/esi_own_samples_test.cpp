@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "compare/network_compare.h"
 #include "compile/compile.h"
 #include "config/dc_times.h"
+#include "config/module_slots.h"
 #include "eni/esi/esi_reader.h"
 #include "findings/error_text.h"
 #include "protocol/sync_manager.h"
+#include "recover/recover_project.h"
 #include "support/byte_order.h"
 #include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"
@@ -73,6 +76,25 @@ TEST(OwnEsiSamples, ModulesFitTheirSlots) {
   EXPECT_THAT(station.modules, ElementsAre(testing::Field(&ModuleDescription::ident, 0x110U),
                                            testing::Field(&ModuleDescription::ident, 0x120U),
                                            testing::Field(&ModuleDescription::ident, 0x130U)));
+}
+
+/// An export has their list (0xF030), whole or entry by entry; the project that is made of it has them at their places.
+TEST(OwnEsiSamples, ModulesOfAnExportAreFoundAgain) {
+  for (const bool whole : {true, false}) {
+    auto station = device_of("station.xml");
+    station.mailbox->coe->complete_access = whole;
+    auto project = sample::project({station});
+    auto& slave = project.slaves[0];
+    for (const auto& [place, ident] : {std::pair(0, 0x120U), std::pair(2, 0x110U), std::pair(4, 0x130U)}) {
+      ASSERT_TRUE(plug_module(slave, static_cast<std::uint16_t>(place), ident));
+    }
+    const auto compiled = compile(project);
+    ASSERT_TRUE(compiled);
+    const auto recovered = recover_project(compiled->config, [&](const Identity&) { return &station; });
+    EXPECT_EQ(recovered.project.slaves[0].modules, slave.modules);
+    EXPECT_EQ(recovered.project.slaves[0].device.source, station.source) << "its ESI was not taken";
+    for (const auto& difference : recovered.differences) ADD_FAILURE() << describe(difference);
+  }
 }
 
 /// The safe channel has a SyncManager and an FMMU of its own in each direction.
