@@ -102,6 +102,14 @@ TEST(SyncEventAccount, WhatWasLeftOutBeforeTheFirstOutputsIsNoCause) {
   EXPECT_EQ(account.missed(), 1U);
   EXPECT_EQ(of(account, MissCause::kFrameLate), 1U);
   EXPECT_EQ(of(account, MissCause::kCyclesLeftOut), 0U);
+  // One late frame explains one miss: the next one is nobody's.
+  std::int64_t number = 4;
+  for (const std::uint32_t counter : {2U, 2U}) {
+    account.observe({++number * kPeriod, true});
+    account.read(counter);
+  }
+  EXPECT_EQ(of(account, MissCause::kFrameLate), 1U);
+  EXPECT_EQ(of(account, MissCause::kUnknown), 1U);
 }
 
 /// Outputs that may have been late before it fell explain nothing of what it misses when it is back.
