@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compile/eoe_ip.h"
+#include "config/module_slots.h"
 #include "recover/recovered_dc.h"
 #include "recover/recovered_device.h"
 #include "recover/register_writes.h"
@@ -52,6 +53,45 @@ std::string misfit(const DeviceDescription& device, const SlaveConfig& slave) {
   return {};
 }
 
+/// What the list of modules (ETG.5001.1, 0xF030) downloads for each place, 0 where there is none; empty: no such list.
+std::vector<std::uint32_t> module_idents(const SlaveConfig& slave) {
+  constexpr std::uint16_t kModuleIdentList = 0xF030;
+  constexpr std::size_t kCount = 2, kIdent = 4;  // bytes of a complete access
+  std::vector<std::uint32_t> idents;
+  if (!slave.mailbox) return idents;
+  for (const auto& cmd : slave.mailbox->coe_commands) {
+    const auto sub_index = cmd.command.sub_index;
+    const auto& data = cmd.command.data;
+    if (cmd.command.index != kModuleIdentList) continue;
+    if (cmd.command.complete_access) {
+      for (std::size_t at = sub_index == 0 ? kCount : 0; at + kIdent <= data.size(); at += kIdent) {
+        idents.push_back(load_le<std::uint32_t>(std::span(data).subspan(at)));
+      }
+    } else if (sub_index > 0 && data.size() == kIdent) {
+      idents.resize(std::max<std::size_t>(idents.size(), sub_index));
+      idents[sub_index - 1U] = load_le<std::uint32_t>(data);
+    }
+  }
+  return idents;
+}
+
+/// Only those of the list are plugged; one that fits nowhere is missing with its PDOs, which misfit() tells.
+void plug_modules(SlaveSettings& settings, const std::vector<std::uint32_t>& idents) {
+  if (idents.empty() || !settings.device.slots) return;
+  for (const auto& place : slot_places(settings.device)) {
+    const auto ident = place.number < idents.size() ? idents[place.number] : 0;
+    (void)plug_module(settings, place.number, ident != 0 ? std::optional(ident) : std::nullopt);
+  }
+}
+
+DeviceDescription with_listed_modules(const DeviceDescription& device, const SlaveConfig& slave) {
+  const auto idents = module_idents(slave);
+  if (idents.empty() || !device.slots) return device;
+  auto trial = default_slave(device, 0);
+  plug_modules(trial, idents);
+  return device_with_modules(trial);
+}
+
 DeviceDescription choose_device(const SlaveConfig& slave, const DeviceLookup& devices, Nanoseconds cycle,
                                 FindingList& findings) {
   const DeviceDescription* found = devices ? devices(slave.identity) : nullptr;
@@ -59,7 +99,7 @@ DeviceDescription choose_device(const SlaveConfig& slave, const DeviceLookup& de
     findings.add("esi-missing", fig::text<"identity">(to_string(slave.identity)));
     return recovered_device(slave, cycle);
   }
-  if (const auto why = misfit(*found, slave); !why.empty()) {
+  if (const auto why = misfit(with_listed_modules(*found, slave), slave); !why.empty()) {
     findings.add("esi-not-taken", fig::text<"type">(found->type), fig::text<"reason">(why));
     return recovered_device(slave, cycle);
   }
@@ -76,8 +116,9 @@ void recover_pdos(SlaveSettings& settings, const SlaveConfig& slave) {
       if (pdo.sync_manager) assigned.push_back(pdo.index);
     }
   }
+  const auto device = device_with_modules(settings);
   for (const auto& [direction, pdo] : slave.pdos) {
-    const Pdo* of_device = find_pdo(settings.device, direction, pdo.index);
+    const Pdo* of_device = find_pdo(device, direction, pdo.index);
     if (of_device != nullptr && !of_device->fixed && !same_mapping(*of_device, pdo)) {
       settings.changed_pdos.push_back(pdo);
     }
@@ -189,6 +230,7 @@ SlaveSettings recovered_slave(const NetworkConfig& config, std::size_t position,
   if (!settings.previous && position > 0) {
     settings.previous = PreviousPort{static_cast<std::uint16_t>(position - 1), 1};
   }
+  plug_modules(settings, module_idents(slave));
   settings.startup.clear();
   settings.soe_startup.clear();
   recover_pdos(settings, slave);

@@ -38,7 +38,6 @@ std::optional<StepResponse> step_response(std::span<const StepResponse::Sample> 
   const double side = response.step > 0 ? 1 : -1;
   double beyond = 0;
   std::size_t outside = 0;
-  Nanoseconds unsettled = samples.front().time;  // the last sample of it
   bool is_settled = false;
   for (const auto& sample : samples) {
     const double left = side * (sample.value - response.final);
@@ -47,14 +46,13 @@ std::optional<StepResponse> step_response(std::span<const StepResponse::Sample> 
     outside = std::abs(left) > response.band ? outside + 1 : 0;
     const bool counts = !is_settled ? outside > 0 : outside >= kAlone;
     if (counts) {
-      unsettled = sample.time;
       is_settled = false;
     } else if (outside == 0) {
       if (!is_settled) response.settled = sample.time - samples.front().time;
       is_settled = true;
     }
   }
-  if (!is_settled || samples.back().time == unsettled) response.settled.reset();
+  if (!is_settled) response.settled.reset();
   response.overshoot = beyond > kBandOfNoise * response.noise ? beyond / size : 0;
   return response;
 }

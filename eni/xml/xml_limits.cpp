@@ -24,20 +24,25 @@ class LimitCheck {
   }
 
  private:
+  /// By its second character first: most of a file are tags.
   Status markup() {
-    const auto rest = text_.substr(at_);
-    if (rest.starts_with("<!--")) return skip_to("-->", 4);
-    if (rest.starts_with("<![CDATA[")) return skip_to("]]>", 9);
-    if (rest.starts_with("<?")) return skip_to("?>", 2);
-    if (rest.starts_with("<!")) return declaration(rest);
-    if (rest.starts_with("</")) {
-      --depth_;
-      return skip_to(">", 2);
+    switch (at_ + 1 < text_.size() ? text_[at_ + 1] : '>') {
+      case '/':
+        --depth_;
+        at_ = text_.find('>', at_ + 2);
+        return {};
+      case '?':
+        return skip_to("?>", 2);
+      case '!':
+        return no_element(text_.substr(at_));
+      default:
+        return element();
     }
-    return element();
   }
 
-  Status declaration(std::string_view rest) {
+  Status no_element(std::string_view rest) {
+    if (rest.starts_with("<!--")) return skip_to("-->", 4);
+    if (rest.starts_with("<![CDATA[")) return skip_to("]]>", 9);
     const auto head = rest.substr(0, rest.find('>'));
     if (head.starts_with("<!ENTITY") || head.find('[') != std::string_view::npos) {
       return exceeded(because("it defines entities of its own, which are not read"));

@@ -30,13 +30,25 @@ class XmlPieces::Splitter {
   [[nodiscard]] std::vector<Piece> take_pieces() { return std::move(pieces_); }
 
  private:
+  /// By its second character first: most of a file are tags.
   bool markup() {
+    switch (at_ + 1 < text_.size() ? text_[at_ + 1] : '>') {
+      case '/':
+        return end_tag();
+      case '?':
+        return skip_to("?>", 2);
+      case '!':
+        return no_element();
+      default:
+        return start_tag();
+    }
+  }
+
+  bool no_element() {
     const auto rest = text_.substr(at_);
     if (rest.starts_with("<!--")) return skip_to("-->", 4);
     if (rest.starts_with("<![CDATA[")) return skip_to("]]>", 9);
-    if (rest.starts_with("<?")) return skip_to("?>", 2);
-    if (rest.starts_with("<!")) return skip_to(">", 2);
-    return rest.starts_with("</") ? end_tag() : start_tag();
+    return skip_to(">", 2);
   }
 
   bool skip_to(std::string_view end, std::size_t from) {

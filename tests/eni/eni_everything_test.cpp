@@ -6,7 +6,6 @@
 #include "eni/format/eni_file.h"
 #include "eni/schema_check.h"
 #include "findings/error_text.h"
-#include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline::eni {
@@ -110,11 +109,13 @@ TEST(EniEverything, IsReadAsItWasWritten) {
   }
 }
 
-TEST(EniEverything, IsValid) {
-  SYNCLINE_SAMPLE(schema, "schema/EtherCATConfig.xsd");
+class EverythingAgainst : public testing::TestWithParam<Schema> {};
+INSTANTIATE_TEST_SUITE_P(Schemas, EverythingAgainst, testing::ValuesIn(eni_schemas()), SchemaName());
+
+TEST_P(EverythingAgainst, TheSchemaIsValid) {
   if (!have_xmllint()) GTEST_SKIP() << "xmllint is not installed";
   for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
-    expect_valid(write_eni(everything(), style_of(dialect)), schema);
+    expect_valid(write_eni(everything(), style_of(dialect)), GetParam().path);
   }
 }
 

@@ -284,23 +284,41 @@ TEST(EniFile, SaysHowTheImageOfOurSamplesIsCounted) {
   EXPECT_EQ(read("one_line.eni.xml")->cycle_time(), 2 * kMillisecond);
 }
 
-TEST(FieldEni, SaysHowTheirImageIsCounted) {
-  SYNCLINE_SAMPLE(beckhoff, "eni/kj4tmp__pyecm__basic.xml");
-  SYNCLINE_SAMPLE(acontis, "eni/magnate3__rocos-ethercat__eni.xml");
-  SYNCLINE_SAMPLE(late_reference, "eni/kpierczy__ethercat-lib__test_eni.xml");
-  EXPECT_EQ(read_eni(beckhoff)->image.command_data_offset, 10U);
-  EXPECT_EQ(read_eni(acontis)->image.command_data_offset, 0U);
-  const auto network = read_eni(late_reference);
+struct ThreeExports {
+  bool own = true;
+  std::string twincat, acontis, late_reference;
+};
+void PrintTo(const ThreeExports& exports, std::ostream* out) { *out << exports.late_reference; }
+
+class ImageOf : public testing::TestWithParam<ThreeExports> {};
+INSTANTIATE_TEST_SUITE_P(Exports, ImageOf,
+                         testing::ValuesIn(test::with_others<ThreeExports>(
+                             {{true, "eni/terminals.eni.xml", "eni/axis.eni.xml", "eni/sensor_and_axes.eni.xml"}},
+                             {{false, "eni/kj4tmp__pyecm__basic.xml", "eni/magnate3__rocos-ethercat__eni.xml",
+                               "eni/kpierczy__ethercat-lib__test_eni.xml"}})));
+
+TEST_P(ImageOf, ExportsIsCountedAsTheFileSays) {
+  const auto read = [](const std::string& file) { return read_eni(test::sample_path(GetParam().own, file)); };
+  EXPECT_EQ(read(GetParam().twincat)->image.command_data_offset, 10U);
+  EXPECT_EQ(read(GetParam().acontis)->image.command_data_offset, 0U);
+  EXPECT_EQ(read(GetParam().acontis)->dc.dcm.mode, DcmMode::kBusShift);
+  const auto network = read(GetParam().late_reference);
   EXPECT_EQ(network->image.command_data_offset, 10U);
   EXPECT_EQ(network->dc.reference_clock, 1);
   EXPECT_EQ(network->dc.dcm.mode, DcmMode::kMasterShift);
   EXPECT_EQ(network->cycle_time(), 10 * kMillisecond);
-  EXPECT_EQ(read_eni(acontis)->dc.dcm.mode, DcmMode::kBusShift);
 }
 
-TEST(FieldEni, ADifferentFormatIsNamedAsSuch) {
-  SYNCLINE_SAMPLE(file, "eni/robotcontrol-xyz__openethercat__beckhoff_demo.eni.xml");
-  EXPECT_EQ(read_eni(file).error().code, ErrorCode::kNotThatKindOfFile);
+TEST(EniFile, ADifferentFormatIsNamedAsSuch) {
+  std::vector<std::string> files{(test::own_samples("eni") / "another_format.xml").string()};
+  if (const auto theirs = test::sample_file("eni/robotcontrol-xyz__openethercat__beckhoff_demo.eni.xml")) {
+    files.push_back(*theirs);
+  }
+  for (const auto& file : files) {
+    const auto read = read_eni(file);
+    ASSERT_FALSE(read) << file;
+    EXPECT_EQ(read.error().code, ErrorCode::kNotThatKindOfFile) << file;
+  }
 }
 
 }  // namespace

@@ -10,15 +10,17 @@
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
 #include "eni/schema_check.h"
-#include "support/sample_folder.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline::eni {
 namespace {
 
-TEST(EniSchema, AcceptsWhatWeWrite) {
-  SYNCLINE_SAMPLE(schema, "schema/EtherCATConfig.xsd");
+class EniSchema : public testing::TestWithParam<Schema> {};
+INSTANTIATE_TEST_SUITE_P(Schemas, EniSchema, testing::ValuesIn(eni_schemas()), SchemaName());
+
+TEST_P(EniSchema, AcceptsWhatWeWrite) {
+  const auto& schema = GetParam().path;
   if (!have_xmllint()) GTEST_SKIP() << "xmllint is not installed";
   for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
     Project project = sample::small_machine();
@@ -38,21 +40,45 @@ TEST(EniSchema, AcceptsWhatWeWrite) {
   }
 }
 
-TEST(EniSchema, AcceptsFieldFilesAsWeWriteThemBack) {
-  SYNCLINE_SAMPLE(schema, "schema/EtherCATConfig.xsd");
+TEST_P(EniSchema, AcceptsStoredFilesAsWeWriteThemBack) {
   if (!have_xmllint()) GTEST_SKIP() << "xmllint is not installed";
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(*test::sample_folder() / "eni")) {
-    const auto config = entry.path().extension() == ".xml" ? read_eni(entry.path().string()) : Result<NetworkConfig>{};
-    // Fragments lack what the schema demands, and stay fragments.
-    if (!config || config->cyclic.empty()) continue;
-    SCOPED_TRACE(entry.path());
-    for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
-      expect_valid(write_eni(*config, style_of(dialect)), schema);
+  for (const auto& root : test::sample_roots()) {
+    // What only others write, the published schema alone knows.
+    if (GetParam().own && !root.own) continue;
+    for (const auto& entry : std::filesystem::directory_iterator(root.folder / "eni")) {
+      const auto config =
+          entry.path().extension() == ".xml" ? read_eni(entry.path().string()) : Result<NetworkConfig>{};
+      // Fragments lack what the schema demands, and stay fragments.
+      if (!config || config->cyclic.empty()) continue;
+      SCOPED_TRACE(entry.path());
+      for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
+        expect_valid(write_eni(*config, style_of(dialect)), GetParam().path);
+      }
+      ++files;
     }
-    ++files;
   }
-  EXPECT_GE(files, 7) << "of the samples that are at hand";
+  EXPECT_GE(files, GetParam().own ? 7 : 14) << "of the samples that are at hand";
+}
+
+/// A schema that takes everything would prove nothing.
+TEST_P(EniSchema, RefusesWhatIsMissingMisplacedOrNoNumber) {
+  if (!have_xmllint()) GTEST_SKIP() << "xmllint is not installed";
+  const auto good = write_eni(compile(sample::small_machine()).value().config);
+  ASSERT_EQ(schema_says(good, GetParam().path), "");
+  const std::pair<const char*, const char*> damages[] = {
+      {"<Cmd>7</Cmd>", ""},
+      {"<Retries>0</Retries>", "<Retries>none</Retries>"},
+      {"<EtherType>a488</EtherType>", "<EtherType>a488</EtherType><Name/>"},
+      {"<Transition>IP</Transition>", "<Transition>IO</Transition>"},
+      {"<Type>Outputs</Type>", "<Type>Mailbox</Type>"}};
+  for (const auto& [from, to] : damages) {
+    auto damaged = good;
+    const auto at = damaged.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    damaged.replace(at, std::string_view(from).size(), to);
+    EXPECT_NE(schema_says(damaged, GetParam().path), "") << from;
+  }
 }
 
 std::string content(const std::filesystem::path& path) {

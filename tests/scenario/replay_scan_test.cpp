@@ -55,13 +55,14 @@ TEST_F(OwnCapture, ScanOfTheCaptureIsTheScanOfTheBusAsFarAsItWasLookedAt) {
 struct Known {
   const char* file;
   std::vector<std::uint32_t> products;
+  bool own = false;
 };
 void PrintTo(const Known& known, std::ostream* out) { *out << known.file; }
 
 class RecordedBuses : public testing::TestWithParam<Known> {};
 
 TEST_P(RecordedBuses, AreScannedFromTheirCaptures) {
-  SYNCLINE_SAMPLE(path, std::string("pcap/") + GetParam().file);
+  const auto path = test::sample_path(GetParam().own, std::string("pcap/") + GetParam().file);
   const auto scan = scan_bus(open_link("replay:" + path));
   ASSERT_TRUE(scan) << describe(scan.error());
   std::vector<std::uint32_t> products;
@@ -72,16 +73,19 @@ TEST_P(RecordedBuses, AreScannedFromTheirCaptures) {
 constexpr std::uint32_t kEk1100 = 0x044C2C52, kEk1914 = 0x077A2C52, kEl1004 = 0x03EC3052, kEl2004 = 0x07D43052,
                         kEl2828 = 0x0B0C3052, kEl2889 = 0x0B493052, kEl3004 = 0x0BBC3052;
 
-// What stands in the captures' names: terminals of Beckhoff, an AKD drive, a bare LAN9252.
+// Simulated devices; then what stands in the captures' names: terminals of Beckhoff, an AKD drive, a bare LAN9252.
 INSTANTIATE_TEST_SUITE_P(
     Samples, RecordedBuses,
-    testing::Values(Known{"ethercrab-rs__ethercrab__replay-ek1100-el2828-el2889.pcapng", {kEk1100, kEl2828, kEl2889}},
-                    Known{"ethercrab-rs__ethercrab__replay-ek1914-el3004-configure.pcapng", {kEk1914, kEl3004}},
-                    Known{"ethercrab-rs__ethercrab__rs-example-sii-el2004.pcapng", {kEk1100, kEl2004, kEl2004}},
-                    Known{"ethercrab-rs__ethercrab__soem-sdinfo-akd.pcapng", {0x00414B44}},
-                    Known{"ethercrab-rs__ethercrab__soem-sdinfo-ek1100-el1004.pcapng", {kEk1100, kEl1004}},
-                    Known{"ethercrab-rs__ethercrab__soem-single-lan9252.pcapng", {0x00009252}},
-                    Known{"ethercrab-rs__ethercrab__twincat-scan-boxes.pcapng", {kEk1100, kEl1004}}));
+    testing::ValuesIn(test::with_others<Known>(
+        {{"scan_of_a_row.pcapng", {0x1100, 0x1002, 0x2002, 0x3002, 0x4002}, true},
+         {"start_of_a_tree.pcapng", {0x1100, 0x1002, 0x7001, 0x1100, 0x2002, 0x7002}, true}},
+        {Known{"ethercrab-rs__ethercrab__replay-ek1100-el2828-el2889.pcapng", {kEk1100, kEl2828, kEl2889}},
+         Known{"ethercrab-rs__ethercrab__replay-ek1914-el3004-configure.pcapng", {kEk1914, kEl3004}},
+         Known{"ethercrab-rs__ethercrab__rs-example-sii-el2004.pcapng", {kEk1100, kEl2004, kEl2004}},
+         Known{"ethercrab-rs__ethercrab__soem-sdinfo-akd.pcapng", {0x00414B44}},
+         Known{"ethercrab-rs__ethercrab__soem-sdinfo-ek1100-el1004.pcapng", {kEk1100, kEl1004}},
+         Known{"ethercrab-rs__ethercrab__soem-single-lan9252.pcapng", {0x00009252}},
+         Known{"ethercrab-rs__ethercrab__twincat-scan-boxes.pcapng", {kEk1100, kEl1004}}})));
 
 /// A capture of our own: coupler and four terminals.
 TEST(RecordedBus, OurCaptureShowsItsSlavesAndTheirWiring) {
@@ -96,15 +100,30 @@ TEST(RecordedBus, OurCaptureShowsItsSlavesAndTheirWiring) {
   }
 }
 
-TEST(RecordedBus, WiringIsThatOfTheCapture) {
-  SYNCLINE_SAMPLE(path, "pcap/ethercrab-rs__ethercrab__replay-dc.pcapng");
-  const auto scan = scan_bus(open_link("replay:" + path));
+struct KnownWiring {
+  bool own = true;
+  std::string file;
+  std::vector<std::optional<PreviousPort>> previous;
+};
+void PrintTo(const KnownWiring& known, std::ostream* out) { *out << known.file; }
+
+class RecordedWiring : public testing::TestWithParam<KnownWiring> {};
+INSTANTIATE_TEST_SUITE_P(
+    Samples, RecordedWiring,
+    testing::ValuesIn(test::with_others<KnownWiring>({{true,
+                                                       "pcap/start_of_a_tree.pcapng",
+                                                       {std::nullopt, PreviousPort{0, 1}, PreviousPort{0, 2},
+                                                        PreviousPort{2, 1}, PreviousPort{3, 1}, PreviousPort{3, 2}}}},
+                                                     {{false,
+                                                       "pcap/ethercrab-rs__ethercrab__replay-dc.pcapng",
+                                                       {std::nullopt, PreviousPort{0, 1}, PreviousPort{1, 1}}}})));
+
+TEST_P(RecordedWiring, IsThatOfTheCapture) {
+  const auto scan = scan_bus(open_link("replay:" + test::sample_path(GetParam().own, GetParam().file)));
   ASSERT_TRUE(scan) << describe(scan.error());
-  ASSERT_EQ(scan->slaves.size(), 3U);
-  EXPECT_FALSE(scan->slaves[0].previous);
-  EXPECT_EQ(scan->slaves[1].previous->position, 0);
-  EXPECT_EQ(scan->slaves[2].previous->position, 1);
-  EXPECT_EQ(scan->slaves[2].previous->port, 1);
+  std::vector<std::optional<PreviousPort>> previous;
+  for (const auto& slave : scan->slaves) previous.push_back(slave.previous);
+  EXPECT_EQ(previous, GetParam().previous);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,40 @@ inline std::optional<std::filesystem::path> sample_folder() {
   return std::filesystem::is_directory(folder) ? std::optional(folder) : std::nullopt;
 }
 
-/// Small samples of our own: `kind` is eni, sii or pcap.
+/// Small samples of our own: `kind` is a folder of tests/samples (eni, esi, pcap, schema, sii, spoilt_esi).
 inline std::filesystem::path own_samples(const std::string& kind) {
   return std::filesystem::path(test::source_dir()) / "tests/samples" / kind;
+}
+
+/// Where samples lie: ours always, those of others when they are here.
+struct SampleRoot {
+  bool own = true;
+  std::filesystem::path folder;
+};
+inline std::vector<SampleRoot> sample_roots() {
+  std::vector<SampleRoot> roots{{true, own_samples("")}};
+  if (const auto others = sample_folder()) roots.push_back({false, *others});
+  return roots;
+}
+inline void PrintTo(const SampleRoot& root, std::ostream* out) { *out << root.folder; }
+/// Of a test that runs once for each of sample_roots().
+struct SampleRootName {
+  template <class Info>
+  std::string operator()(const Info& info) const {
+    return info.param.own ? "Ours" : "OfOthers";
+  }
+};
+
+/// `ours`, and `of_others` behind them where those samples are here.
+template <class Case>
+std::vector<Case> with_others(std::vector<Case> ours, const std::vector<Case>& of_others) {
+  if (sample_folder()) ours.insert(ours.end(), of_others.begin(), of_others.end());
+  return ours;
+}
+
+/// Path of a sample of ours, or of others, which must be here.
+inline std::string sample_path(bool own, const std::string& relative) {
+  return ((own ? own_samples("") : sample_folder().value()) / relative).string();
 }
 
 /// Samples of a kind with that extension, ours and those of others as far as they are here, in the order of their

@@ -112,7 +112,8 @@ Status SiiAccess::read(std::span<SiiRequest> requests, std::optional<std::uint32
     job.next_look = job.start_time + port.pace;
     port.started.reset();
   }
-  // What begins before this read has ended could take the place of a read that is not fetched yet.
+  // What begins before this read has ended could take the place of a read that is not fetched yet: with all of them
+  // only where no look came too early lately; later with those whom the others wait for.
   bool look_ahead = calm_;
   calm_ = true;
   while (!jobs.empty()) {
@@ -126,8 +127,8 @@ Status SiiAccess::read(std::span<SiiRequest> requests, std::optional<std::uint32
     if (const auto left = due - bus_.clock().now(); left > 0) {
       if (auto status = bus_.wait(left); !status) return status;
     }
-    if (auto status = fetch(jobs, look_ahead ? next : std::nullopt); !status) return status;
-    look_ahead = false;  // a slave that is asked again would lose that once more
+    if (auto status = fetch(requests, jobs, look_ahead ? next : std::nullopt); !status) return status;
+    look_ahead = jobs.size() < requests.size();
   }
   return {};
 }
@@ -194,14 +195,18 @@ Status SiiAccess::start(std::vector<Job>& jobs) {
   return {};
 }
 
-bool SiiAccess::may_look_ahead(const std::vector<Job>& jobs) const {
-  return options_.broadcast && jobs.size() >= kFewestForBroadcast && std::ranges::all_of(jobs, [this](const Job& job) {
-           const auto& port = ports_[job.request->slave];
-           return port.eight_bytes && port.reads_address_back && job.got == 0;
-         });
+bool SiiAccess::may_look_ahead(std::span<const SiiRequest> requests, const std::vector<Job>& jobs) const {
+  return options_.broadcast && requests.size() >= kFewestForBroadcast &&
+         std::ranges::all_of(requests,
+                             [this](const SiiRequest& request) {
+                               const auto& port = ports_[request.slave];
+                               return port.eight_bytes && port.reads_address_back;
+                             }) &&
+         std::ranges::all_of(jobs, [](const Job& job) { return job.got == 0 && job.mismatches == 0; });
 }
 
-Status SiiAccess::fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> next) {
+Status SiiAccess::fetch(std::span<const SiiRequest> requests, std::vector<Job>& jobs,
+                        std::optional<std::uint32_t> next) {
   std::vector<Datagram> datagrams;
   std::vector<Job*> asked;
   const auto latest = bus_.clock().now() + kTogether;
@@ -214,7 +219,7 @@ Status SiiAccess::fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> nex
   // The next read begins behind the last answer. A slave that is still busy ignores it (write access is
   // blocked), and a slave that takes it too early shows the wrong address and is asked again.
   std::array<std::uint8_t, kSiiStatusBytes> ahead{};
-  const bool look_ahead = next && asked.size() == jobs.size() && may_look_ahead(jobs);
+  const bool look_ahead = next && asked.size() == jobs.size() && may_look_ahead(requests, jobs);
   if (look_ahead) {
     store_command(ahead, kSiiReadCommand, *next);
     datagrams.push_back({Command::kBwr, device_address(0, reg::kSiiControl), ahead});
@@ -229,9 +234,16 @@ Status SiiAccess::fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> nex
     }
     if (take(job, look_ahead)) {
       learn(job);
-      if (look_ahead) ports_[job.request->slave].started = next;
     } else {
       calm_ = false;
+    }
+  }
+  if (look_ahead) {
+    for (const auto& request : requests) {
+      if (!request.error) ports_[request.slave].started = next;
+    }
+    for (const auto& job : jobs) {
+      if (job.open()) ports_[job.request->slave].started.reset();
     }
   }
   std::erase_if(jobs, [](const Job& job) { return !job.open(); });
@@ -246,7 +258,9 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
   if ((control & kSiiBusy) != 0) {
     const auto now = bus_.clock().now();
     job.busy_for = now - job.start_time;
-    job.next_look = now + std::max(*job.busy_for / 4, kShortestPause);
+    // Who has not shown yet how long it takes may take much longer; each look at it is a frame that the others wait
+    // for.
+    job.next_look = now + std::max(port.pace_shown ? *job.busy_for / 4 : *job.busy_for / 2, kShortestPause);
     if (*job.busy_for > kSiiBusyLimit) job.give_up("the EEPROM stays busy at word 0x{word}{which}");
     return false;
   }
@@ -260,6 +274,10 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
     job.started = false;
     // Once may be a frame that was repeated, or a look ahead that came too early. An ESC that never shows
     // the address is believed without; one that has done so is not.
+    if (port.pace_shown) {  // the look ahead was taken, because the look came just before the end of the read
+      port.pace += std::max(port.pace / 16, kShortestPause);
+      port.calm_reads = 0;
+    }
     if (++job.mismatches < (looked_ahead || port.showed_address ? 2 * kSiiTries : kSiiTries)) return false;
     if (port.showed_address) {
       job.give_up("it reads other words than it is asked for at word 0x{word}");
@@ -281,6 +299,7 @@ bool SiiAccess::take(Job& job, bool looked_ahead) {
 /// Keeps the pause a little longer than the EEPROM needs: a look too early costs frames.
 void SiiAccess::learn(const Job& job) {
   auto& port = ports_[job.request->slave];
+  port.pace_shown = true;
   if (job.busy_for) {
     port.pace = bus_.clock().now() - job.start_time;
     port.too_early = *job.busy_for;

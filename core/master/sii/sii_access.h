@@ -66,15 +66,16 @@ class SiiAccess {
     std::optional<std::uint32_t> started;  // word of a read that is on its way or done
     Nanoseconds pace = 0;                  // from the start of a read to the first look at it
     Nanoseconds too_early = 0;             // a look that found it busy
+    bool pace_shown = false;               // by a read of its own
     int calm_reads = 0;                    // since then
   };
   struct Job;
 
   Status start(std::vector<Job>& jobs);
   Status probe(const Job& job);
-  Status fetch(std::vector<Job>& jobs, std::optional<std::uint32_t> next);
+  Status fetch(std::span<const SiiRequest> requests, std::vector<Job>& jobs, std::optional<std::uint32_t> next);
   bool take(Job& job, bool looked_ahead);
-  bool may_look_ahead(const std::vector<Job>& jobs) const;
+  bool may_look_ahead(std::span<const SiiRequest> requests, const std::vector<Job>& jobs) const;
   void learn(const Job& job);
   Status clear_errors(std::vector<Job>& jobs);
   static constexpr std::size_t kWindowBytes = 14;  // from 0x0502, with the eight data bytes at 0x0508

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/module_slots.h"
 #include "protocol/sdo_information.h"
 #include "sim/device/sii_from_device.h"
 
@@ -112,6 +113,20 @@ void add_commanded_objects(const DeviceDescription& device, ObjectDictionary& di
   }
 }
 
+/// The configured list of modules (ETG.5001.1, 0xF030), which a master downloads where the description says so.
+void add_module_list(const DeviceDescription& device, ObjectDictionary& dictionary) {
+  constexpr std::uint16_t kModuleIdentList = 0xF030;
+  constexpr std::size_t kMost = 254;
+  const bool wanted = device.slots && (device.slots->download_ident_list || device.download_module_list);
+  if (!wanted || !dictionary.sub_indices(kModuleIdentList).empty()) return;
+  const auto places = std::min(slot_places(device).size(), kMost);
+  dictionary.set_object_name(kModuleIdentList, "Configured module ident list");
+  dictionary.add<std::uint8_t>(kModuleIdentList, 0, "Number of entries", 0, true);
+  for (std::size_t place = 0; place < places; ++place) {
+    dictionary.add<std::uint32_t>(kModuleIdentList, static_cast<std::uint8_t>(place + 1), "Module ident", 0, true);
+  }
+}
+
 /// The synchronisation type (0x1C32:01, 0x1C33:01) that an operation mode sets must be there to be set.
 void add_sync_types(const DeviceDescription& device, ObjectDictionary& dictionary) {
   if (!device.dc || !device.mailbox || !device.mailbox->coe) return;
@@ -133,6 +148,7 @@ void add_device_objects(const SimSlaveConfig& config, ObjectDictionary& dictiona
   add_mapped_objects(config.device, dictionary);
   add_described_objects(config.device, dictionary);
   add_commanded_objects(config.device, dictionary);
+  add_module_list(config.device, dictionary);
   add_sync_types(config.device, dictionary);
 }
 

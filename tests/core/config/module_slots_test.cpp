@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/module_slots.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -96,12 +97,41 @@ TEST(ModuleSlots, PullingTakesBackWhatPluggingBrought) {
   EXPECT_EQ(slave.modules, before.modules);
 }
 
+TEST(ModuleSlots, APdoThatTheModuleOverwritesIsTheModules) {
+  auto device = gateway();
+  device.rx_pdos = {sample::pdo(0x16FF, "Own", 2, {{0x7FFF, 1, 8, "Own", "USINT"}}),
+                    sample::pdo(0x1600, "Place holder", 2, {{0x7000, 1, 8, "Nothing", "USINT"}})};
+  device.rx_pdos[1].overwritten_by_module = true;
+  auto slave = sample::slave(device, 0);
+  EXPECT_EQ(pdo_of(slave, 0x1600)->name, "Place holder");
+  ASSERT_TRUE(plug_module(slave, 1, kAxis));
+  std::vector<std::uint16_t> indices;
+  for (const auto& pdo : pdos_of(slave, PdoDirection::kRx)) indices.push_back(pdo.index);
+  EXPECT_THAT(indices, ElementsAre(0x16FF, 0x1600));
+  EXPECT_EQ(pdo_of(slave, 0x1600)->name, "Outputs");
+}
+
 TEST(ModuleSlots, WhatDoesNotFitIsRefused) {
   auto slave = default_slave(gateway(), 0);
   const auto before = slave;
   EXPECT_THAT(plug_module(slave, 0, kAxis).error().detail.text(), HasSubstr("these do: 0x00000200 M512"));
   EXPECT_THAT(plug_module(slave, 4, kAxis).error().detail.text(), HasSubstr("4 places"));
   EXPECT_EQ(slave, before);
+}
+
+TEST(ModuleSlots, ARefusalNamesEightThatFitAndCountsTheOthers) {
+  auto device = gateway();
+  auto& slot = device.slots->slots[0];
+  slot.modules.clear();
+  for (std::uint32_t ident = 0x301; ident <= 0x309; ++ident) {
+    device.modules.push_back(module(ident, 0x1601, 0x1A01, 0x7000, 8));
+    slot.modules.push_back({ident, false});
+    auto slave = sample::slave(device, 0);
+    const auto text = plug_module(slave, 0, kAxis).error().detail.text();
+    const bool all = ident < 0x309;
+    EXPECT_THAT(text, HasSubstr(fmt::format("0x{:08x} M{}{}", all ? ident : 0x308, all ? ident : 0x308,
+                                            all ? "" : " and 1 more")));
+  }
 }
 
 TEST(ModuleSlots, CompiledWithTheIndicesOfTheirPlaces) {

@@ -67,6 +67,17 @@ TEST(DcmController, SetValueOutsideTheCycleIsInvalid) {
   }
 }
 
+TEST(DcmController, TheFirstAndTheLastNanosecondOfTheCycleAreValidSetValues) {
+  for (const auto mode : {DcmMode::kMasterShift, DcmMode::kBusShift}) {
+    for (const Nanoseconds set_value : {Nanoseconds{1}, kMillisecond - 1}) {
+      auto controller = make_dcm_controller(settings_for(mode), kMillisecond, set_value);
+      controller->start(0, 0, 0);
+      (void)controller->observe({0, 0, 0});
+      EXPECT_NE(controller->state().error_code, kDcmErrorInvalidSetValue) << set_value;
+    }
+  }
+}
+
 TEST(DcmController, CyclesOfAnotherLengthThanConfiguredAreTold) {
   for (const auto mode : {DcmMode::kMasterShift, DcmMode::kBusShift}) {
     auto controller = make_dcm_controller(settings_for(mode), kMillisecond, 600'000);

@@ -91,6 +91,59 @@ class TightBench : public ::testing::Test {
   std::int64_t number_ = 0;
 };
 
+/// The account begins with the first outputs: what the host left out before them explains no miss behind them.
+TEST(SyncEventAccount, WhatWasLeftOutBeforeTheFirstOutputsIsNoCause) {
+  SyncEventAccount account{{kFirst, kPeriod}};
+  account.observe({kPeriod, true, 7});
+  account.read(0);
+  account.observe({2 * kPeriod + 800'000, true});  // behind its SYNC0
+  account.observe({4 * kPeriod, true});
+  account.read(1);
+  EXPECT_EQ(account.missed(), 1U);
+  EXPECT_EQ(of(account, MissCause::kFrameLate), 1U);
+  EXPECT_EQ(of(account, MissCause::kCyclesLeftOut), 0U);
+  // One late frame explains one miss: the next one is nobody's.
+  std::int64_t number = 4;
+  for (const std::uint32_t counter : {2U, 2U}) {
+    account.observe({++number * kPeriod, true});
+    account.read(counter);
+  }
+  EXPECT_EQ(of(account, MissCause::kFrameLate), 1U);
+  EXPECT_EQ(of(account, MissCause::kUnknown), 1U);
+}
+
+/// Outputs that may have been late before it fell explain nothing of what it misses when it is back.
+TEST_F(TightBench, DoubtEndsWithOp) {
+  cycle(100'000);
+  account.left_op();
+  account.entered_op({kFirst, kPeriod});
+  cycle(400'000);
+  account.read(0);
+  for (int reading = 0; reading < 3; ++reading) {
+    cycle(400'000);
+    account.read(1);
+  }
+  EXPECT_EQ(account.missed(), 1U);
+  EXPECT_EQ(of(account, MissCause::kFrameLate), 0U);
+  EXPECT_EQ(of(account, MissCause::kUnknown), 1U);
+}
+
+/// Of three replies that are lost one after the other the outputs of the second had come: 3, 2, 5, not 3, 6, 9.
+TEST(SyncEventAccount, AMissThatWasNoneIsTakenBackFromThePeakWithTheGoodPeriodThatItWas) {
+  SyncEventAccount account{{kFirst, kPeriod}};
+  account.observe({kPeriod, true});
+  account.read(0);
+  for (std::int64_t n = 2; n <= 4; ++n) account.observe({n * kPeriod, false});
+  account.observe({5 * kPeriod, true});
+  account.read(2);
+  account.observe({6 * kPeriod, true});
+  account.read(2);
+  account.observe({7 * kPeriod, true});
+  account.read(2);
+  EXPECT_EQ(account.missed(), 2U);
+  EXPECT_EQ(account.integrator_highest(), 5U);
+}
+
 /// `late` cycles after the loss: before its period has ended, before the reading that tells it, and behind that.
 TEST(SyncEventAccount, CallsALossHeldUpWhenTheFrameComesAfterAll) {
   for (const int late : {0, 2, 30}) {

@@ -5,7 +5,7 @@
 
 #include "link/fault_link.h"
 #include "master/exchange/bus.h"
-#include "tests/support/test_bus.h"
+#include "tests/support/simulated_segment.h"
 
 namespace syncline {
 namespace {
@@ -15,18 +15,21 @@ constexpr std::size_t kSlaves = 40;
 class AcyclicWindowTest : public ::testing::Test {
  protected:
   VirtualClock clock;
-  test::TestBus* segment = nullptr;
+  test::SimulatedSegment* segment = nullptr;
   std::unique_ptr<FaultLink> link;
   std::unique_ptr<FrameExchange> exchange;
   std::unique_ptr<Bus> bus;
 
   void open(const LinkFaults& faults) {
-    auto inner = std::make_unique<test::TestBus>(clock, kSlaves);
+    auto config = test::terminals(kSlaves);
+    for (auto& slave : config.slaves) slave.ram_kbytes = 8;
+    auto inner = std::make_unique<test::SimulatedSegment>(clock, config);
     segment = inner.get();
+    test::give_addresses(*segment, kSlaves);
     for (std::uint16_t i = 0; i < kSlaves; ++i) {
-      segment->slave(i).set<std::uint16_t>(reg::kStationAddress, static_cast<std::uint16_t>(1001 + i));
-      for (std::uint16_t n = 0; n < 64; ++n)
-        segment->slave(i).set<std::uint32_t>(static_cast<std::uint16_t>(0x1000 + 4 * n), i * 1000U + n);
+      for (std::uint16_t n = 0; n < 64; ++n) {
+        ASSERT_TRUE(segment->set<std::uint32_t>(i, static_cast<std::uint16_t>(0x1000 + 4 * n), i * 1000U + n));
+      }
     }
     link = std::make_unique<FaultLink>(std::move(inner), clock, faults);
     exchange = std::make_unique<FrameExchange>(*link, clock);
@@ -55,10 +58,16 @@ class AcyclicWindowTest : public ::testing::Test {
 
 TEST_F(AcyclicWindowTest, SendsManyFramesBeforeTheFirstIsBack) {
   open({});
+  segment->record = true;
   const auto begin = clock.now();
   read_all_and_check();
-  // 30 frames, each 40 us on its way; one after the other they would need 1.2 ms.
-  EXPECT_LE(clock.now() - begin, 200'000);
+  Nanoseconds wire = 0;
+  for (const auto& frame : segment->sent) wire += wire_time_ns(frame.size());
+  const auto way = static_cast<Nanoseconds>(2 * segment->bus().true_delay_ns(kSlaves - 1));
+  ASSERT_GT(segment->sent.size(), 25U);
+  ASSERT_GT(way, 10 * kMicrosecond);
+  // One after the other each would cost its way, too.
+  EXPECT_LE(clock.now() - begin, wire + 2 * way);
 }
 
 TEST_F(AcyclicWindowTest, LossesReorderingAndDuplicatesCostTimeOnly) {
@@ -75,7 +84,7 @@ TEST_F(AcyclicWindowTest, ALateFrameIsAStrayAndNeverTakenForAnother) {
     for (int round = 0; round < 20; ++round) {
       // Values change, so that an old answer would be seen.
       for (std::uint16_t i = 0; i < kSlaves; ++i) {
-        segment->slave(i).set<std::uint32_t>(0x1000, static_cast<std::uint32_t>(round) * 1000U + i);
+        segment->set(i, 0x1000, static_cast<std::uint32_t>(round) * 1000U + i);
       }
       std::vector<std::array<std::uint8_t, 4>> bytes(kSlaves);
       std::vector<std::array<std::uint8_t, 1000>> ballast(kSlaves);  // a frame of its own for every slave

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "config/device_from_sii.h"
 #include "master/master_service.h"
-#include "tests/support/test_bus.h"
+#include "protocol/sii.h"
+#include "tests/support/simulated_segment.h"
 
 namespace syncline {
 namespace {
@@ -40,91 +40,118 @@ sii::Image image(std::uint32_t product) {
   return image;
 }
 
+/// A line of terminals with these EEPROMs.
+SimConfig segment_of(const std::vector<sii::Image>& images) {
+  auto config = test::terminals(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) config.slaves[i].sii_image = sii::encode(images[i]);
+  return config;
+}
+
+/// Three of them, scanned by a bus of its own for each configuration.
 class BusScannerTest : public ::testing::Test {
  protected:
   VirtualClock clock;
-  test::TestBus link{clock, 3};
-  FrameExchange exchange{link, clock};
-  Bus bus{exchange, clock};
+  SimConfig config = segment_of({image(100), image(101), image(102)});
+  std::unique_ptr<test::SimulatedSegment> link;
 
-  void SetUp() override {
-    for (std::uint32_t i = 0; i < 3; ++i) link.slave(i).sii = sii::encode(image(100 + i));
-    link.slave(0).memory[reg::kType] = 0x11;
-    link.slave(1).set<std::uint16_t>(reg::kStationAlias, 77);
+  Result<BusScan> scan(const ScanOptions& options = {}, const ScanObserver& observer = {}) {
+    if (!link) open();
+    FrameExchange exchange(*link, clock);
+    Bus bus(exchange, clock);
+    return scan_slaves(bus, options, observer);
+  }
+  void open() { link = std::make_unique<test::SimulatedSegment>(clock, config); }
+  void expect_all_read(const Result<BusScan>& scan) const {
+    ASSERT_TRUE(scan);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(scan->slaves[i].sii, sii::decode(config.slaves[i].sii_image).value()) << i;
+    }
   }
 };
 
 TEST_F(BusScannerTest, FindsWhoIsThere) {
-  link.slave(2).has_system_time = false;
-  link.slave(1).set<std::uint16_t>(reg::kFeatures, 0x0004);
+  config.slaves[1].esc_type = config.slaves[2].esc_type = 0x04;
+  config.slaves[1].dc.is_64bit = false;
+  config.slaves[2].dc.system_time = false;
+  config.slaves[1].alias = 77;
   std::vector<std::pair<std::size_t, std::size_t>> progress;
-  const auto scan = scan_slaves(
-      bus, {}, {.progress = [&](std::size_t done, std::size_t found) { progress.emplace_back(done, found); }});
-  ASSERT_TRUE(scan);
-  ASSERT_EQ(scan->slaves.size(), 3U);
-  EXPECT_EQ(scan->slaves[1].identity, (Identity{0x5C17, 101, 0x10000, 42}));
-  EXPECT_EQ(scan->slaves[1].station_address, 1002);
-  EXPECT_EQ(link.slave(1).get<std::uint16_t>(reg::kStationAddress), 1002);
-  EXPECT_EQ(scan->slaves[1].alias, 77);
-  EXPECT_EQ(scan->slaves[0].esc_type, 0x11);
-  EXPECT_EQ(scan->slaves[0].dc, DcCapability::kSystemTime64);
-  EXPECT_EQ(scan->slaves[1].dc, DcCapability::kSystemTime32);
-  EXPECT_EQ(scan->slaves[2].dc, DcCapability::kReceiveTimesOnly);
-  EXPECT_EQ(scan->slaves[2].previous, (PreviousPort{1, 1}));
-  EXPECT_EQ(scan->slaves[2].sii->general->name, "a drive");
+  const auto found =
+      scan({}, {.progress = [&](std::size_t done, std::size_t all) { progress.emplace_back(done, all); }});
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->slaves.size(), 3U);
+  EXPECT_EQ(found->slaves[1].identity, (Identity{0x5C17, 101, 0x10000, 42}));
+  EXPECT_EQ(found->slaves[1].station_address, 1002);
+  EXPECT_EQ(link->get<std::uint16_t>(1, reg::kStationAddress), 1002);
+  EXPECT_EQ(found->slaves[1].alias, 77);
+  EXPECT_EQ(found->slaves[0].esc_type, 0x11);
+  EXPECT_EQ(found->slaves[1].esc_type, 0x04);
+  EXPECT_EQ(found->slaves[0].dc, DcCapability::kSystemTime64);
+  EXPECT_EQ(found->slaves[1].dc, DcCapability::kSystemTime32);
+  EXPECT_EQ(found->slaves[2].dc, DcCapability::kReceiveTimesOnly);
+  EXPECT_EQ(found->slaves[2].previous, (PreviousPort{1, 1}));
+  EXPECT_EQ(found->slaves[2].sii->general->name, "a drive");
   EXPECT_EQ(progress.front(), std::pair(std::size_t{0}, std::size_t{3}));
   EXPECT_EQ(progress.back(), std::pair(std::size_t{3}, std::size_t{3}));
 }
 
 TEST_F(BusScannerTest, ReadsManySiisAtTheSameTime) {
-  const auto before = link.frames_sent;
-  ASSERT_TRUE(scan_slaves(bus));
-  const auto three = link.frames_sent - before;
-  test::TestBus single(clock, 1);
-  single.slave(0).sii = link.slave(0).sii;
-  FrameExchange single_exchange(single, clock);
-  Bus single_bus(single_exchange, clock);
-  ASSERT_TRUE(scan_slaves(single_bus));
-  EXPECT_LT(three, single.frames_sent + 10);
+  ASSERT_TRUE(scan());
+  const auto three = link->frames_sent;
+  config = segment_of({image(100)});
+  open();
+  ASSERT_TRUE(scan());
+  EXPECT_LT(three, link->frames_sent + 10);
 }
 
 TEST_F(BusScannerTest, ASlaveWithABrokenSiiIsStillThere) {
-  link.slave(1).sii.assign(2048, 0);
-  link.slave(1).sii[0x7C] = 15;                                             // 16 Kbit
-  store_le<std::uint16_t>(std::span(link.slave(1).sii).subspan(0x80), 10);  // strings, longer than the EEPROM
-  store_le<std::uint16_t>(std::span(link.slave(1).sii).subspan(0x82), 0x7000);
-  const auto scan = scan_slaves(bus);
-  ASSERT_TRUE(scan);
-  EXPECT_FALSE(scan->slaves[1].sii);
-  ASSERT_TRUE(scan->slaves[1].sii_error);
-  EXPECT_EQ(scan->slaves[1].sii_error->code, ErrorCode::kSii);
-  EXPECT_TRUE(scan->slaves[2].sii);
+  auto& bytes = config.slaves[1].sii_image;
+  bytes.assign(2048, 0);
+  bytes[0x7C] = 15;                                             // 16 Kbit
+  store_le<std::uint16_t>(std::span(bytes).subspan(0x80), 10);  // strings, longer than the EEPROM
+  store_le<std::uint16_t>(std::span(bytes).subspan(0x82), 0x7000);
+  const auto found = scan();
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->slaves[1].sii);
+  ASSERT_TRUE(found->slaves[1].sii_error);
+  EXPECT_EQ(found->slaves[1].sii_error->code, ErrorCode::kSii);
+  EXPECT_TRUE(found->slaves[2].sii);
 }
 
 TEST_F(BusScannerTest, ASlaveThatHidesTheEepromAddressIsReadAllTheSame) {
-  link.slave(1).shows_sii_address = false;
-  const auto scan = scan_slaves(bus);
-  ASSERT_TRUE(scan);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(scan->slaves[i].sii, sii::decode(link.slave(i).sii).value()) << i;
+  open();
+  link->on_reply = [](DatagramView& reply) {
+    if (test::is_reply_of(reply, 1, 3, reg::kSiiControl) && reply.data.size() >= 6) {
+      store_le(reply.data.subspan(2), std::uint32_t{0});
+    }
+  };
+  expect_all_read(scan());
 }
 
 TEST_F(BusScannerTest, AsksSlavesWithSwitchesForTheirDeviceId) {
+  constexpr std::uint16_t kSwitches = 0x0F80;
+  std::vector<sii::Image> images;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    auto with_id = image(200 + i);
+    auto& with_id = images.emplace_back(image(200 + i));
     with_id.general->flags = i == 2 ? 0x10 : 0x08;
-    with_id.general->physical_memory_address = 0x0F80;
-    link.slave(i).sii = sii::encode(with_id);
+    with_id.general->physical_memory_address = kSwitches;
   }
-  link.slave(0).device_id = 321;
-  link.slave(2).set<std::uint16_t>(0x0F80, 99);
-  const auto scan = scan_slaves(bus);
-  ASSERT_TRUE(scan);
-  EXPECT_EQ(scan->slaves[0].device_id, 321);
-  EXPECT_FALSE(scan->slaves[1].device_id);  // offers it, does not answer
-  EXPECT_EQ(scan->slaves[2].device_id, 99);
-  EXPECT_EQ(link.slave(0).get<std::uint16_t>(reg::kAlStatus), 1);  // the request is taken back
+  config = segment_of(images);
+  config.slaves[0].device_id = 321;
+  open();
+  ASSERT_TRUE(link->set<std::uint16_t>(2, kSwitches, 99));
+  link->on_reply = [](DatagramView& reply) {  // the second one offers it and does not answer
+    if (test::is_reply_of(reply, 1, 3, reg::kAlStatus)) reply.data[0] &= 0x1F;
+  };
+  const auto found = scan();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->slaves[0].device_id, 321);
+  EXPECT_FALSE(found->slaves[1].device_id);
+  EXPECT_EQ(found->slaves[2].device_id, 99);
+  link->bus().advance_to(clock.now() + 10 * kMillisecond);
+  EXPECT_EQ(link->get<std::uint16_t>(0, reg::kAlStatus), 1);  // the request is taken back
 
-  const auto looked = scan_slaves(bus, {.look_only = true});
+  clock.advance_to(clock.now() + 10 * kMillisecond);
+  const auto looked = scan({.look_only = true});
   ASSERT_TRUE(looked);
   EXPECT_FALSE(looked->slaves[0].device_id);
   EXPECT_EQ(looked->slaves[2].device_id, 99);
@@ -134,13 +161,11 @@ TEST_F(BusScannerTest, AsksSlavesWithSwitchesForTheirDeviceId) {
 TEST(SlowEeproms, CostTimeAndFewFrames) {
   for (const auto takes : {300 * kMicrosecond, 700 * kMicrosecond, 2 * kMillisecond}) {
     VirtualClock clock;
-    test::TestBus link(clock, 100);
-    for (std::uint32_t i = 0; i < 100; ++i) {
-      auto own = image(7);
-      own.serial_no = i;
-      link.slave(i).sii = sii::encode(own);
-      link.slave(i).sii_time = takes;
-    }
+    std::vector<sii::Image> images(100, image(7));
+    for (std::uint32_t i = 0; i < 100; ++i) images[i].serial_no = i;
+    auto config = segment_of(images);
+    for (auto& slave : config.slaves) slave.sii.read_time = takes;
+    test::SimulatedSegment link(clock, config);
     FrameExchange exchange(link, clock);
     Bus bus(exchange, clock);
     const auto scan = scan_slaves(bus);
@@ -154,40 +179,17 @@ TEST(SlowEeproms, CostTimeAndFewFrames) {
 }
 
 TEST_F(BusScannerTest, FourAndEightBytesAReadStandSideBySide) {
-  link.slave(1).sii_bytes = 4;
-  link.slave(1).sii_time = 200 * kMicrosecond;
-  for (const bool share : {true, false}) {
-    const auto scan = scan_slaves(bus, {.share_kinds = share});
-    ASSERT_TRUE(scan);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(scan->slaves[i].sii, sii::decode(link.slave(i).sii).value()) << i;
-  }
+  config.slaves[1].sii = {200 * kMicrosecond, 0, false};
+  for (const bool share : {true, false}) expect_all_read(scan({.share_kinds = share}));
 }
 
+/// Frames come back as they were sent: there is a plug at the end of the cable, and nobody else.
 TEST_F(BusScannerTest, AnEmptyBusIsAnError) {
-  for (std::size_t i = 0; i < 3; ++i) link.slave(i).present = false;
-  const auto scan = scan_slaves(bus);
-  ASSERT_FALSE(scan);
-  EXPECT_EQ(scan.error().code, ErrorCode::kNoResponse);
-}
-
-TEST(DeviceFromSii, KeepsWhatAnEsiWouldSay) {
-  const auto device = device_from_sii(image(7));
-  EXPECT_EQ(device.identity, (Identity{0x5C17, 7, 0x10000, 0}));
-  EXPECT_EQ(device.type, "DRV");
-  EXPECT_EQ(device.physics, "YY");
-  ASSERT_TRUE(device.mailbox && device.mailbox->coe);
-  EXPECT_TRUE(device.mailbox->coe->pdo_assign);
-  EXPECT_TRUE(device.mailbox->coe->complete_access);
-  EXPECT_FALSE(device.mailbox->coe->pdo_config);
-  ASSERT_EQ(device.sync_managers.size(), 3U);
-  EXPECT_EQ(device.sync_managers[2].type, SyncManagerType::kOutputs);
-  EXPECT_TRUE(device.sync_managers[2].op_only);
-  ASSERT_EQ(device.rx_pdos.size(), 1U);
-  EXPECT_EQ(device.rx_pdos[0].entries[0].data_type, "UINT");
-  EXPECT_EQ(device.rx_pdos[0].sync_manager, 2);
-  ASSERT_TRUE(device.dc);
-  EXPECT_EQ(device.dc->op_modes[0].cycle_time_sync0.factor, 1);
-  EXPECT_EQ(device.source, "SII");
+  open();
+  link->on_reply = [](DatagramView& reply) { reply.set_wkc(0); };
+  const auto found = scan();
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::kNoResponse);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/test_bus.h"
+#include "tests/support/simulated_segment.h"
 
 namespace syncline {
 namespace {
@@ -11,16 +11,14 @@ namespace {
 class BusTest : public ::testing::Test {
  protected:
   VirtualClock clock;
-  test::TestBus link{clock, 3};
+  test::SimulatedSegment link{clock, test::terminals(3)};
   FrameExchange exchange{link, clock};
   std::atomic<bool> cancel{false};
   Bus bus{exchange, clock, &cancel};
 
   void SetUp() override {
-    for (std::uint16_t i = 0; i < 3; ++i) {
-      link.slave(i).set<std::uint16_t>(reg::kStationAddress, static_cast<std::uint16_t>(1001 + i));
-      link.slave(i).set<std::uint32_t>(0x1000, 0x1111'1111U * (i + 1));
-    }
+    test::give_addresses(link, 3);
+    for (std::uint16_t i = 0; i < 3; ++i) ASSERT_TRUE(link.set<std::uint32_t>(i, 0x1000, 0x1111'1111U * (i + 1)));
   }
 };
 

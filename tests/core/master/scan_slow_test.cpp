@@ -57,14 +57,14 @@ TEST_P(ScanSlow, AllOfAHundredIdenticalOnes) {
 TEST_P(ScanSlow, OneOfAHundredIdenticalOnesKeepsNobodyWaiting) {
   const auto cost = cost_of_scan(slow(test::identical_slaves(100), 0, read));
   tell("one of 100 identical", cost);
-  EXPECT_LE(cost.frames, 55U);
+  EXPECT_LE(cost.frames, 45U);
   EXPECT_LE(cost.time, 15 * kMillisecond + 5 * read);  // its own four pieces
 }
 
 TEST_P(ScanSlow, OneOfAHundredDifferentOnesIsNotAskedAllTheTime) {
   const auto cost = cost_of_scan(slow(test::different_slaves(100), 0, read));
   tell("one of 100 different", cost);
-  EXPECT_LE(cost.frames, 550U);
+  EXPECT_LE(cost.frames, 330U);
 }
 
 INSTANTIATE_TEST_SUITE_P(ReadTimes, ScanSlow, ::testing::Values(0.2, 0.7, 1.0, 2.0, 3.0, 5.0, 10.0));

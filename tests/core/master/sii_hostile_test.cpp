@@ -4,7 +4,8 @@
 #include <rapidcheck.h>
 
 #include "master/scan/bus_scanner.h"
-#include "tests/support/test_bus.h"
+#include "protocol/sii.h"
+#include "tests/support/simulated_segment.h"
 
 /// EEPROMs and slaves that lie: the scan ends, names who and where, and the others are read.
 namespace syncline {
@@ -22,16 +23,29 @@ std::vector<std::uint8_t> honest() {
 
 struct HostileBed {
   VirtualClock clock;
-  test::TestBus link{clock, 3};
+  test::SimulatedSegment link;
   FrameExchange exchange{link, clock};
   Bus bus{exchange, clock};
 
-  explicit HostileBed(std::vector<std::uint8_t> liar) {
-    for (std::size_t i = 0; i < 3; ++i) link.slave(i).sii = honest();
-    link.slave(1).sii = std::move(liar);
-  }
+  explicit HostileBed(std::vector<std::uint8_t> liar) : HostileBed({honest(), std::move(liar), honest()}) {}
+  explicit HostileBed(const std::array<std::vector<std::uint8_t>, 3>& images) : link(clock, segment_of(images)) {}
   Result<BusScan> scan() { return scan_slaves(bus); }
+
+ private:
+  static SimConfig segment_of(const std::array<std::vector<std::uint8_t>, 3>& images) {
+    auto config = test::terminals(images.size());
+    for (std::size_t i = 0; i < images.size(); ++i) config.slaves[i].sii_image = images[i];
+    return config;
+  }
 };
+
+/// Bytes of every look at the liar's EEPROM interface, from 0x0502 on.
+void lie(HostileBed& bed, std::function<void(std::span<std::uint8_t>)> change) {
+  bed.link.on_reply = [change = std::move(change)](DatagramView& reply) {
+    const bool read = reply.header.command == Command::kAprd;
+    if (read && test::is_reply_of(reply, 1, 3, reg::kSiiControl)) change(reply.data);
+  };
+}
 
 void put(std::vector<std::uint8_t>& bytes, std::size_t word, std::uint16_t value) {
   store_le(std::span(bytes).subspan(2 * word), value);
@@ -107,7 +121,7 @@ TEST(HostileSii, AnyBytesAtAll) {
 
 /// The status that every look at the liar's EEPROM finds.
 void claim(HostileBed& bed, std::uint16_t status) {
-  bed.link.on_frame = [&bed, status] { bed.link.slave(1).set(reg::kSiiControl, status); };
+  lie(bed, [status](std::span<std::uint8_t> bytes) { store_le(bytes, status); });
 }
 
 TEST(HostileSii, AnEepromThatStaysBusy) {
@@ -121,7 +135,6 @@ TEST(HostileSii, AnEepromThatStaysBusy) {
 TEST(HostileSii, AnEepromThatAcknowledgesNothing) {
   HostileBed bed(honest());
   claim(bed, 0x2040);
-  // The read command of the test bus clears the status in the frame itself; the look comes in the next one.
   expect_error(bed, "acknowledges no read command at word 0x0000");
 }
 
@@ -129,11 +142,11 @@ TEST(HostileSii, ASlaveThatShowsAnyAddressAndStatus) {
   rc::check([](std::uint64_t seed) {
     HostileBed bed(honest());
     std::uint64_t state = seed | 1;
-    bed.link.on_frame = [&] {
+    lie(bed, [&state](std::span<std::uint8_t> bytes) {
       state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-      bed.link.slave(1).set(reg::kSiiControl, static_cast<std::uint16_t>(state >> 40));
-      bed.link.slave(1).set(reg::kSiiAddress, static_cast<std::uint32_t>(state >> 20) & 0xFFU);
-    };
+      store_le(bytes, static_cast<std::uint16_t>(state >> 40));
+      if (bytes.size() >= 6) store_le(bytes.subspan(2), static_cast<std::uint32_t>(state >> 20) & 0xFFU);
+    });
     const auto scan = bed.scan();
     RC_ASSERT(scan.has_value());
     RC_ASSERT(scan->slaves[0].sii.has_value());
@@ -143,14 +156,13 @@ TEST(HostileSii, ASlaveThatShowsAnyAddressAndStatus) {
 
 /// Same header, different content behind it: each is read by itself.
 TEST(SiiKinds, SlavesThatOnlyLookAlikeAreReadOneByOne) {
-  HostileBed bed(honest());
-  auto other = honest();
+  const auto other = honest();
   sii::Image image;
   image.vendor_id = 0x5C17;
   image.product_code = 1;
   image.fmmus = {1, 2, 3, 1, 2};
   const auto different = sii::encode(image);
-  bed.link.slave(1).sii = different;
+  HostileBed bed(different);
   ASSERT_TRUE(std::equal(other.begin(), other.begin() + 0x20, different.begin()));
   const auto scan = bed.scan();
   ASSERT_TRUE(scan);
@@ -161,8 +173,9 @@ TEST(SiiKinds, SlavesThatOnlyLookAlikeAreReadOneByOne) {
 }
 
 TEST(SiiKinds, AWrongHeaderChecksumSharesNothing) {
-  HostileBed bed(honest());
-  for (std::size_t i = 0; i < 3; ++i) bed.link.slave(i).sii[14] ^= 0x55;
+  auto damaged = honest();
+  damaged[14] ^= 0x55;
+  HostileBed bed({damaged, damaged, damaged});
   const auto scan = bed.scan();
   ASSERT_TRUE(scan);
   for (const auto& slave : scan->slaves) {

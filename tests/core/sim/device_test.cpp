@@ -6,6 +6,8 @@
 
 #include "protocol/coe.h"
 #include "protocol/mailbox.h"
+#include "sim/device/device_objects.h"
+#include "sim/mailbox/complete_access.h"
 #include "tests/core/sim/sim_probe.h"
 
 namespace syncline::test {
@@ -301,6 +303,30 @@ TEST_F(SimServo, RepeatedMailboxCounterIsDroppedAndAFullMailboxRefused) {
   EXPECT_EQ(probe.write(0, 0x1000, mail.encode(128)).wkc, 1);
   probe.pass(kMillisecond);
   EXPECT_EQ(probe.read(0, 0x1080, 128).wkc, 0) << "a duplicate is not answered";
+}
+
+/// ETG.5001.1, 0xF030, also where the ESI has no dictionary; it takes as many idents as there are places.
+TEST(SimStation, TakesTheListOfItsModulesWhereItIsDownloaded) {
+  SimSlaveConfig config;
+  auto& slots = config.device.slots.emplace();
+  slots.slots.resize(2);
+  slots.slots[0].max_instances = 1;
+  slots.slots[1].max_instances = 2;
+  sim::ObjectDictionary without;
+  sim::add_device_objects(config, without);
+  EXPECT_TRUE(without.sub_indices(0xF030).empty());
+
+  slots.download_ident_list = true;
+  sim::ObjectDictionary dictionary;
+  sim::add_device_objects(config, dictionary);
+  EXPECT_EQ(dictionary.sub_indices(0xF030), (std::vector<std::uint8_t>{0, 1, 2, 3}));
+  const coe::ObjectAddress list{0xF030, 0};
+  const std::vector<std::uint8_t> two{2, 0, 0x10, 1, 0, 0, 0x20, 1, 0, 0},
+      four{4, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(sim::write_complete(dictionary, list, two, true), sim::abort::kNone);
+  EXPECT_EQ(dictionary.get<std::uint8_t>(0xF030, 0), 2);
+  EXPECT_EQ(dictionary.get<std::uint32_t>(0xF030, 2), 0x120U);
+  EXPECT_NE(sim::write_complete(dictionary, list, four, true), sim::abort::kNone);
 }
 
 }  // namespace

@@ -57,8 +57,25 @@ TEST(RunReportTest, ASlavesReadingIsTheNewestThatTheSnapshotHas) {
   EXPECT_EQ(recorder.finish(snapshot).slaves[1].deviation_ns, 70);
   EXPECT_EQ(recorder.finish(snapshot).slaves[1].deviation_time, kSecond + kMillisecond);
   EXPECT_EQ(recorder.finish(snapshot).slaves[1].deviation_max_ns, 70);
+  // Between two snapshots the first slave was worse: the event says so.
+  recorder.add(Event{kSecond, 0, events::SlavesOutOfSync{400, 1}});
+  EXPECT_EQ(recorder.finish(snapshot).slaves[0].deviation_max_ns, 400);
+  EXPECT_EQ(recorder.finish(snapshot).deviation_max_ns, 400);
   status.follows = false;
   EXPECT_FALSE(recorder.finish(snapshot).slaves[1].deviation_ns) << "it leads by now";
+}
+
+/// Also what a slave's counter said before it went; of a slave without one nothing is reported.
+TEST(RunReportTest, MissedEventsAreReportedWhereACounterIsOrWasRead) {
+  NetworkConfig config;
+  config.slaves.resize(3);
+  Snapshot snapshot;
+  snapshot.slaves.resize(3);
+  snapshot.slaves[0].sm2_missed.valid = snapshot.slaves[1].sm2_missed.known = true;
+  const auto report = RunRecorder(config).finish(snapshot);
+  EXPECT_TRUE(report.slaves[0].sm2_missed);
+  EXPECT_TRUE(report.slaves[1].sm2_missed);
+  EXPECT_FALSE(report.slaves[2].sm2_missed);
 }
 
 }  // namespace
