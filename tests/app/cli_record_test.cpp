@@ -6,10 +6,13 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include "record/recording_reader.h"
 #include "sqlite/sqlite_database.h"
 #include "tests/app/cli_runner.h"
 #include "trace/csv.h"
@@ -98,6 +101,66 @@ TEST_F(CliRecord, TellsWhatWasRun) {
   EXPECT_EQ(read_text(eni), read_text(exported));
   EXPECT_EQ(cli_run({"record", "export", recording, copy, "--document", "poem"}).code, cli::kUsage);
   EXPECT_THAT(cli_run({"record", "info", recording}).out, HasSubstr("cycles of 1000 us"));
+}
+
+/// Each signal with its rate, the clock by which it is measured and how far that may be off.
+TEST_F(CliRecord, TellsHowFarToBelieveASignal) {
+  ASSERT_EQ(run().code, cli::kDone);
+  const auto json = cli_run({"record", "info", recording, "--json"}).json();
+  const auto row = [&json](const std::string& key, bool of_slave) {
+    for (const auto& one : json["signals"]) {
+      if (one["key"] == key && one["slave"].is_null() != of_slave) return one;
+    }
+    return std::decay_t<decltype(json)>();
+  };
+  const auto error = row("dcm_error_ns", false);
+  ASSERT_TRUE(error.is_object());
+  EXPECT_EQ(error["clock"], "both");
+  EXPECT_EQ(error["unit"], "ns");
+  EXPECT_NEAR(error["rate_hz"].get<double>(), 1000, 20);
+  EXPECT_GT(error["doubt_ns"].get<int>(), 10);
+  const auto deviation = row("deviation_ns", true);
+  ASSERT_TRUE(deviation.is_object());
+  EXPECT_EQ(deviation["clock"], "slaves");
+  EXPECT_EQ(deviation["doubt_ns"], 10);
+  EXPECT_NEAR(deviation["rate_hz"].get<double>(), 200, 20) << "five clocks, one a cycle";
+  EXPECT_TRUE(json["stamps"]["by"].contains("software")) << json["stamps"].dump();
+  EXPECT_TRUE(json["triggers"].empty());
+  const auto text = cli_run({"record", "info", recording}).out;
+  EXPECT_THAT(text, HasSubstr("signal: dcm_error_ns: "));
+  EXPECT_THAT(text, HasSubstr("by the clocks of the slaves, within 10 ns"));
+  EXPECT_THAT(text, HasSubstr(" by software"));
+}
+
+/// Twelve lost frames let the drives fall by their fuse. In OP again it begins at 0: nobody knows it until it counts,
+/// and it is not at its limit.
+TEST_F(CliRecord, TheFuseIsNotAtItsLimitAfterARecovery) {
+  const auto fault = "sim:" + test::source_dir() + "/resources/scenarios/faults/lost-frames.toml?virtual";
+  const auto ran = cli_run({"run", project, "--link", fault, "--for", "12s", "--record", recording});
+  ASSERT_NE(ran.code, cli::kUsage) << ran.err;
+  auto reader = RecordingReader::open(recording);
+  ASSERT_TRUE(reader);
+  int recovered = 0;
+  for (int slave = 0; slave < 9; ++slave) {
+    const auto states = reader->points(Signal::kAlState, slave), fuse = reader->points(Signal::kSm2Integrator, slave),
+               limit = reader->points(Signal::kSm2Limit, slave);
+    ASSERT_TRUE(states && fuse && limit);
+    if (limit->values.empty()) continue;
+    const auto fall = std::ranges::find_if(states->values, [](float state) { return state == 0x14; });
+    if (fall == states->values.end()) continue;
+    const auto op = std::find(fall, states->values.end(), 8.F);
+    ASSERT_NE(op, states->values.end()) << "slave " << slave;
+    const auto since = states->times[static_cast<std::size_t>(op - states->values.begin())];
+    ++recovered;
+    std::optional<float> held;
+    for (std::size_t i = 0; i < fuse->times.size(); ++i) {
+      // The next snapshot knows it.
+      if (fuse->times[i] > since + 100 * kMillisecond) break;
+      held = std::isnan(fuse->values[i]) ? std::nullopt : std::optional(fuse->values[i]);
+    }
+    EXPECT_LT(held.value_or(0), limit->values.front()) << "slave " << slave;
+  }
+  EXPECT_GT(recovered, 0);
 }
 
 TEST_F(CliRecord, ExportsARange) {
