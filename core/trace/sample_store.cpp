@@ -318,7 +318,7 @@ void SampleStore::restore(Signal signal, std::size_t slave, std::span<const Nano
     if (std::isnan(values[i])) {
       held.lose(times[i]);
     } else {
-      held.hear(times[i], values[i]);
+      (void)held.change(times[i], values[i]);
     }
   }
   if (!values.empty() && !std::isnan(values.back())) held.hear(until, values.back());

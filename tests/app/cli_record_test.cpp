@@ -6,13 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-#include "record/recording_reader.h"
 #include "sqlite/sqlite_database.h"
 #include "tests/app/cli_runner.h"
 #include "trace/csv.h"
@@ -130,37 +128,6 @@ TEST_F(CliRecord, TellsHowFarToBelieveASignal) {
   EXPECT_THAT(text, HasSubstr("signal: dcm_error_ns: "));
   EXPECT_THAT(text, HasSubstr("by the clocks of the slaves, within 10 ns"));
   EXPECT_THAT(text, HasSubstr(" by software"));
-}
-
-/// Twelve lost frames let the drives fall by their fuse. In OP again it begins at 0: nobody knows it until it counts,
-/// and it is not at its limit.
-TEST_F(CliRecord, TheFuseIsNotAtItsLimitAfterARecovery) {
-  const auto fault = "sim:" + test::source_dir() + "/resources/scenarios/faults/lost-frames.toml?virtual";
-  const auto ran = cli_run({"run", project, "--link", fault, "--for", "12s", "--record", recording});
-  ASSERT_NE(ran.code, cli::kUsage) << ran.err;
-  auto reader = RecordingReader::open(recording);
-  ASSERT_TRUE(reader);
-  int recovered = 0;
-  for (int slave = 0; slave < 9; ++slave) {
-    const auto states = reader->points(Signal::kAlState, slave), fuse = reader->points(Signal::kSm2Integrator, slave),
-               limit = reader->points(Signal::kSm2Limit, slave);
-    ASSERT_TRUE(states && fuse && limit);
-    if (limit->values.empty()) continue;
-    const auto fall = std::ranges::find_if(states->values, [](float state) { return state == 0x14; });
-    if (fall == states->values.end()) continue;
-    const auto op = std::find(fall, states->values.end(), 8.F);
-    ASSERT_NE(op, states->values.end()) << "slave " << slave;
-    const auto since = states->times[static_cast<std::size_t>(op - states->values.begin())];
-    ++recovered;
-    std::optional<float> held;
-    for (std::size_t i = 0; i < fuse->times.size(); ++i) {
-      // The next snapshot knows it.
-      if (fuse->times[i] > since + 100 * kMillisecond) break;
-      held = std::isnan(fuse->values[i]) ? std::nullopt : std::optional(fuse->values[i]);
-    }
-    EXPECT_LT(held.value_or(0), limit->values.front()) << "slave " << slave;
-  }
-  EXPECT_GT(recovered, 0);
 }
 
 TEST_F(CliRecord, ExportsARange) {

@@ -212,6 +212,7 @@ TEST_F(RecordingFile, HoldsAFallThatNoSnapshotHasMet) {
       fall = samples[20].send_time;
       back = samples[25].send_time;
       tell(fall, AlState::kOp, AlState::kSafeop);
+      recorder->add(RecordedEvent{fall, 1, "error", "words", encode_event(events::AlStatusError{0x14, 0x1B})});
       tell(back, AlState::kSafeop, AlState::kOp);
     }
     recorder->add(now);
@@ -228,7 +229,7 @@ TEST_F(RecordingFile, HoldsAFallThatNoSnapshotHasMet) {
   ASSERT_TRUE(run);
   const auto& samples = run->record->samples();
   EXPECT_EQ(samples.value(Signal::kAlState, 1, fall - 1)->value, 8);
-  EXPECT_EQ(samples.value(Signal::kAlState, 1, fall)->value, 4);
+  EXPECT_EQ(samples.value(Signal::kAlState, 1, fall)->value, 0x14) << "with its error";
   EXPECT_EQ(samples.value(Signal::kAlState, 1, back)->value, 8);
   EXPECT_EQ(samples.value(Signal::kAlState, 1, samples.last_time())->value, 8) << "how it was left is no part of it";
 }
