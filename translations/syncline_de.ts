@@ -20,6 +20,14 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>Make a recording of a capture of frames (pcap, pcapng) of any master, and show it</source>
+            <translation>Aus einem Mitschnitt von Frames (pcap, pcapng) eines beliebigen Masters eine Aufzeichnung machen und zeigen</translation>
+        </message>
+        <message>
+            <source>Import Capture as Recordin&amp;g…</source>
+            <translation>Mitschnitt als Aufzeichnung im&amp;portieren…</translation>
+        </message>
+        <message>
             <source>Choose the B&amp;us…</source>
             <translation>Bus wähle&amp;n …</translation>
         </message>
@@ -1052,6 +1060,18 @@
 </context>
 <context>
     <name>LiveStrip</name>
+        <message>
+            <source>The worst %1</source>
+            <translation>Die %1 schlechtesten</translation>
+        </message>
+        <message>
+            <source>The worst one</source>
+            <translation>Der schlechteste</translation>
+        </message>
+        <message>
+            <source>Slaves that are drawn</source>
+            <translation>Gezeichnete Slaves</translation>
+        </message>
         <message>
             <source>Limit in the plots</source>
             <translation>Grenze in den Diagrammen</translation>
@@ -4238,6 +4258,10 @@ Einstellung %2</translation>
 <context>
     <name>TracePlot</name>
         <message>
+            <source>Time since start − %1 s</source>
+            <translation>Zeit seit Beginn − %1 s</translation>
+        </message>
+        <message>
             <source>project ±%1</source>
             <translation>Projekt ±%1</translation>
         </message>
@@ -7049,6 +7073,18 @@ Einstellung %2</translation>
 <context>
     <name>RecordingCommands</name>
         <message>
+            <source>Recording of the Capture</source>
+            <translation>Aufzeichnung des Mitschnitts</translation>
+        </message>
+        <message>
+            <source>Captures (*.pcap *.pcapng *.cap);;All files (*)</source>
+            <translation>Mitschnitte (*.pcap *.pcapng *.cap);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <source>Import a Capture</source>
+            <translation>Mitschnitt importieren</translation>
+        </message>
+        <message>
             <source>Change Note</source>
             <translation>Notiz ändern</translation>
         </message>
@@ -8529,6 +8565,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 </context>
 <context>
     <name>DistributionView</name>
+        <message>
+            <source>each bar %1 wide</source>
+            <translation>jeder Balken %1 breit</translation>
+        </message>
+        <message>
+            <source>Doubt of the send stamp</source>
+            <translation>Unsicherheit des Sendestempels</translation>
+        </message>
         <message>
             <source>Distribution</source>
             <translation>Verteilung</translation>
@@ -11915,6 +11959,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 <context>
     <name>PlotDialog</name>
         <message>
+            <source>About the marked signal</source>
+            <translation>Über das markierte Signal</translation>
+        </message>
+        <message>
             <source>Signals and Axes of the Plot</source>
             <translation>Signale und Achsen des Diagramms</translation>
         </message>
@@ -12173,6 +12221,57 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Nothing is shown</source>
             <translation>Nichts wird gezeigt</translation>
+        </message>
+</context>
+<context>
+    <name>SignalQuality</name>
+        <message>
+            <source>%1, within %2</source>
+            <translation>%1, auf %2 genau</translation>
+        </message>
+        <message>
+            <source>the newest is %1 old</source>
+            <translation>die neueste ist %1 alt</translation>
+        </message>
+        <message>
+            <source>%1 readings a second</source>
+            <translation>%1 Lesungen je Sekunde</translation>
+        </message>
+        <message>
+            <source>nobody tells who stamped the moment</source>
+            <translation>wer den Zeitpunkt gestempelt hat, ist nicht bekannt</translation>
+        </message>
+        <message>
+            <source>moment stamped by a probe, in hardware</source>
+            <translation>Zeitpunkt von einer Sonde in Hardware gestempelt</translation>
+        </message>
+        <message>
+            <source>moment stamped by the host that captured the frames</source>
+            <translation>Zeitpunkt vom mitschneidenden Host gestempelt</translation>
+        </message>
+        <message>
+            <source>moment stamped by the network card</source>
+            <translation>Zeitpunkt von der Netzwerkkarte gestempelt</translation>
+        </message>
+        <message>
+            <source>moment stamped by the kernel</source>
+            <translation>Zeitpunkt vom Kernel gestempelt</translation>
+        </message>
+        <message>
+            <source>moment stamped by the master's software</source>
+            <translation>Zeitpunkt von der Software des Masters gestempelt</translation>
+        </message>
+        <message>
+            <source>by the reference clock and the host's clock</source>
+            <translation>nach Referenzuhr und Uhr des Hosts</translation>
+        </message>
+        <message>
+            <source>by the clocks of the slaves</source>
+            <translation>nach den Uhren der Slaves</translation>
+        </message>
+        <message>
+            <source>by the host's clock</source>
+            <translation>nach der Uhr des Hosts</translation>
         </message>
 </context>
 </TS>

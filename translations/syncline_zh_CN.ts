@@ -20,6 +20,14 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>Make a recording of a capture of frames (pcap, pcapng) of any master, and show it</source>
+            <translation>将任意主站的帧抓包（pcap、pcapng）生成记录并显示</translation>
+        </message>
+        <message>
+            <source>Import Capture as Recordin&amp;g…</source>
+            <translation>将抓包导入为记录(&amp;G)…</translation>
+        </message>
+        <message>
             <source>Choose the B&amp;us…</source>
             <translation>选择总线(&amp;U)…</translation>
         </message>
@@ -1049,6 +1057,18 @@
 </context>
 <context>
     <name>LiveStrip</name>
+        <message>
+            <source>The worst %1</source>
+            <translation>最差的 %1 个</translation>
+        </message>
+        <message>
+            <source>The worst one</source>
+            <translation>最差的一个</translation>
+        </message>
+        <message>
+            <source>Slaves that are drawn</source>
+            <translation>绘制的从站</translation>
+        </message>
         <message>
             <source>Limit in the plots</source>
             <translation>图中的限值</translation>
@@ -4222,6 +4242,10 @@ Setting %2</source>
 <context>
     <name>TracePlot</name>
         <message>
+            <source>Time since start − %1 s</source>
+            <translation>自开始的时间 − %1 s</translation>
+        </message>
+        <message>
             <source>project ±%1</source>
             <translation>项目 ±%1</translation>
         </message>
@@ -7016,6 +7040,18 @@ Setting %2</source>
 <context>
     <name>RecordingCommands</name>
         <message>
+            <source>Recording of the Capture</source>
+            <translation>抓包的记录</translation>
+        </message>
+        <message>
+            <source>Captures (*.pcap *.pcapng *.cap);;All files (*)</source>
+            <translation>抓包 (*.pcap *.pcapng *.cap);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Import a Capture</source>
+            <translation>导入抓包</translation>
+        </message>
+        <message>
             <source>Change Note</source>
             <translation>更改注释</translation>
         </message>
@@ -8490,6 +8526,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 </context>
 <context>
     <name>DistributionView</name>
+        <message>
+            <source>each bar %1 wide</source>
+            <translation>每个柱宽 %1</translation>
+        </message>
+        <message>
+            <source>Doubt of the send stamp</source>
+            <translation>发送时间戳的不确定度</translation>
+        </message>
         <message>
             <source>Distribution</source>
             <translation>分布</translation>
@@ -11854,6 +11898,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 <context>
     <name>PlotDialog</name>
         <message>
+            <source>About the marked signal</source>
+            <translation>关于所选信号</translation>
+        </message>
+        <message>
             <source>Signals and Axes of the Plot</source>
             <translation>图的信号和坐标轴</translation>
         </message>
@@ -12112,6 +12160,57 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Nothing is shown</source>
             <translation>未显示任何内容</translation>
+        </message>
+</context>
+<context>
+    <name>SignalQuality</name>
+        <message>
+            <source>%1, within %2</source>
+            <translation>%1，误差不超过 %2</translation>
+        </message>
+        <message>
+            <source>the newest is %1 old</source>
+            <translation>最新值距今 %1</translation>
+        </message>
+        <message>
+            <source>%1 readings a second</source>
+            <translation>每秒 %1 次读取</translation>
+        </message>
+        <message>
+            <source>nobody tells who stamped the moment</source>
+            <translation>未知时刻由谁打戳</translation>
+        </message>
+        <message>
+            <source>moment stamped by a probe, in hardware</source>
+            <translation>时刻由硬件探针打戳</translation>
+        </message>
+        <message>
+            <source>moment stamped by the host that captured the frames</source>
+            <translation>时刻由抓包主机打戳</translation>
+        </message>
+        <message>
+            <source>moment stamped by the network card</source>
+            <translation>时刻由网卡打戳</translation>
+        </message>
+        <message>
+            <source>moment stamped by the kernel</source>
+            <translation>时刻由内核打戳</translation>
+        </message>
+        <message>
+            <source>moment stamped by the master's software</source>
+            <translation>时刻由主站软件打戳</translation>
+        </message>
+        <message>
+            <source>by the reference clock and the host's clock</source>
+            <translation>按参考时钟和主机时钟</translation>
+        </message>
+        <message>
+            <source>by the clocks of the slaves</source>
+            <translation>按从站时钟</translation>
+        </message>
+        <message>
+            <source>by the host's clock</source>
+            <translation>按主机时钟</translation>
         </message>
 </context>
 </TS>

@@ -54,6 +54,8 @@ Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
                         tr("Show the project and its machine again in place of the recording"));
   overlay = add("actionOverlay", tr("O&verlay Another Recording…"), "",
                 tr("Lay the curves of another recording over those of the one that is shown"));
+  import_capture = add("actionImportCapture", tr("Import Capture as Recordin&g…"), "",
+                       tr("Make a recording of a capture of frames (pcap, pcapng) of any master, and show it"));
   quit = add("actionQuit", tr("&Quit"), "", tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
   undo = add("actionUndo", tr("&Undo"), "undo", tr("Take the last edit back"), QKeySequence::Undo);
   redo = add("actionRedo", tr("&Redo"), "redo", tr("Do again what was taken back"),

@@ -20,7 +20,7 @@ class Actions final : public QObject {
   void drawIcons(const QPalette& palette);
 
   QAction *create, *new_machine, *open, *save, *save_as, *save_template, *export_eni, *export_report, *close_recording,
-      *overlay, *quit;
+      *overlay, *import_capture, *quit;
   QAction *undo, *redo, *go_to, *compare;
   QAction *demo, *scan, *choose_link, *online, *offline, *clear_statistics, *record, *save_recent, *memory, *black_box,
       *commissioning;

@@ -248,6 +248,7 @@ void MainWindow::connectActions() {
     updateRecordingActions();
   });
   connect(actions_->save_recent, &QAction::triggered, recordings_, &RecordingCommands::saveLast);
+  connect(actions_->import_capture, &QAction::triggered, recordings_, qOverload<>(&RecordingCommands::importCapture));
   connect(actions_->memory, &QAction::triggered, recordings_, &RecordingCommands::askMemory);
   connect(actions_->black_box, &QAction::triggered, recordings_, &RecordingCommands::askBlackBox);
   connect(actions_->commissioning, &QAction::triggered, recordings_, &RecordingCommands::askCommissioning);

@@ -46,7 +46,7 @@ void buildNetworkMenu(QMenu& menu, const Actions& actions, const MenuEntries& en
   auto* replay = menu.addMenu(MainWindow::tr("Re&play"));
   replay->setObjectName(QStringLiteral("menuReplay"));
   replay->addActions(entries.replay);
-  menu.addAction(actions.overlay);
+  menu.addActions({actions.overlay, actions.import_capture});
   menu.addSeparator();
   menu.addActions({actions.commissioning, actions.clear_statistics});
   menu.addSeparator();

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,13 @@
 #include "app/cli/terminal_reason.h"
 #include "capture/import_capture.h"
 #include "record/import_run.h"
+#include "record/recorded_signals.h"
 #include "record/recording_reader.h"
+#include "record/trigger_document.h"
 #include "support/output_file.h"
 #include "support/whole_file.h"
 #include "trace/csv.h"
+#include "trace/signal_quality.h"
 
 namespace syncline::cli {
 namespace {
@@ -83,13 +88,101 @@ Json recording_json(const RecordingInfo& info) {
       {"notes", std::move(notes)}};
 }
 
+/// Values a second of a run that lasted so long; of a count or a state, which stand as changes, none.
+std::optional<double> rate_of(const RecordedSignal& of, const RecordingInfo& recording) {
+  const bool changes = info(of.signal).form == SignalInfo::Form::kHeld;
+  if (changes || recording.end <= recording.begin) return std::nullopt;
+  return static_cast<double>(of.values) * 1e9 / static_cast<double>(recording.end - recording.begin);
+}
+
+Json signals_json(const RecordedSignals& found, const RecordingInfo& recording) {
+  Json rows = Json::array();
+  for (const auto& of : found.signals) {
+    const auto& row = info(of.signal);
+    const auto rate = rate_of(of, recording);
+    const auto doubt = value_doubt(row, found.worst_stamp);
+    rows.push_back({{"key", row.key},
+                    {"slave", slave_or_null(of.slave)},
+                    {"unit", row.unit},
+                    {"source", row.source},
+                    {"values", of.values},
+                    {"rate_hz", rate ? Json(std::round(*rate * 1000) / 1000) : Json(nullptr)},
+                    {"clock", name_of(row.clock)},
+                    {"doubt_ns", doubt ? Json(*doubt) : Json(nullptr)}});
+  }
+  return rows;
+}
+
+Json stamps_json(const RecordedSignals& found) {
+  Json by = Json::object();
+  for (int source = 0; source < kStampSources; ++source) {
+    const auto cycles = found.stamps[static_cast<std::size_t>(source)];
+    if (cycles > 0) by[std::string(name_of(static_cast<StampSource>(source)))] = cycles;
+  }
+  return {{"by", std::move(by)}, {"doubt_ns", found.worst_stamp ? Json(*found.worst_stamp) : Json(nullptr)}};
+}
+
+std::string clock_words(SignalInfo::Clock clock) {
+  switch (clock) {
+    case SignalInfo::Clock::kNone:
+      break;
+    case SignalInfo::Clock::kHost:
+      return ", by the host's clock";
+    case SignalInfo::Clock::kSlaves:
+      return ", by the clocks of the slaves";
+    case SignalInfo::Clock::kBoth:
+      return ", by the reference clock and the host's clock";
+  }
+  return {};
+}
+
+std::string signals_text(const RecordedSignals& found, const RecordingInfo& recording) {
+  std::string text;
+  for (const auto& of : found.signals) {
+    const auto& row = info(of.signal);
+    const auto rate = rate_of(of, recording);
+    text += fmt::format("signal: {}{}: ", row.key, of.slave < 0 ? "" : fmt::format(" of slave {}", of.slave));
+    text += rate ? fmt::format("{:.1f} values a second", *rate) : counted(of.values, "change");
+    text += clock_words(row.clock);
+    if (const auto doubt = value_doubt(row, found.worst_stamp)) text += fmt::format(", within {} ns", *doubt);
+    text += '\n';
+  }
+  for (int source = 0; source < kStampSources; ++source) {
+    const auto cycles = found.stamps[static_cast<std::size_t>(source)];
+    if (cycles > 0)
+      text += fmt::format("stamps: {} by {}\n", counted(cycles, "cycle"), name_of(static_cast<StampSource>(source)));
+  }
+  if (found.worst_stamp) text += fmt::format("stamps: wrong by {} ns at most\n", *found.worst_stamp);
+  return text;
+}
+
+Json triggers_json(const RecordingInfo& recording) {
+  Json rows = Json::array();
+  for (const auto& kept : kept_triggers(recording.about)) {
+    Json episodes = Json::array();
+    for (const auto& episode : kept.episodes) {
+      const auto name = kept.names.find(episode.time);
+      episodes.push_back({{"time_s", seconds(episode.time - recording.begin)},
+                          {"cycle", episode.cycle ? Json(*episode.cycle) : Json(nullptr)},
+                          {"slave", slave_or_null(episode.slave)},
+                          {"value", episode.value},
+                          {"name", name == kept.names.end() ? "" : name->second}});
+    }
+    const bool told = kept.trigger.kind == Trigger::Kind::kEvent || kept.trigger.kind == Trigger::Kind::kFinding;
+    rows.push_back({{"of", told ? kept.trigger.code : std::string(info(kept.trigger.signal).key)},
+                    {"slave", slave_or_null(kept.trigger.slave)},
+                    {"episodes", std::move(episodes)}});
+  }
+  return rows;
+}
+
 std::string end_text(const RecordingInfo& info) {
   if (info.ended) return *info.ended;
   return fmt::format("cut short: the program was killed, or still records; whole up to {:.3f} s",
                      seconds(info.end - info.begin));
 }
 
-std::string recording_text(const RecordingInfo& info) {
+std::string recording_text(const RecordingInfo& info, const RecordedSignals& found) {
   const auto& about = info.about;
   auto text = fmt::format("{} on {}\n{} of {:g} us in {:.3f} s, {} missing\n{}\nend: {}\n", about.program, about.link,
                           counted(info.cycles, "cycle"), static_cast<double>(about.limits.cycle_time) / 1000,
@@ -98,6 +191,7 @@ std::string recording_text(const RecordingInfo& info) {
   for (const auto& document : about.documents)
     text += fmt::format("{}: {}, {} bytes\n", document.kind, document.name, document.body.size());
   for (const auto& variable : about.watched.variables()) text += fmt::format("variable: {}\n", variable.name);
+  text += signals_text(found, info);
   for (const auto& event : info.events)
     text += fmt::format("{:9.3f} s  {}\n", seconds(event.time - info.begin), event.text);
   for (const auto& finding : info.findings) text += fmt::format("{}: {}\n", finding.level, finding.text);
@@ -111,10 +205,19 @@ void show_info(Context& context, const RecordingOptions& options) {
   if (!reader) return context.fail_with(reader.error());
   auto info = reader->info();
   if (!info) return context.fail_with(info.error());
+  const auto found = recorded_signals(*reader, info->about.slaves.size());
+  if (!found) return context.fail_with(found.error());
   // What was told together has the time of its first one, and was written when later ones had been.
   std::ranges::stable_sort(info->events, {}, &RecordedEvent::time);
-  if (options.json) return context.print(recording_json(*info));
-  context.console.out << recording_text(*info);
+  if (!options.json) {
+    context.console.out << recording_text(*info, *found);
+    return;
+  }
+  auto json = recording_json(*info);
+  json["signals"] = signals_json(*found, *info);
+  json["stamps"] = stamps_json(*found);
+  json["triggers"] = triggers_json(*info);
+  context.print(json);
 }
 
 /// As a run writes it, byte for byte, without what is damaged.

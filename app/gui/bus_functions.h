@@ -4,6 +4,7 @@
 #include "app/cli/recorded_event.h"
 #include "app/composition/open_link.h"
 #include "app/composition/open_master.h"
+#include "capture/import_capture.h"
 #include "engine/compare_bus.h"
 #include "engine/describe_slaves.h"
 #include "engine/scan_bus.h"
@@ -35,6 +36,9 @@ inline void connect_buses(ui::Environment& environment) {
     return ui::BusComparison{std::move(compared->differences), std::move(compared->findings)};
   };
   environment.record_event = cli::recorded_event;
+  environment.import_capture = [](const QString& path, const ImportProgress& progress) {
+    return import_capture(path.toStdString(), {}, progress);
+  };
   environment.demo_link = QString::fromStdString(demo_link(true));
   environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};
 }

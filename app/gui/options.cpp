@@ -18,8 +18,8 @@ constexpr int kLongestExitAfter = 1'000'000;  // s
 struct PictureSwitches {
   QCommandLineOption out{
       QStringLiteral("picture"),
-      QStringLiteral("Write a picture of the recording that is named to OUT (.png, .svg, .pdf), then "
-                     "exit; needs no display. Exit codes as synclinectl's."),
+      QStringLiteral("Write a picture of the recording that is named to OUT (.png, .svg, .pdf), or what it shows "
+                     "as a table (.csv), then exit; needs no display. Exit codes as synclinectl's."),
       QStringLiteral("OUT")};
   QCommandLineOption view{QStringLiteral("view"),
                           QStringLiteral("With --picture: overview, plots (default), distribution, stability, cycle, "
@@ -41,7 +41,8 @@ struct PictureSwitches {
                      "slave 3; up to four times. Of the view free any signal, e.g. al_status@3, as often as wanted."),
       QStringLiteral("KEY")};
   QCommandLineOption figure{QStringLiteral("figure"),
-                            QStringLiteral("With --picture --view stability: adev, tdev, mtie or spectrum."),
+                            QStringLiteral("With --picture --view stability: adev, tdev, mtie or spectrum; with "
+                                           "--view cycle: arrivals (default) or bathtub."),
                             QStringLiteral("NAME")};
   QCommandLineOption slave{
       QStringLiteral("slave"),

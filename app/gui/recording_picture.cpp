@@ -49,13 +49,19 @@ std::optional<QSize> sizeOf(const QString& text) {
 /// What can be said before the recording is read; the words of what is wrong, or none.
 QString understand(const PictureOptions& options, ui::RecordingPicture& wanted) {
   if (options.file.isEmpty()) return QStringLiteral("--picture: name a recording, too");
-  if (!ui::pictureFormOf(options.out))
-    return QStringLiteral("--picture %1: its name must end in .png, .svg or .pdf").arg(options.out);
+  const bool table = options.out.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
+  if (!table && !ui::pictureFormOf(options.out))
+    return QStringLiteral("--picture %1: its name must end in .png, .svg, .pdf or .csv").arg(options.out);
   const auto view = ui::pictureViewOf(options.view.isEmpty() ? QStringLiteral("plots") : options.view);
   if (!view)
     return QStringLiteral("--view %1: take one of %2")
         .arg(options.view, ui::pictureViewNames().join(QStringLiteral(", ")));
   wanted.view = *view;
+  if (table && (*view == ui::PictureView::kOverview || *view == ui::PictureView::kPlots))
+    return QStringLiteral(
+               "--picture %1: tables are of the views distribution, stability, cycle, slaves and free; every "
+               "cycle is in \"synclinectl record export\", the overview in \"record figures\"")
+        .arg(options.out);
   const bool of_signals = *view == ui::PictureView::kDistribution || *view == ui::PictureView::kStability;
   const bool free = *view == ui::PictureView::kFree;
   if (!options.signal_keys.isEmpty() && !of_signals && !free)
@@ -66,9 +72,14 @@ QString understand(const PictureOptions& options, ui::RecordingPicture& wanted) 
   if (!free && options.signal_keys.size() > static_cast<qsizetype>(ui::SignalChooser::kMost))
     return QStringLiteral("--signal: four at most");
   if (!options.figure.isEmpty()) {
-    wanted.figure = ui::stabilityFigureOf(options.figure);
-    if (!wanted.figure || *view != ui::PictureView::kStability)
-      return QStringLiteral("--figure %1: the view stability has adev, tdev, mtie and spectrum").arg(options.figure);
+    const bool of_stability = *view == ui::PictureView::kStability, of_cycle = *view == ui::PictureView::kCycle;
+    if (of_stability) wanted.figure = ui::stabilityFigureOf(options.figure);
+    if (of_cycle) wanted.cycle_figure = ui::cycleFigureOf(options.figure);
+    if (!wanted.figure && !wanted.cycle_figure)
+      return QStringLiteral(
+                 "--figure %1: the view stability has adev, tdev, mtie and spectrum, the view cycle "
+                 "arrivals and bathtub")
+          .arg(options.figure);
   }
   if ((!options.from.isEmpty() || !options.to.isEmpty()) && *view == ui::PictureView::kOverview)
     return QStringLiteral("--from, --to: the overview is since the run was armed; see \"synclinectl record figures\"");
@@ -96,7 +107,8 @@ QString understandOverlay(const PictureOptions& options, const ui::RecordingPict
     const bool any = !options.align.isEmpty() || !options.offset.isEmpty();
     return any ? QStringLiteral("--align, --offset: they go with --overlay") : QString();
   }
-  if (wanted.view != ui::PictureView::kPlots) return QStringLiteral("--overlay: only the view plots has it");
+  if (wanted.view != ui::PictureView::kPlots && wanted.view != ui::PictureView::kDistribution)
+    return QStringLiteral("--overlay: only the views plots and distribution have it");
   if (!options.align.isEmpty() && options.align != QLatin1String("begin") && options.align != QLatin1String("armed"))
     return QStringLiteral("--align %1: take one of begin, armed").arg(options.align);
   if (options.offset.isEmpty()) return {};

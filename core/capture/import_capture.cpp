@@ -39,6 +39,8 @@ struct FrameKey {
   auto operator<=>(const FrameKey&) const = default;
 };
 
+constexpr std::uint64_t kFramesATelling = 4096;
+
 struct StationReading {
   std::uint16_t station = 0;
   std::int32_t deviation_ns = 0;
@@ -48,6 +50,7 @@ struct StationReading {
 struct Exchange {
   Nanoseconds sent = 0;
   std::optional<Nanoseconds> returned;
+  bool by_probe = false;        // stamped by one
   std::optional<FrameKey> key;  // nothing: no process data
   std::uint32_t wkc = 0;        // of the logical commands
   std::optional<std::uint64_t> system_time;
@@ -135,6 +138,7 @@ class Pairing {
     open.exchange = captured_.exchanges.size();
     auto& exchange = captured_.exchanges.emplace_back();
     exchange.sent = time;
+    exchange.by_probe = frame.stamp.has_value();
     exchange.key = key_of(open.headers);
     // Where only the way back was captured nothing else tells what came; of frames on their way out all counters are 0.
     if ((open.source[0] & kLocallyAdministered) != 0) {
@@ -148,6 +152,7 @@ class Pairing {
     Captured back{{}, false, captured_.by_host, captured_.by_probe};
     for (auto& [number, told] : unpaired_) {
       told.sent = captured_.exchanges[number].sent;
+      told.by_probe = captured_.exchanges[number].by_probe;
       told.key = captured_.exchanges[number].key;
       back.exchanges.push_back(std::move(told));
     }
@@ -300,6 +305,7 @@ class CycleMaker {
     if (!samples_.empty()) finish(samples_.back());
     auto& sample = samples_.emplace_back();
     sample.send_time = exchange.sent;
+    sample.stamped_by = exchange.by_probe ? StampSource::kProbe : StampSource::kCapture;
     sample.flags = kStateUntold | kLatenessUntold | kExpectedUntold;
     sample.slaves_sync = sample.master_sync = SyncState::kUnknown;
     if (!has_both_ways_) sample.flags |= kRoundTripUntold | kFramesUntold;
@@ -367,9 +373,12 @@ void tell_source(const Captured& captured, const std::optional<FrameKey>& main, 
 
 }  // namespace
 
-Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits) {
+Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits,
+                                   const ImportProgress& progress) {
   auto reader = PcapReader::open(path);
   if (!reader) return tl::unexpected(reader.error());
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
   Pairing pairing;
   ImportedRun run;
   std::uint64_t frames = 0, in_part = 0;
@@ -382,6 +391,8 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
       break;
     }
     if (!*frame) break;
+    const bool tell = progress && frames % kFramesATelling == 0;
+    if (tell && !progress(reader->read_bytes(), error ? 0 : size)) return fail(ErrorCode::kCancelled, path);
     ++frames;
     in_part += (*frame)->truncated ? 1U : 0U;
     pairing.add(**frame);

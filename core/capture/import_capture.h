@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 
 #include "record/import_run.h"
 #include "support/result.h"
 
 namespace syncline {
+
+/// Told every few thousand frames: bytes that are read, and those of the whole file (0: not known); false ends it.
+using ImportProgress = std::function<bool(std::uint64_t done, std::uint64_t all)>;
 
 /// The run that a capture (pcap, pcapng) of any master shows: a cycle begins with each frame of the process-data
 /// command that came most often (without any, of the reading of the reference clock). Told are the times of the frames,
@@ -16,7 +21,9 @@ namespace syncline {
 /// controller no capture tells.
 ///
 /// A capture that breaks off is imported up to there, which is a finding, and so are frames that were captured in part.
-/// As PcapReader where not a single frame can be read; kBadValue where no cyclic frame came back.
-[[nodiscard]] Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits = {});
+/// As PcapReader where not a single frame can be read; kBadValue where no cyclic frame came back;
+/// kCancelled where `progress` ended it.
+[[nodiscard]] Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits = {},
+                                                 const ImportProgress& progress = {});
 
 }  // namespace syncline

@@ -105,6 +105,11 @@ void take_probe(CapturedFrame& frame) {
 
 }  // namespace
 
+std::uint64_t PcapReader::read_bytes() const {
+  const auto at = std::ftell(pcap_file(impl_->handle.get()));
+  return at > 0 ? static_cast<std::uint64_t>(at) : 0;
+}
+
 Result<std::optional<CapturedFrame>> PcapReader::next() {
   pcap_pkthdr* header = nullptr;
   const u_char* bytes = nullptr;

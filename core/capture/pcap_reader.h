@@ -36,6 +36,8 @@ class PcapReader {
   /// Empty at the end. kFileNotReadable when the file breaks off or lies about its lengths; the frames before
   /// it have been delivered by then.
   [[nodiscard]] Result<std::optional<CapturedFrame>> next();
+  /// Bytes of the file that have been read so far; 0 where it is no file in which one can tell.
+  [[nodiscard]] std::uint64_t read_bytes() const;
 
  private:
   struct Impl;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "channels/values/stamp_source.h"
 #include "channels/values/sync_state.h"
 #include "channels/watch_command.h"
 #include "protocol/al_state.h"
@@ -53,7 +54,10 @@ struct CycleSample {
     kSlaveFollows = 1024,   // slave_position follows the reference clock: what it shows is a deviation
   };
   std::uint16_t flags = 0;
-  std::uint8_t master_state = 0;  // AlState
+  std::uint8_t master_state = 0;                  // AlState
+  StampSource stamped_by = StampSource::kUntold;  // send_time
+  std::int32_t stamp_doubt_ns = -1;  // the frame came back so much later than the quickest: its stamps, of sending and
+                                     // of arrival, are wrong by no more; -1: not known
   /// The two verdicts of this cycle, as DcStatus::state and DcmStatus::state.
   SyncState slaves_sync = SyncState::kNotMonitored, master_sync = SyncState::kNotMonitored;
   /// Variables of the process image that somebody watches (WatchCommand): inputs as they came back in this cycle,

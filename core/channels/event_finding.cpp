@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -278,7 +280,7 @@ Told ToldByEvent::operator()(const events::DiagnosisTold& e) const {
   if (e.time_stamp == 0)
     return with(tell("event-diagnosis", subject(), std::move(type), std::move(code), std::move(text)), severity);
   return with(tell("event-diagnosis/stamped", subject(), std::move(type), std::move(code), std::move(text),
-                   fig::text<"stamp">(fmt::format("{}", e.time_stamp))),
+                   fig::time<"stamp">(static_cast<Nanoseconds>(std::min<std::uint64_t>(e.time_stamp, INT64_MAX)))),
               severity);
 }
 

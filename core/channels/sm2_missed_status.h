@@ -24,6 +24,7 @@ struct Sm2MissedStatus {
   bool at_least = false;
   dc::MissesByCause by_cause{};
   std::uint32_t integrator = 0;          // what 0x10F1 makes of the misses
+  bool settling = false;                 // in OP again, and of the integrator, which begins anew, nobody knows yet
   std::uint32_t integrator_highest = 0;  // so far
   std::uint32_t limit = 0;               // 0x10F1:02, at which the slave gives up; 0 = never, or not told
   /// What is shown: the followed count, which a fall does not clear, or without one the slave's own.

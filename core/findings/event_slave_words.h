@@ -155,7 +155,7 @@ inline constexpr FindingWords kEventSlaves[] = {
      "",
      "",
      {{"", "{subject}: diagnosis {type} {code}, text {text}"},
-      {"stamped", "{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp} ns"}}},
+      {"stamped", "{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp}"}}},
     {"event-port-errors",
      Severity::kWarning,
      "Frames were damaged or links lost at a port",

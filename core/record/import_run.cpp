@@ -233,6 +233,7 @@ constexpr std::array kTableColumns{
                   if (whole != 0) sample.flags |= Flag::kSlaveFollows;
                 }},
     cell<&CycleSample::sync_base, Flag::kSyncBaseValid>(Signal::kSyncBase),
+    cell<&CycleSample::stamp_doubt_ns>(Signal::kStampDoubt),
 };
 
 template <class Take>

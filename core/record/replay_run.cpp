@@ -4,24 +4,71 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "reasons/because.h"
 #include "record/blocks_ahead.h"
+#include "record/trigger_document.h"
 #include "record/typed_values.h"
 
 namespace syncline {
 namespace {
 
+bool goes_down(const Event& event) {
+  const auto* const changed = event.as<events::StateChanged>();
+  return changed != nullptr && changed->to < changed->from;
+}
+
+/// Without the states through which the bus was taken down: those that were told last before it was offline.
+std::span<const Event> of_run(std::span<const Event> events) {
+  const auto offline = std::ranges::find_if(events, [](const Event& event) { return event.is<events::Offline>(); });
+  if (offline == events.end()) return events;
+  auto count = static_cast<std::size_t>(offline - events.begin());
+  while (count > 0 && goes_down(events[count - 1])) --count;
+  return events.first(count);
+}
+
+/// The AL status of a slave: what snapshots have shown, and between them what events tell, which come first where both
+/// have the same time.
+RecordingReader::Points with_told(const RecordingReader::Points& shown, std::span<const Event> events, int slave) {
+  RecordingReader::Points merged;
+  std::optional<float> known;
+  const auto put = [&](Nanoseconds time, float value) {
+    const auto now = std::isnan(value) ? std::nullopt : std::optional(value);
+    if (std::exchange(known, now) == now && !merged.times.empty()) return;
+    merged.times.push_back(time);
+    merged.values.push_back(value);
+  };
+  std::vector<std::pair<Nanoseconds, float>> told;
+  for (const auto& event : events) {
+    const auto status = event.slave == slave ? told_al_status(event) : std::nullopt;
+    if (status) told.emplace_back(event.time, static_cast<float>(*status));
+  }
+  std::ranges::stable_sort(told, {}, &std::pair<Nanoseconds, float>::first);
+  auto next = told.begin();
+  for (std::size_t i = 0; i < std::min(shown.times.size(), shown.values.size()); ++i) {
+    for (; next != told.end() && next->first <= shown.times[i]; ++next) put(next->first, next->second);
+    put(shown.times[i], shown.values[i]);
+  }
+  for (; next != told.end(); ++next) put(next->first, next->second);
+  return merged;
+}
+
 /// Counts and states, which no sample tells.
-void restore_held(const RecordingReader::AllPoints& all, RunRecord& record) {
+void restore_held(const RecordingReader::AllPoints& all, std::span<const Event> events, RunRecord& record) {
   for (const auto& signal : signals()) {
     const bool of_slaves = signal.scope == SignalInfo::Scope::kSlave;
     if (signal.form != SignalInfo::Form::kHeld || (!of_slaves && signal.of_bus == nullptr)) continue;
     const auto count = of_slaves ? static_cast<int>(record.config().slaves.size()) : 1;
     for (int slave = 0; slave < count; ++slave) {
       const auto points = all.find(series_number(signal.id, of_slaves ? slave : -1));
-      if (points != all.end()) {
+      if (points != all.end() && signal.id == Signal::kAlState) {
+        const auto merged = with_told(points->second, events, slave);
+        record.restore(signal.id, static_cast<std::size_t>(slave), merged.times, merged.values);
+      } else if (points != all.end()) {
         record.restore(signal.id, static_cast<std::size_t>(slave), points->second.times, points->second.values);
       } else if (of_slaves) {
         record.restore(signal.id, static_cast<std::size_t>(slave), {}, {});
@@ -105,9 +152,10 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   for (; next < events.size(); ++next) record.add(events[next]);
   if (auto status = ahead.finish(); !status) return tl::unexpected(status.error());
   for (auto& told : recorded(std::span(reader.damage()).subspan(known))) run.info.findings.push_back(std::move(told));
-  restore_held(held, record);
+  restore_held(held, of_run(events), record);
   record.restore(findings_of(run.info, run.only_words));
   record.set_notes(run.info.notes);
+  for (auto& kept : kept_triggers(run.info.about)) record.keep(std::move(kept));
   return run;
 }
 

@@ -109,7 +109,18 @@ void RunRecord::set_notes(std::vector<RunNote> notes) {
   ++notes_changed_;
 }
 
+void RunRecord::keep(KeptTrigger found) {
+  const auto same = std::ranges::find(triggers_, found.trigger, &KeptTrigger::trigger);
+  if (same != triggers_.end()) {
+    *same = std::move(found);
+    return;
+  }
+  if (triggers_.size() == kMostTriggers) triggers_.erase(triggers_.begin());
+  triggers_.push_back(std::move(found));
+}
+
 void RunRecord::add(const Event& event) {
+  samples_.append(event);
   recorder_.add(event);
   overview_.add(event);
   if (events_.size() == kMostEvents) {

@@ -13,6 +13,7 @@
 #include "config/network_config.h"
 #include "findings/finding.h"
 #include "record/run_note.h"
+#include "trace/kept_trigger.h"
 #include "trace/reference_times.h"
 #include "trace/run_report.h"
 #include "trace/sample_store.h"
@@ -46,6 +47,7 @@ struct RunStanding {
 class RunRecord {
  public:
   static constexpr std::size_t kMostEvents = 1U << 16;
+  static constexpr std::size_t kMostTriggers = 16;
 
   /// `cycle_capacity` cycles of samples are kept; 0: as many as suit the cycle time.
   explicit RunRecord(const NetworkConfig& config, std::size_t cycle_capacity = 0);
@@ -63,6 +65,10 @@ class RunRecord {
   /// Samples of the next list of watched variables may come from now on; the master is told by watched().command().
   /// False, and nothing is changed, where it cannot be: see WatchLists::add().
   bool watch(std::span<const WatchedVariable> variables) { return samples_.watch(variables); }
+  /// What a trigger has found by now, in place of what it had.
+  void keep(KeptTrigger found);
+  /// The latest kMostTriggers, in the order in which they were set.
+  [[nodiscard]] const std::vector<KeptTrigger>& triggers() const { return triggers_; }
   /// So many cycles are going to come.
   void reserve(std::size_t cycles) { samples_.reserve(cycles); }
   /// Out of a recording, see SampleStore::restore().
@@ -131,6 +137,7 @@ class RunRecord {
   std::uint64_t forgotten_events_ = 0;
   std::vector<RunNote> notes_;
   std::uint64_t notes_changed_ = 0;
+  std::vector<KeptTrigger> triggers_;
 };
 
 }  // namespace syncline

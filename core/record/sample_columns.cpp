@@ -48,6 +48,17 @@ constexpr Row state(Signal column) {
           }};
 }
 
+constexpr Row stamped_by() {
+  return {Signal::kStampedBy, [](std::span<CycleSample> samples, const ColumnCells& cells) {
+            for (std::size_t i = 0; i < cells.integers.size(); ++i) {
+              if (!cells.there.empty() && cells.there[i] == 0) continue;
+              const auto value = cells.integers[i];
+              const bool known = value >= 0 && value < kStampSources;
+              samples[i].stamped_by = known ? static_cast<StampSource>(value) : StampSource::kUntold;
+            }
+          }};
+}
+
 constexpr std::array kSampleColumns{
     whole<&CycleSample::cycle>(Signal::kCycle),
     whole<&CycleSample::send_time>(Signal::kSendTime),
@@ -79,6 +90,8 @@ constexpr std::array kSampleColumns{
     whole<&CycleSample::master_state>(Signal::kMasterState),
     whole<&CycleSample::sync_base>(Signal::kSyncBase),
     whole<&CycleSample::watch_list>(Signal::kWatchList),
+    whole<&CycleSample::stamp_doubt_ns>(Signal::kStampDoubt),
+    stamped_by(),
 };
 
 constexpr auto kColumns = [] {

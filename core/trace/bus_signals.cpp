@@ -14,6 +14,7 @@ using Flag = CycleSample::Flag;
 using Number = std::optional<SignalNumber>;
 using Form = SignalInfo::Form;
 using Scale = SignalInfo::Scale;
+using Clock = SignalInfo::Clock;
 
 constexpr bool has(const CycleSample& sample, Flag flag) { return (sample.flags & flag) != 0; }
 constexpr bool came_back(const CycleSample& sample) { return !has(sample, Flag::kFrameLost); }
@@ -51,24 +52,39 @@ using OfCycle = Number (*)(const CycleSample&);
 using OfBus = std::optional<double> (*)(const Snapshot&);
 
 constexpr SignalInfo cell(Signal id, const char* key, const char* name, const char* unit, OfCycle of_cycle) {
-  return {id,       key,     name,   unit, "host clock", "", SignalInfo::Scope::kBus, Form::kCell, Scale::kLinear,
-          of_cycle, nullptr, nullptr};
+  return {
+      id,           key,      name,    unit,   "host clock", "", SignalInfo::Scope::kBus, Form::kCell, Scale::kLinear,
+      Clock::kNone, of_cycle, nullptr, nullptr};
 }
 constexpr SignalInfo every_cycle(Signal id, const char* key, const char* name, const char* unit, const char* source,
-                                 Scale scale, OfCycle of_cycle) {
-  return {id, key, name, unit, source, "", SignalInfo::Scope::kBus, Form::kCycles, scale, of_cycle, nullptr, nullptr};
+                                 Scale scale, Clock clock, OfCycle of_cycle) {
+  return {id,    key,   name,     unit,    source, "", SignalInfo::Scope::kBus, Form::kCycles,
+          scale, clock, of_cycle, nullptr, nullptr};
 }
 constexpr SignalInfo now_and_then(Signal id, const char* key, const char* name, const char* unit, const char* source,
-                                  Scale scale, OfCycle of_cycle) {
-  return {id, key, name, unit, source, "", SignalInfo::Scope::kBus, Form::kReadings, scale, of_cycle, nullptr, nullptr};
+                                  Scale scale, Clock clock, OfCycle of_cycle) {
+  return {id,    key,   name,     unit,    source, "", SignalInfo::Scope::kBus, Form::kReadings,
+          scale, clock, of_cycle, nullptr, nullptr};
 }
 constexpr SignalInfo held(Signal id, const char* key, const char* name, const char* unit, const char* source,
                           Scale scale, OfCycle of_cycle) {
-  return {id, key, name, unit, source, "", SignalInfo::Scope::kBus, Form::kHeld, scale, of_cycle, nullptr, nullptr};
+  return {id,          key,   name,         unit,     source,  "",     SignalInfo::Scope::kBus,
+          Form::kHeld, scale, Clock::kNone, of_cycle, nullptr, nullptr};
 }
 constexpr SignalInfo total(Signal id, const char* key, const char* name, const char* source, OfBus of_bus) {
-  return {id,      key,    name,   "", source, "going online", SignalInfo::Scope::kBus, Form::kHeld, Scale::kLinear,
-          nullptr, of_bus, nullptr};
+  return {id,
+          key,
+          name,
+          "",
+          source,
+          "going online",
+          SignalInfo::Scope::kBus,
+          Form::kHeld,
+          Scale::kLinear,
+          Clock::kNone,
+          nullptr,
+          of_bus,
+          nullptr};
 }
 
 constexpr const char* kDcm = "master synchronisation (DCM), in the grid of the reference clock's SYNC0";
@@ -79,42 +95,42 @@ constexpr std::array kBusRows{
     cell(Signal::kCycle, "cycle", "Cycle", "", [](const CycleSample& s) { return whole(s.cycle); }),
     cell(Signal::kSendTime, "send_time_ns", "Send time", "ns", [](const CycleSample& s) { return whole(s.send_time); }),
     every_cycle(Signal::kLateness, "lateness_ns", "Send lateness", "ns", "host clock: send time less scheduled time",
-                Scale::kSignedLog,
+                Scale::kSignedLog, Clock::kHost,
                 [](const CycleSample& s) { return whole_when(is_told(s, kLatenessUntold), s.wake_lateness_ns); }),
     every_cycle(
-        Signal::kRoundTrip, "round_trip_ns", "Round trip", "ns", "host clock", Scale::kLog,
+        Signal::kRoundTrip, "round_trip_ns", "Round trip", "ns", "host clock", Scale::kLog, Clock::kHost,
         [](const CycleSample& s) { return whole_when(came_back(s) && is_told(s, kRoundTripUntold), s.round_trip_ns); }),
     cell(Signal::kReferenceTime, "reference_time_ns", "System time", "ns",
          [](const CycleSample& s) {
            return whole_when(has(s, Flag::kReferenceValid) && s.reference_time != 0, s.reference_time);
          }),
-    every_cycle(Signal::kDcmError, "dcm_error_ns", "DCM error", "ns", kDcm, Scale::kSignedLog,
+    every_cycle(Signal::kDcmError, "dcm_error_ns", "DCM error", "ns", kDcm, Scale::kSignedLog, Clock::kBoth,
                 [](const CycleSample& s) { return whole_when(is_controlled(s), s.dcm_error_ns); }),
     every_cycle(Signal::kDcmErrorFiltered, "dcm_error_filtered_ns", "DCM error, filtered", "ns", kDcm,
-                Scale::kSignedLog,
+                Scale::kSignedLog, Clock::kBoth,
                 [](const CycleSample& s) { return whole_when(is_controlled(s), s.dcm_error_filtered_ns); }),
     every_cycle(Signal::kFrameError, "frame_error_ns", "DCM error with lateness", "ns",
-                "DCM error and how late the frame was sent", Scale::kSignedLog,
+                "DCM error and how late the frame was sent", Scale::kSignedLog, Clock::kBoth,
                 [](const CycleSample& s) {
                   return whole_when(is_controlled(s) && is_told(s, kLatenessUntold),
                                     std::int64_t{s.dcm_error_ns} + s.wake_lateness_ns);
                 }),
     every_cycle(
-        Signal::kDrift, "drift_ppm", "Drift", "ppm", "host clock against reference clock", Scale::kLinear,
+        Signal::kDrift, "drift_ppm", "Drift", "ppm", "host clock against reference clock", Scale::kLinear, Clock::kBoth,
         [](const CycleSample& s) { return is_controlled(s) ? Number(SignalNumber(s.drift_ppm)) : std::nullopt; }),
-    every_cycle(Signal::kDcmAdjust, "dcm_adjust_ns", "Adjustment", "ns", kDcm, Scale::kSignedLog,
+    every_cycle(Signal::kDcmAdjust, "dcm_adjust_ns", "Adjustment", "ns", kDcm, Scale::kSignedLog, Clock::kNone,
                 [](const CycleSample& s) { return whole_when(has(s, Flag::kDcmActive), s.dcm_adjust_ns); }),
     every_cycle(
         Signal::kDeviation, "deviation_ns", "Largest deviation", "ns",
-        "register 0x092C of the slaves that follow the reference clock", Scale::kLog,
+        "register 0x092C of the slaves that follow the reference clock", Scale::kLog, Clock::kSlaves,
         [](const CycleSample& s) { return whole_when(came_back(s) && has(s, Flag::kFollowersRead), s.deviation_ns); }),
     every_cycle(Signal::kDeviationOred, "deviation_ored_ns", "Deviation, or-ed (an upper estimate)", "ns",
-                "register 0x092C of all clocks, or-ed on the wire", Scale::kLog,
+                "register 0x092C of all clocks, or-ed on the wire", Scale::kLog, Clock::kSlaves,
                 [](const CycleSample& s) { return whole_when(has(s, Flag::kDeviationValid), s.deviation_ored_ns); }),
     every_cycle(Signal::kNetworkToSlave, "NetworkToSubDeviceClkDiff_ns", "Network to slave", "ns", kTimeDifference,
-                Scale::kLog, network_to_slave),
+                Scale::kLog, Clock::kSlaves, network_to_slave),
     every_cycle(Signal::kMasterToNetwork, "MdeviceToNetworkClkDiff_ns", "Master to network", "ns", kDcm,
-                Scale::kSignedLog, master_to_network),
+                Scale::kSignedLog, Clock::kBoth, master_to_network),
     held(Signal::kWkcExpected, "wkc_expected", "Working counter, expected", "", kProcessData, Scale::kLinear,
          [](const CycleSample& s) {
            return whole_when(is_told(s, kFramesUntold) && is_told(s, kExpectedUntold), s.wkc_expected);
@@ -126,7 +142,8 @@ constexpr std::array kBusRows{
     held(Signal::kFramesLost, "frames_lost", "Frames lost in a cycle", "", "frames not back at their deadline",
          Scale::kLinear, [](const CycleSample& s) { return whole_when(is_told(s, kFramesUntold), s.frames_lost); }),
     now_and_then(Signal::kFrameLateBy, "frame_late_by_ns", "Frame late by", "ns", "host clock: back after its deadline",
-                 Scale::kLog, [](const CycleSample& s) { return whole_when(has(s, Flag::kFrameLate), s.late_by_ns); }),
+                 Scale::kLog, Clock::kHost,
+                 [](const CycleSample& s) { return whole_when(has(s, Flag::kFrameLate), s.late_by_ns); }),
     held(Signal::kSkippedCycles, "skipped_cycles", "Cycles left out before a cycle", "", "host clock", Scale::kLinear,
          [](const CycleSample& s) { return whole_when(is_told(s, kLatenessUntold), s.skipped_cycles); }),
     cell(Signal::kDcInSync, "dc_in_sync", "Slaves in sync", "",
@@ -158,10 +175,10 @@ constexpr std::array kBusRows{
     cell(Signal::kFlags, "flags", "Flags of the sample", "", [](const CycleSample& s) { return whole(s.flags); }),
     every_cycle(
         Signal::kDcmOutputSum, "dcm_output_sum_ns", "What the controller has learned, a cycle", "ns", kDcm,
-        Scale::kSignedLog,
+        Scale::kSignedLog, Clock::kNone,
         [](const CycleSample& s) { return is_learned(s) ? Number(SignalNumber(s.dcm_output_sum_ns)) : std::nullopt; }),
     every_cycle(Signal::kDcmOutputTotal, "dcm_output_total_ns", "All adjustments", "ns", kDcm, Scale::kSignedLog,
-                [](const CycleSample& s) { return whole_when(is_learned(s), s.dcm_output_total_ns); }),
+                Clock::kNone, [](const CycleSample& s) { return whole_when(is_learned(s), s.dcm_output_total_ns); }),
     cell(Signal::kDcmErrorCode, "dcm_error_code", "DCM error code", "",
          [](const CycleSample& s) { return whole(s.dcm_error_code); }),
     cell(Signal::kSyncBase, "sync_base_ns", "Base of the SYNC grid", "ns",
@@ -169,7 +186,14 @@ constexpr std::array kBusRows{
     cell(Signal::kWatchList, "watch_list", "List of the watched variables", "",
          [](const CycleSample& s) { return whole_when(s.watch_list != 0, s.watch_list); }),
     SignalInfo{Signal::kVariable, "variable", "Variable of the process image", "", "process image", "",
-               SignalInfo::Scope::kVariable, Form::kWatched, Scale::kLinear, nullptr, nullptr, nullptr},
+               SignalInfo::Scope::kVariable, Form::kWatched, Scale::kLinear, Clock::kNone, nullptr, nullptr, nullptr},
+    every_cycle(Signal::kStampDoubt, "stamp_doubt_ns", "Doubt of the send stamp", "ns",
+                "host clock: a frame that came back so much later than the quickest ones", Scale::kLog, Clock::kHost,
+                [](const CycleSample& s) { return whole_when(s.stamp_doubt_ns >= 0, s.stamp_doubt_ns); }),
+    cell(Signal::kStampedBy, "stamped_by", "Who stamped the frame", "",
+         [](const CycleSample& s) {
+           return whole_when(s.stamped_by != StampSource::kUntold, static_cast<int>(s.stamped_by));
+         }),
     total(Signal::kLostFrames, "lost_frames_total", "Lost frames", "not back at their deadline, and not come since",
           [](const Snapshot& s) { return std::optional(static_cast<double>(s.lost_frames)); }),
     total(Signal::kLateFrames, "late_frames_total", "Late frames", "back after their deadline",

@@ -39,7 +39,8 @@ constexpr std::array kCsvColumns{Signal::kCycle,
                                  Signal::kSkippedCycles,
                                  Signal::kDeviation,
                                  Signal::kSlaveFollows,
-                                 Signal::kSyncBase};
+                                 Signal::kSyncBase,
+                                 Signal::kStampDoubt};
 
 }  // namespace
 

@@ -9,7 +9,10 @@ namespace syncline {
 
 void HeldSeries::hear(Nanoseconds time, float value) {
   if (!series_.empty() && time <= heard_) return;
-  if (known_) longest_ = std::max(longest_, time - heard_);
+  if (known_) {
+    interval_ = time - heard_;
+    longest_ = std::max(longest_, interval_);
+  }
   if (!known_ || value != value_) series_.append(time, value);
   heard_ = time;
   value_ = value;
@@ -26,6 +29,15 @@ void HeldSeries::hear(std::span<const Nanoseconds> times, std::span<const float>
   }
 }
 
+bool HeldSeries::change(Nanoseconds time, float value) {
+  if (!series_.empty() && time < series_.last_time()) return false;
+  if (!known_ || value != value_) series_.append(time, value);
+  heard_ = std::max(heard_, time);
+  value_ = value;
+  known_ = true;
+  return true;
+}
+
 void HeldSeries::lose(Nanoseconds time) {
   if (!known_) return;
   known_ = false;
@@ -39,7 +51,7 @@ void HeldSeries::expire(Nanoseconds now) {
 
 void HeldSeries::clear() {
   series_.clear();
-  heard_ = longest_ = 0;
+  heard_ = longest_ = interval_ = 0;
   known_ = false;
   shown_until_ = INT64_MAX;
 }

@@ -22,12 +22,17 @@ class HeldSeries {
   void hear(Nanoseconds time, float value);
   /// As many readings one by one; not-a-number: nothing is known from then on.
   void hear(std::span<const Nanoseconds> times, std::span<const float> values);
+  /// A change whose moment is known by itself, also where readings that are later have come before it. False, and
+  /// nothing is changed, where another change is later still.
+  bool change(Nanoseconds time, float value);
   /// From `time` on nothing is known, until it is heard again. A time before the last reading means just behind it.
   void lose(Nanoseconds time);
   /// Lost where the last reading is old for how often it was read before: four times the longest interval, at least
   /// kPatience.
   void expire(Nanoseconds now);
   void clear();
+  /// What came so far were changes, not readings: how often it is read is not known by them.
+  void forget_interval() { interval_ = 0; }
   /// See MinMaxSeries::show_until().
   void show_until(Nanoseconds time);
 
@@ -35,12 +40,19 @@ class HeldSeries {
   [[nodiscard]] const MinMaxSeries& series() const { return series_; }
   /// Until here its last value holds.
   [[nodiscard]] Nanoseconds heard() const;
+  [[nodiscard]] bool is_known() const { return known_; }
+  /// The newest value, while is_known().
+  [[nodiscard]] float newest() const { return value_; }
+  /// Between the last two readings, ns; nothing before there were two.
+  [[nodiscard]] std::optional<Nanoseconds> interval() const {
+    return interval_ > 0 ? std::optional(interval_) : std::nullopt;
+  }
   /// What holds at `time`, and since when.
   [[nodiscard]] std::optional<MinMaxSeries::Reading> at(Nanoseconds time) const;
 
  private:
   MinMaxSeries series_;
-  Nanoseconds heard_ = 0, longest_ = 0;
+  Nanoseconds heard_ = 0, longest_ = 0, interval_ = 0;
   Nanoseconds shown_until_ = INT64_MAX;
   float value_ = 0;
   bool known_ = false;

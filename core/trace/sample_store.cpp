@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "trace/bus_signals.h"
 #include "trace/cycle_gap.h"
@@ -18,16 +19,31 @@ constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kLeastReadings = 8192;
 /// So many cycles without an answer, and what was known of states and counts is old.
 constexpr std::uint32_t kOutage = 10;
+/// What is read in turn is old after so many cycles, or when its turn was missed.
+constexpr Nanoseconds kOldCycles = 10;
 /// How often values are looked over for their age.
 constexpr Nanoseconds kLookEvery = 100 * kMillisecond;
+
+/// Events that wait for their snapshot.
+constexpr std::size_t kMostTold = 4096;
+
+/// It begins anew when a slave is in OP again.
+bool is_of_fuse(Signal signal) { return signal == Signal::kSm2Integrator || signal == Signal::kSm2CyclesToTrip; }
 
 /// Cycles that are stored at once, so that what is made of them stays near the processor.
 constexpr std::size_t kLongestRun = 1024;
 
 }  // namespace
 
+std::optional<std::uint16_t> told_al_status(const Event& event) {
+  std::optional<std::uint16_t> status;
+  if (const auto* changed = event.as<events::StateChanged>()) status = static_cast<std::uint16_t>(changed->to);
+  if (const auto* failed = event.as<events::AlStatusError>()) status = failed->al_status;
+  return event.slave < 0 || status == 0 ? std::nullopt : status;
+}
+
 SampleStore::SampleStore(const Layout& layout)
-    : layout_(layout), places_(kSignalCount), slips_(layout.sync0, layout.cycle_time) {
+    : layout_(layout), places_(kSignalCount), slips_(layout.sync0, layout.cycle_time), has_clock_(layout.slaves) {
   const auto per_slave = std::max(layout.slaves == 0 ? 0 : layout.cycle_capacity / layout.slaves, kLeastReadings);
   for (const auto& signal : signals()) {
     auto& first = places_[static_cast<std::size_t>(signal.id)];
@@ -97,9 +113,10 @@ Nanoseconds SampleStore::heard(Signal signal, std::size_t slave) const {
 
 Nanoseconds SampleStore::longest_gap(Signal signal) const {
   if (info(signal).form != Form::kReadings) return longest_cycle_gap(layout_.cycle_time);
-  // One slave is read a cycle, in turn.
-  return 4 * static_cast<Nanoseconds>(std::max<std::size_t>(layout_.slaves, 1)) * layout_.cycle_time +
-         20 * kMillisecond;
+  if (info(signal).scope != Scope::kSlave) return kOldCycles * layout_.cycle_time;
+  // One clock is read a cycle, in turn; with the frame of one its reading is lost, and comes a round later.
+  return std::max(kOldCycles * layout_.cycle_time,
+                  2 * clocks_ * layout_.cycle_time + longest_cycle_gap(layout_.cycle_time));
 }
 
 std::optional<MinMaxSeries::Reading> SampleStore::value(Signal signal, Nanoseconds time) const {
@@ -197,6 +214,7 @@ void SampleStore::append_run(std::span<const CycleSample> run) {
   any_ = true;
   next_cycle_ = run.back().cycle + 1;
   newest_ = {run.back().send_time, run.back().cycle};
+  stamped_by_ = run.back().stamped_by;
 
   run_values_.resize(run.size());
   run_times_.resize(run.size());
@@ -254,6 +272,10 @@ void SampleStore::hear_slips(Nanoseconds time) {
 
 void SampleStore::append_slaves(const CycleSample& sample) {
   const auto time = sample.send_time;
+  if (sample.slave_position >= 0 && static_cast<std::size_t>(sample.slave_position) < layout_.slaves) {
+    auto& known = has_clock_[static_cast<std::size_t>(sample.slave_position)];
+    if (std::exchange(known, std::uint8_t{1}) == 0) ++clocks_;
+  }
   // What a reference clock shows there is no deviation from itself.
   const bool follows = sample.slave_position >= 0 && (sample.flags & CycleSample::kSlaveFollows) != 0;
   if (follows && static_cast<std::size_t>(sample.slave_position) < layout_.slaves) {
@@ -296,13 +318,30 @@ void SampleStore::restore(Signal signal, std::size_t slave, std::span<const Nano
     if (std::isnan(values[i])) {
       held.lose(times[i]);
     } else {
-      held.hear(times[i], values[i]);
+      (void)held.change(times[i], values[i]);
     }
   }
   if (!values.empty() && !std::isnan(values.back())) held.hear(until, values.back());
+  held.forget_interval();
+}
+
+void SampleStore::append(const Event& event) {
+  const auto status = told_al_status(event);
+  if (!status || static_cast<std::size_t>(event.slave) >= layout_.slaves) return;
+  if (al_told_.size() == kMostTold) al_told_.erase(al_told_.begin());
+  al_told_.push_back({event.time, static_cast<std::size_t>(event.slave), *status});
+}
+
+/// Those up to a snapshot of the run: what is told while the bus is taken down has none behind it.
+void SampleStore::take_told(Nanoseconds until) {
+  const auto later = std::ranges::stable_partition(al_told_, [until](const Told& told) { return told.time <= until; });
+  for (auto told = al_told_.begin(); told != later.begin(); ++told)
+    (void)of_held_[place(Signal::kAlState, told->slave)].change(told->time, static_cast<float>(told->status));
+  al_told_.erase(al_told_.begin(), later.begin());
 }
 
 void SampleStore::append(const Snapshot& snapshot) {
+  take_told(snapshot.time);
   for (const auto* signal : held_) {
     if (signal->of_bus == nullptr) continue;
     if (const auto value = signal->of_bus(snapshot))
@@ -319,6 +358,8 @@ void SampleStore::append(const Snapshot& snapshot) {
         held.lose(status.present ? snapshot.time : status.absent_since);
       } else if (const auto reading = signal->of_slave(snapshot, status, layout_.speed_counter_start)) {
         held.hear(reading->time, static_cast<float>(reading->value));
+      } else if (status.sm2_missed.settling && is_of_fuse(signal->id)) {
+        held.lose(snapshot.time);
       }
     }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "channels/cycle_sample.h"
+#include "channels/event.h"
 #include "channels/snapshot.h"
 #include "trace/arrival_series.h"
 #include "trace/held_series.h"
@@ -17,6 +18,9 @@
 #include "trace/watch_lists.h"
 
 namespace syncline {
+
+/// The AL status of its slave that an event tells; nothing where it tells none.
+[[nodiscard]] std::optional<std::uint16_t> told_al_status(const Event& event);
 
 /// The signals of a run (core/trace/signals.h), as series that plots and reports read. Time is the host clock's send
 /// time. Lost frames, values that were not valid and cycles that are missing in the stream (ring overruns) are gaps.
@@ -44,6 +48,9 @@ class SampleStore {
   void reserve(std::size_t cycles);
   /// Counts and states; the samples that came before it first.
   void append(const Snapshot& snapshot);
+  /// Changes of a slave's AL status, in the cycle that saw them: a fall that no snapshot has met is among them. They
+  /// count from the next snapshot on, which is best the one that came with them.
+  void append(const Event& event);
 
   /// What a recording holds of a held signal, in place of what is there: its changes, not-a-number where nothing is
   /// known from then on, and until when the last one holds.
@@ -83,6 +90,8 @@ class SampleStore {
   [[nodiscard]] Nanoseconds last_time() const { return axis().last_time(); }
   /// The number of the latest cycle at or before `time`; nothing where none is kept.
   [[nodiscard]] std::optional<std::uint64_t> cycle_at(Nanoseconds time) const;
+  /// Who stamped the newest cycle.
+  [[nodiscard]] StampSource stamped_by() const { return stamped_by_; }
   /// Cycles that the stream skipped.
   [[nodiscard]] std::uint64_t missing_cycles() const { return missing_cycles_; }
   [[nodiscard]] std::size_t memory_bytes() const;
@@ -96,6 +105,7 @@ class SampleStore {
   /// The counts of setpoint slips as they are at `time`.
   void hear_slips(Nanoseconds time);
   void leave_gap(Nanoseconds time);
+  void take_told(Nanoseconds until);
   /// Every cycle has a value of it.
   [[nodiscard]] const MinMaxSeries& axis() const { return of_cycles_[axis_]; }
   [[nodiscard]] std::size_t place(Signal signal, std::size_t slave) const;
@@ -110,6 +120,15 @@ class SampleStore {
   std::deque<MinMaxSeries> of_variables_;
   mutable std::optional<ArrivalSeries> arrivals_;  // always there; makes series when they are asked for
   SetpointSlips slips_;
+  struct Told {
+    Nanoseconds time = 0;
+    std::size_t slave = 0;
+    std::uint16_t status = 0;
+  };
+  std::vector<Told> al_told_;
+  std::vector<std::uint8_t> has_clock_;  // by slave, 1: it is one of those that are read in turn
+  Nanoseconds clocks_ = 0;               // how many these are
+  StampSource stamped_by_ = StampSource::kUntold;
   std::vector<Nanoseconds> run_times_;  // room for one run
   std::vector<float> run_values_;
   /// Last cycles of stretches in which none is missing, behind which some are; without that of the newest one.

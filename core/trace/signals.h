@@ -81,14 +81,16 @@ enum class Signal : std::uint8_t {
   kPropagationDelay,             // of each slave
   kArrivalPhase,
   kSetpointSlips,
-  kWatchList,  // of the bus, in every cycle
-  kVariable,   // of each variable of the process image that is watched
+  kWatchList,   // of the bus, in every cycle
+  kVariable,    // of each variable of the process image that is watched
+  kStampDoubt,  // of the bus, in every cycle
+  kStampedBy,
 };
 enum class PortSignal : std::uint8_t { kInvalidFrames, kReceiveErrors, kForwardedErrors, kLostLinks };
 inline constexpr std::size_t kPorts = 4, kPortSignals = 4;
 static_assert(static_cast<std::size_t>(Signal::kSyncBase) ==
               static_cast<std::size_t>(Signal::kPortErrors) + kPorts * kPortSignals);
-inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kVariable) + 1;
+inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kStampedBy) + 1;
 [[nodiscard]] constexpr Signal port_signal(std::size_t port, PortSignal kind) {
   return static_cast<Signal>(static_cast<std::size_t>(Signal::kPortErrors) + port * kPortSignals +
                              static_cast<std::size_t>(kind));
@@ -115,6 +117,14 @@ struct SignalInfo {
   };
   enum class Scale : std::uint8_t { kLinear, kSignedLog, kLog, kBand };
 
+  /// By which clock a value is measured that is a time, and with that how far it may be off (signal_quality.h).
+  enum class Clock : std::uint8_t {
+    kNone,    // none: a count, a state, or what a slave says of itself
+    kHost,    // the host's, by the stamps of frames
+    kSlaves,  // the clocks in the slaves, which time frames as these pass
+    kBoth,    // one against the other
+  };
+
   Signal id;
   std::string_view key;     // CSV column and name in recordings; stays as it is
   std::string_view name;    // for people, English
@@ -124,6 +134,7 @@ struct SignalInfo {
   Scope scope;
   Form form;
   Scale scale;
+  Clock clock;
   /// At most one of the three, by scope and form (readings of single slaves, variables and what is derived have none);
   /// empty where the cycle or the slave has none.
   std::optional<SignalNumber> (*of_cycle)(const CycleSample&);

@@ -12,6 +12,7 @@ namespace {
 using Reading = std::optional<SlaveReading>;
 using Form = SignalInfo::Form;
 using Scale = SignalInfo::Scale;
+using Clock = SignalInfo::Clock;
 using OfSlave = Reading (*)(const Snapshot&, const SlaveStatus&, std::uint16_t);
 
 /// Misses raise the integrator by 3, good cycles lower it by 1 (ETG.1020, 0x10F1:02).
@@ -32,14 +33,15 @@ Reading sm2_missed(const Snapshot& snapshot, const SlaveStatus& slave, std::uint
   return sm2(snapshot, slave, slave.sm2_missed.total());
 }
 Reading sm2_integrator(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16_t) {
-  return slave.sm2_missed.known ? sm2(snapshot, slave, slave.sm2_missed.integrator) : std::nullopt;
+  const auto& misses = slave.sm2_missed;
+  return misses.known && !misses.settling ? sm2(snapshot, slave, misses.integrator) : std::nullopt;
 }
 Reading sm2_limit(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16_t) {
   return slave.sm2_missed.limit > 0 ? sm2(snapshot, slave, slave.sm2_missed.limit) : std::nullopt;
 }
 Reading sm2_cycles_to_trip(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16_t) {
   const auto& misses = slave.sm2_missed;
-  if (!misses.known || misses.limit == 0) return std::nullopt;
+  if (!misses.known || misses.settling || misses.limit == 0) return std::nullopt;
   const auto rest = misses.limit > misses.integrator ? misses.limit - misses.integrator : 0;
   const auto cycles = (rest + kPerMiss - 1) / kPerMiss;
   return sm2(snapshot, slave, cycles);
@@ -73,12 +75,14 @@ Reading of_port(const Snapshot&, const SlaveStatus& slave, std::uint16_t) {
 
 constexpr SignalInfo count(Signal id, std::string_view key, std::string_view name, std::string_view source,
                            OfSlave of_slave, std::string_view since = "going online") {
-  return {id,      key,     name,    "", source, since, SignalInfo::Scope::kSlave, Form::kHeld, Scale::kLinear,
-          nullptr, nullptr, of_slave};
+  return {
+      id,           key,     name,    "",      source, since, SignalInfo::Scope::kSlave, Form::kHeld, Scale::kLinear,
+      Clock::kNone, nullptr, nullptr, of_slave};
 }
 constexpr SignalInfo momentary(Signal id, std::string_view key, std::string_view name, std::string_view unit,
-                               std::string_view source, Scale scale, OfSlave of_slave) {
-  return {id, key, name, unit, source, "", SignalInfo::Scope::kSlave, Form::kHeld, scale, nullptr, nullptr, of_slave};
+                               std::string_view source, Scale scale, OfSlave of_slave, Clock clock = Clock::kNone) {
+  return {id,          key,   name,  unit,    source,  "",      SignalInfo::Scope::kSlave,
+          Form::kHeld, scale, clock, nullptr, nullptr, of_slave};
 }
 
 constexpr std::string_view kSinceKnown = "OP, the last gap, or the last change of state, base or delay";
@@ -86,7 +90,8 @@ constexpr std::string_view kSinceOp = "the slave being in OP first";
 
 constexpr std::array kSlaveRows{
     SignalInfo{Signal::kSlaveDeviation, "deviation_ns", "Deviation", "ns", "register 0x092C, signed", "",
-               SignalInfo::Scope::kSlave, Form::kReadings, Scale::kSignedLog, nullptr, nullptr, nullptr},
+               SignalInfo::Scope::kSlave, Form::kReadings, Scale::kSignedLog, Clock::kSlaves, nullptr, nullptr,
+               nullptr},
     count(Signal::kSm2Missed, "sm2_missed", "SM2 events missed", "object 0x1C32:0B or 0x1C32:0C", sm2_missed, kSinceOp),
     momentary(Signal::kSm2Integrator, "sm2_integrator", "Fuse", "", "+3 for a miss, -1 for a good cycle, object 0x10F1",
               Scale::kLinear, sm2_integrator),
@@ -106,7 +111,7 @@ constexpr std::array kSlaveRows{
             return counted(s.evidence.inputs.shift_too_short);
           }),
     momentary(Signal::kClockRate, "clock_rate_ppm", "Clock slowed by", "ppm", "registers 0x0930 and 0x0932",
-              Scale::kLinear, clock_rate),
+              Scale::kLinear, clock_rate, Clock::kSlaves),
     momentary(Signal::kAlState, "al_status", "AL status", "", "register 0x0130", Scale::kBand, al_state),
     count(
         Signal::kProcessDataWatchdog, "process_data_watchdog", "Process data watchdog", "register 0x0442",
@@ -120,10 +125,10 @@ constexpr std::array kSlaveRows{
     count(Signal::kPdiErrors, "pdi_errors", "PDI errors", "register 0x030D",
           [](const Snapshot&, const SlaveStatus& s, std::uint16_t) { return counted(s.evidence.pdi_errors); }),
     momentary(Signal::kPropagationDelay, "propagation_delay_ns", "Propagation delay", "ns", "register 0x0928",
-              Scale::kLinear, propagation_delay),
+              Scale::kLinear, propagation_delay, Clock::kSlaves),
     SignalInfo{Signal::kArrivalPhase, "arrival_phase_ns", "Arrival phase", "ns",
                "end of the frame with the outputs, behind SYNC0 in system time", "", SignalInfo::Scope::kSlave,
-               Form::kDerived, Scale::kLinear, nullptr, nullptr, nullptr},
+               Form::kDerived, Scale::kLinear, Clock::kSlaves, nullptr, nullptr, nullptr},
     count(Signal::kSetpointSlips, "setpoint_slips", "Setpoint slips",
           "SYNC0 periods into which no frame came, or more than are due", nullptr, kSinceKnown),
 };

@@ -59,6 +59,8 @@ TEST(EventText, SaysWhatAProgramMayHaveLearnedToRead) {
        "slave 5: emergency 0x8611, error register 0x20, data 01 02 03 04 ff"},
       {{0, 5, events::DiagnosisTold{0xE000, DiagnosisMessage::Type::kWarning, 0x1A, 0}},
        "slave 5: diagnosis warning 0x0000e000, text 0x001a"},
+      {{0, 5, events::DiagnosisTold{0xE000, DiagnosisMessage::Type::kWarning, 0x1A, 62'500'000'000}},
+       "slave 5: diagnosis warning 0x0000e000, text 0x001a, time stamp 62.5 s"},
       {{0, 7, events::UnknownSlave{{2, 0x44C2C52, 0x120000, 0}}},
        "unknown device at position 7: 0x00000002:0x044c2c52:0x00120000"},
       {{0, -1, events::LinkUp{SharedText("nic:eth0"), 1'200 * kMillisecond}},

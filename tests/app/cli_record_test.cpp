@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sqlite/sqlite_database.h"
@@ -98,6 +99,35 @@ TEST_F(CliRecord, TellsWhatWasRun) {
   EXPECT_EQ(read_text(eni), read_text(exported));
   EXPECT_EQ(cli_run({"record", "export", recording, copy, "--document", "poem"}).code, cli::kUsage);
   EXPECT_THAT(cli_run({"record", "info", recording}).out, HasSubstr("cycles of 1000 us"));
+}
+
+/// Each signal with its rate, the clock by which it is measured and how far that may be off.
+TEST_F(CliRecord, TellsHowFarToBelieveASignal) {
+  ASSERT_EQ(run().code, cli::kDone);
+  const auto json = cli_run({"record", "info", recording, "--json"}).json();
+  const auto row = [&json](const std::string& key, bool of_slave) {
+    for (const auto& one : json["signals"]) {
+      if (one["key"] == key && one["slave"].is_null() != of_slave) return one;
+    }
+    return std::decay_t<decltype(json)>();
+  };
+  const auto error = row("dcm_error_ns", false);
+  ASSERT_TRUE(error.is_object());
+  EXPECT_EQ(error["clock"], "both");
+  EXPECT_EQ(error["unit"], "ns");
+  EXPECT_NEAR(error["rate_hz"].get<double>(), 1000, 20);
+  EXPECT_GT(error["doubt_ns"].get<int>(), 10);
+  const auto deviation = row("deviation_ns", true);
+  ASSERT_TRUE(deviation.is_object());
+  EXPECT_EQ(deviation["clock"], "slaves");
+  EXPECT_EQ(deviation["doubt_ns"], 10);
+  EXPECT_NEAR(deviation["rate_hz"].get<double>(), 200, 20) << "five clocks, one a cycle";
+  EXPECT_TRUE(json["stamps"]["by"].contains("software")) << json["stamps"].dump();
+  EXPECT_TRUE(json["triggers"].empty());
+  const auto text = cli_run({"record", "info", recording}).out;
+  EXPECT_THAT(text, HasSubstr("signal: dcm_error_ns: "));
+  EXPECT_THAT(text, HasSubstr("by the clocks of the slaves, within 10 ns"));
+  EXPECT_THAT(text, HasSubstr(" by software"));
 }
 
 TEST_F(CliRecord, ExportsARange) {

@@ -11,8 +11,11 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
@@ -189,6 +192,32 @@ TEST_F(FreeViewTest, StatesAreBandsWithTheirNames) {
   EXPECT_EQ(band.stateAt(kBegin + 5 * kSecond), QStringLiteral("OP"));
   EXPECT_EQ(band.stateAt(kBegin + 60 * kSecond), QString()) << "nobody has heard of it";
   EXPECT_THAT(legend(0), HasSubstr("#1 Servo OP"));
+}
+
+/// The oldest states are below the name: what is drawn of them is seen.
+TEST_F(FreeViewTest, NamesOfBandsHideNoState) {
+  BandItem band(QStringLiteral("A slave with a long name"));
+  HeldSeries states(64);
+  states.hear(kBegin, 8);
+  states.hear(kBegin + 50 * kMillisecond, 4);
+  states.hear(kBegin + 100 * kMillisecond, 8);
+  states.hear(kBegin + 1000 * kMillisecond, 8);
+  band.setSeries(&states.series(), &states, [](int value) {
+    return BandItem::State{{}, value == 4 ? Qt::red : Qt::green, Qt::black};
+  });
+  band.setColors(Qt::black, Qt::white);
+  band.setLane(0, 20);
+  band.prepare(ColumnGrid::of(kBegin, kBegin + kSecond, 400));
+  QImage image(400, 40, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  QwtScaleMap x, y;
+  x.setPaintInterval(0, 400);
+  band.draw(&painter, x, y, QRectF(0, 0, 400, 40));
+  painter.end();
+  int fallen = 0;
+  for (int column = 0; column < 60; ++column) fallen += image.pixelColor(column, 2) == QColor(Qt::red) ? 1 : 0;
+  EXPECT_GE(fallen, 15) << "50 ms of a second on 400 columns, below the name";
 }
 
 /// A state that changes faster than columns can tell costs no more, and says so.
@@ -475,6 +504,16 @@ TEST_F(PlotDialogTest, FindsSignalsBySlaveAndNameAndAddsThemByKeyboard) {
   chosen.setCurrentCell(0, 0);
   QTest::keyClick(&chosen, Qt::Key_Delete);
   EXPECT_EQ(dialog->plot().signals.size(), 2U);
+}
+
+TEST_F(PlotDialogTest, SaysHowFarToBelieveWhatIsMarked) {
+  open();
+  QTest::keyClicks(&field<QLineEdit>("plotSearch"), QStringLiteral("dcm_error_ns"));
+  const auto about = field<QLabel>("plotAbout").text().replace(QChar(0x00A0), u' ').toStdString();
+  EXPECT_THAT(about, HasSubstr("dcm_error_ns"));
+  EXPECT_THAT(about, HasSubstr("1000 readings a second"));
+  EXPECT_THAT(about, HasSubstr("by the reference clock and the host's clock"));
+  EXPECT_THAT(about, HasSubstr("nobody tells who stamped the moment"));
 }
 
 TEST_F(PlotDialogTest, AnotherUnitGoesToTheOtherAxis) {

@@ -147,6 +147,33 @@ TEST_F(TimeAxisTest, TellsTheSystemTimeOfTheReferenceClock) {
   EXPECT_NEAR(axis.ticks.front().value, 2, 1e-6);
 }
 
+/// The unit follows the zoom, and what labels have in common stands in the title.
+TEST_F(TimeAxisTest, TheUnitFollowsTheZoom) {
+  view.setNotation(Notation::kSinceStart);
+  const auto axis_of = [this](Nanoseconds begin, Nanoseconds end) {
+    view.setSpan(end - begin);
+    view.goTo(kAxisStart + (begin + end) / 2);
+    return timeAxisOf(view, 6);
+  };
+  const auto seconds = axis_of(2 * kSecond, 8 * kSecond);
+  EXPECT_EQ(seconds.unit, QStringLiteral("s"));
+  EXPECT_EQ(seconds.divisor, 1);
+  EXPECT_NEAR(seconds.begin, 2, 1e-9);
+  const auto milliseconds = axis_of(5 * kSecond + 250 * kMillisecond, 5 * kSecond + 750 * kMillisecond);
+  EXPECT_EQ(milliseconds.unit, QStringLiteral("ms"));
+  EXPECT_THAT(milliseconds.quantity.toStdString(), testing::HasSubstr("5 s"));
+  EXPECT_NEAR(milliseconds.begin / milliseconds.divisor, 250, 1e-6);
+  const auto microseconds = axis_of(5'250'300'000, 5'250'700'000);
+  EXPECT_EQ(microseconds.unit, QStringLiteral("\u00B5s"));
+  EXPECT_THAT(microseconds.quantity.toStdString(), testing::HasSubstr("5.250 s"));
+  EXPECT_NEAR(microseconds.begin / microseconds.divisor, 300, 1e-6);
+  EXPECT_NEAR(microseconds.end / microseconds.divisor, 700, 1e-6);
+  const auto nanoseconds = axis_of(5'250'300'100, 5'250'310'100);
+  EXPECT_EQ(nanoseconds.unit, QStringLiteral("ns"));
+  EXPECT_THAT(nanoseconds.quantity.toStdString(), testing::HasSubstr("5.250300 s"));
+  EXPECT_NEAR(nanoseconds.begin / nanoseconds.divisor, 100, 1e-6);
+}
+
 TEST_F(TimeAxisTest, WhatIsSharedIsToldAlike) {
   TimeView own;
   own.copy(view);

@@ -21,6 +21,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -132,6 +133,50 @@ TEST_F(LiveStripTest, FillsAllThreePlots) {
   EXPECT_THAT(strip.panels()[1]->readout().toStdString(), testing::HasSubstr("/s"));
   EXPECT_THAT(strip.panels()[2]->readout().toStdString(), testing::HasSubstr("12.50"));
   EXPECT_GE(plot(0)->axis(TracePlot::kLeft).high(), 900) << "the spike is inside the axis";
+}
+
+/// One clock is read a cycle, in turn; the frame of each cycle tells the largest.
+TEST_F(LiveStripTest, LegendsSayHowFarToBelieveTheirSignals) {
+  show();
+  auto all = samples(0, 6000);
+  for (auto& sample : all) {
+    sample.stamped_by = StampSource::kKernel;
+    sample.stamp_doubt_ns = (sample.flags & CycleSample::kFrameLost) != 0 ? -1 : 1'200;
+  }
+  record->add(all);
+  settle();
+  auto about = strip.panels()[0]->legend()->about().replace(QChar(0x00A0), u' ').toStdString();
+  EXPECT_THAT(about, testing::HasSubstr("largest 30 ns\n\u20031000 readings a second; the newest is 0 ns old; "
+                                        "by the clocks of the slaves \u00B110 ns; moment stamped by the kernel, "
+                                        "within 1.200 \u00B5s"));
+  EXPECT_THAT(about, testing::HasSubstr("3 Servo +10 ns\n\u2003333 readings a second"));
+  about = strip.panels()[2]->legend()->about().replace(QChar(0x00A0), u' ').toStdString();
+  EXPECT_THAT(about, testing::HasSubstr("by the reference clock and the host's clock \u00B11.210 \u00B5s"));
+}
+
+TEST_F(LiveStripTest, AsManySlavesAreDrawnAsAreWanted) {
+  run(runningNetwork({"0", "1", "2", "3", "4", "5", "6", "7"}, kMillisecond));
+  auto all = samples(0, 2000);
+  for (auto& sample : all) {
+    sample.slave_position = static_cast<std::int16_t>(sample.cycle % 8);
+    sample.slave_deviation_ns = 10 * (sample.slave_position + 1);
+  }
+  show();
+  record->add(all);
+  settle();
+  auto* panel = strip.panels()[0];
+  const auto drawn = [&] { return panel->legend()->entries().size() - 1; };
+  EXPECT_EQ(panel->slavesShown(), 3);
+  EXPECT_EQ(drawn(), 3U);
+  panel->setSlavesShown(6);
+  settle();
+  EXPECT_EQ(drawn(), 6U);
+  EXPECT_EQ(panel->legend()->entries().back().short_name, QStringLiteral("#7"));
+  panel->setSlavesShown(1);
+  settle();
+  ASSERT_EQ(drawn(), 1U);
+  EXPECT_EQ(panel->legend()->entries().back().short_name, QStringLiteral("#7")) << "the worst one";
+  EXPECT_EQ(std::ranges::count_if(panel->plot()->items(), &SeriesItem::isVisible), 2);
 }
 
 TEST_F(LiveStripTest, HiddenPlotsAreNotPainted) {

@@ -123,6 +123,26 @@ TEST_F(RecordingPictureTest, EveryViewIsWrittenInEveryForm) {
   }
 }
 
+/// What a view shows as a table, without a window.
+TEST_F(RecordingPictureTest, WhatIsShownIsWrittenAsATable) {
+  RecordingPicture wanted;
+  wanted.view = PictureView::kDistribution;
+  wanted.sources = {{Signal::kDcmError, 0}};
+  const auto bars = written(wanted, "bars.csv");
+  EXPECT_TRUE(bars.startsWith("from")) << bars.left(80).toStdString();
+  EXPECT_TRUE(bars.contains("dcm_error_ns")) << bars.left(80).toStdString();
+  EXPECT_GT(bars.count('\n'), 20);
+  wanted = {};
+  wanted.view = PictureView::kStability;
+  EXPECT_GT(written(wanted, "stability.csv").count('\n'), 5);
+  wanted.view = PictureView::kSlaves;
+  EXPECT_TRUE(written(wanted, "slaves.csv").contains("Servo"));
+  wanted.view = PictureView::kOverview;
+  EXPECT_FALSE(writeRecordingPicture(run, wanted, path("overview.csv")));
+  EXPECT_EQ(cycleFigureOf(QStringLiteral("bathtub")), CycleView::Figure::kBathtub);
+  EXPECT_FALSE(cycleFigureOf(QStringLiteral("mtie")));
+}
+
 TEST_F(RecordingPictureTest, TheLegendOfTheHeatMapIsWhole) {
   RecordingPicture wanted;
   wanted.view = PictureView::kSlaves;
@@ -315,7 +335,7 @@ TEST_F(PictureProgram, SaysWhatItCannotDo) {
   };
   const auto file = path("run.slrec"), out = path("out.png");
   refused({file, "--picture", out, "--view", "poem"}, 2, "take one of overview, plots");
-  refused({file, "--picture", path("out.bmp")}, 2, ".png, .svg or .pdf");
+  refused({file, "--picture", path("out.bmp")}, 2, ".png, .svg, .pdf or .csv");
   refused({file, "--picture", out, "--from", "1h"}, 2, "it holds nothing of the recording");
   refused({file, "--picture", out, "--from", "soon"}, 2, "use a duration");
   refused({file, "--picture", out, "--offset", "3s"}, 2, "--overlay");

@@ -24,8 +24,10 @@
 #include "record/typed_values.h"
 #include "settings/settings_table.h"
 #include "support/ui_test_support.h"
+#include "tests/support/plain_capture.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/recording_commands.h"
 #include "ui/dialogs/slave_commands.h"
 #include "ui/machine_building.h"
 #include "ui/main_window.h"
@@ -177,6 +179,63 @@ TEST_F(RecordingWindow, ALogOfTheMasterSynchronisationIsShownLikeARecording) {
 }
 
 /// Its recording holds what the machine was held against last, since when, and what ran.
+/// A capture of any master becomes a recording on disk, and is shown.
+TEST_F(RecordingWindow, ACaptureIsImportedAsARecording) {
+  const test::TemporaryFolder captures;
+  test::PlainCapture file;
+  for (int i = 0; i < 5'000; ++i) {
+    const auto sent = test::kCaptureBegin + i * 500 * kMicrosecond;
+    const auto frame = test::cyclic_frame(static_cast<std::uint8_t>(i), 1002);
+    file.add(sent, frame);
+    file.add(sent + 28'000, test::answered(frame, static_cast<std::uint64_t>(sent + 77), -12));
+  }
+  const auto capture = QString::fromStdString(file.write(captures));
+  auto* commands = window_.findChild<RecordingCommands*>();
+  ASSERT_NE(commands, nullptr);
+  EXPECT_TRUE(action("actionImportCapture")->isEnabled());
+  commands->importCapture(capture, path("capture.slrec"));
+  ASSERT_TRUE(waitFor([&] { return workspace_.recording().isOpen(); }));
+  EXPECT_EQ(workspace_.recording().path(), path("capture.slrec"));
+  EXPECT_TRUE(QFile::exists(path("capture.slrec")));
+  const auto& record = *workspace_.recording().run().record;
+  EXPECT_EQ(record.limits().cycle_time, 500 * kMicrosecond);
+  EXPECT_EQ(record.samples().stamped_by(), StampSource::kCapture);
+  EXPECT_EQ(workspace_.recording().run().info.cycles, 5'000U);
+  // Cancelled there is no file, and what is shown stays.
+  commands->importCapture(capture, path("cancelled.slrec"));
+  workspace_.recording().cancel();
+  ASSERT_TRUE(waitFor([&] { return !workspace_.recording().isReading(); }));
+  EXPECT_FALSE(QFile::exists(path("cancelled.slrec")));
+  EXPECT_EQ(workspace_.recording().path(), path("capture.slrec"));
+}
+
+TEST_F(RecordingWindow, WhatTheTriggerFoundIsInTheRecording) {
+  goOnline();
+  Trigger trigger;
+  trigger.kind = Trigger::Kind::kEvent;
+  trigger.code = "event-state";
+  workspace_.trigger().setTrigger(trigger);
+  ASSERT_TRUE(workspace_.disk().start(path("run.slrec")));
+  workspace_.trigger().arm();
+  workspace_.live().requestState(AlState::kSafeop);
+  advance(2);
+  workspace_.trigger().look();
+  ASSERT_FALSE(workspace_.trigger().episodes().empty());
+  workspace_.trigger().setName(workspace_.trigger().episodes().front(), QStringLiteral("by hand"));
+  const auto found = workspace_.trigger().episodes();
+  advance(2);
+  workspace_.trigger().disarm();
+  goOffline();
+  ASSERT_TRUE(waitFor([&] { return ended_ > 0; }));
+  EXPECT_EQ(workspace_.trigger().episodes(), found) << "the run has ended, and keeps them";
+  trigger.code = "event-slave-lost";
+  workspace_.trigger().setTrigger(trigger);
+  open("run.slrec");
+  EXPECT_EQ(workspace_.trigger().episodes(), found);
+  EXPECT_EQ(workspace_.trigger().name(found.front()), QStringLiteral("by hand"));
+  EXPECT_EQ(workspace_.trigger().trigger().code, "event-state");
+}
+
 TEST_F(RecordingWindow, WhatWasAppliedToTheRunIsInItsRecording) {
   goOnline();
   auto& document = workspace_.document();

@@ -94,6 +94,68 @@ std::unique_ptr<RunRecord> restlessRecord(std::uint64_t cycles) {
   return record;
 }
 
+/// What was found is the run's: it is there again when the run is shown again, with its names.
+TEST(TriggerMonitor, WhatWasFoundStaysWithTheRun) {
+  WindowMemory memory({});
+  TriggerMonitor monitor(memory);
+  auto record = triggerRecord(1);
+  QObject::connect(&monitor, &TriggerMonitor::found, &monitor,
+                   [&record](const KeptTrigger& kept) { record->keep(kept); });
+  monitor.setTrigger(errorTrigger());
+  monitor.setRecord(record.get(), false);
+  monitor.arm();
+  const auto whole = triggerRecord(5000);
+  std::vector<CycleSample> samples(4999);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].cycle = i + 1;
+    samples[i].send_time = kTriggerRun + static_cast<Nanoseconds>(i + 1) * kMillisecond;
+    samples[i].flags = CycleSample::kDcmActive | CycleSample::kReferenceValid;
+    samples[i].dcm_error_ns = i + 1 == 1000 || i + 1 == 4000 ? 500 : 10;
+  }
+  record->add(samples);
+  monitor.look();
+  ASSERT_EQ(monitor.episodes().size(), 2U);
+  monitor.setName(monitor.episodes()[1], QStringLiteral("door opened"));
+  monitor.disarm();
+  monitor.setRecord(whole.get(), false);
+  EXPECT_TRUE(monitor.episodes().empty()) << "another run";
+  monitor.setRecord(record.get(), false);
+  ASSERT_EQ(monitor.episodes().size(), 2U);
+  EXPECT_EQ(monitor.name(monitor.episodes()[1]), QStringLiteral("door opened"));
+  auto other = errorTrigger();
+  other.level = 450;
+  monitor.setTrigger(other);
+  EXPECT_TRUE(monitor.episodes().empty()) << "found with another one";
+}
+
+/// A recording brings the trigger that was set; the window's own comes back when it is closed.
+TEST(TriggerMonitor, ARecordingShowsTheEpisodesThatItKeeps) {
+  WindowMemory memory({});
+  TriggerMonitor monitor(memory);
+  TriggerPanel panel(monitor);
+  auto own = errorTrigger();
+  own.level = 123;
+  monitor.setTrigger(own);
+  const auto record = triggerRecord(5000);
+  TriggerEpisode episode;
+  episode.time = kTriggerRun + 4 * kSecond;
+  episode.cycle = 4000;
+  episode.value = 500;
+  record->keep({errorTrigger(), {episode}, {{episode.time, "door opened"}}});
+  monitor.setRecord(record.get(), true);
+  auto* table = panel.findChild<QTableWidget*>(QStringLiteral("triggerEpisodes"));
+  ASSERT_EQ(table->rowCount(), 1);
+  EXPECT_EQ(table->item(0, 1)->text(), QStringLiteral("4000"));
+  EXPECT_EQ(table->item(0, 4)->text(), QStringLiteral("door opened"));
+  EXPECT_EQ(panel.findChild<QDoubleSpinBox*>(QStringLiteral("triggerLevel"))->value(), 400);
+  monitor.arm();
+  ASSERT_EQ(table->rowCount(), 2) << "all cycles are looked at";
+  EXPECT_EQ(table->item(1, 4)->text(), QStringLiteral("door opened")) << "it is the same moment";
+  monitor.disarm();
+  monitor.setRecord(nullptr, false);
+  EXPECT_EQ(monitor.trigger(), own);
+}
+
 TEST(TriggerPanel, WhatIsChosenStaysWhileEpisodesCome) {
   WindowMemory memory({});
   TriggerMonitor monitor(memory);

@@ -7005,8 +7005,8 @@
         <translation>{subject}: Diagnosemeldung ({type}) {code}, Text {text}</translation>
     </message>
     <message>
-        <source>{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp} ns</source>
-        <translation>{subject}: Diagnosemeldung ({type}) {code}, Text {text}, Zeitstempel {stamp} ns</translation>
+        <source>{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp}</source>
+        <translation>{subject}: Diagnosemeldung ({type}) {code}, Text {text}, Zeitstempel {stamp}</translation>
     </message>
     <message>
         <source>{subject}: disconnected (hot-connect group "{group}")</source>

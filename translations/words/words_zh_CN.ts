@@ -7005,8 +7005,8 @@
         <translation>{subject}：诊断 {type} {code}，文本 {text}</translation>
     </message>
     <message>
-        <source>{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp} ns</source>
-        <translation>{subject}：诊断 {type} {code}，文本 {text}，时间戳 {stamp} ns</translation>
+        <source>{subject}: diagnosis {type} {code}, text {text}, time stamp {stamp}</source>
+        <translation>{subject}：诊断 {type} {code}，文本 {text}，时间戳 {stamp}</translation>
     </message>
     <message>
         <source>{subject}: disconnected (hot-connect group "{group}")</source>

@@ -100,12 +100,20 @@ QWidget* PlotDialog::buildOffer(const RunRecord& record) {
   add_->setToolTip(tr("Ctrl+A marks all that were found: several slaves at once"));
   add_->setAutoDefault(false);
   layout->addWidget(words_);
+  about_ = named(new QLabel, "plotAbout", tr("About the marked signal"));
+  about_->setWordWrap(true);
+  about_->setTextFormat(Qt::PlainText);
+  about_->setMinimumHeight(3 * about_->fontMetrics().lineSpacing());
+  about_->setAlignment(Qt::AlignTop | Qt::AlignLeading);
   layout->addWidget(offer_, 1);
+  layout->addWidget(about_);
   layout->addWidget(add_);
   connect(words_, &QLineEdit::textChanged, this, &PlotDialog::search);
   connect(add_, &QPushButton::clicked, this, &PlotDialog::add);
   connect(offer_, &QTreeView::doubleClicked, this, &PlotDialog::add);
   connect(offer_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &PlotDialog::showState);
+  connect(offer_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& index) { about_->setText(index.data(Qt::ToolTipRole).toString()); });
   offer_->expand(filter_->index(0, 0));
   return side;
 }

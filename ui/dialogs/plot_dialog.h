@@ -63,7 +63,7 @@ class PlotDialog final : public QDialog {
   QButtonGroup* scale_;
   LimitFields *left_, *right_;
   QCheckBox* own_time_;
-  QLabel* wrong_;
+  QLabel *about_, *wrong_;
   QDialogButtonBox* buttons_;
   bool filling_ = false;
 };

@@ -44,6 +44,27 @@ void RecordingCommands::open(const QString& path) {
   workspace_.recording().read(path);
 }
 
+void RecordingCommands::importCapture() {
+  if (workspace_.recording().isReading()) return;
+  const auto capture = QFileDialog::getOpenFileName(&window_, tr("Import a Capture"), {},
+                                                    tr("Captures (*.pcap *.pcapng *.cap);;All files (*)"));
+  if (capture.isEmpty()) return;
+  const QFileInfo info(capture);
+  const auto proposed = info.path() + u'/' + info.completeBaseName() + QStringLiteral(".slrec");
+  auto path = QFileDialog::getSaveFileName(&window_, tr("Recording of the Capture"), proposed,
+                                           tr("Recordings (*.slrec)"), nullptr, QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".slrec");
+  importCapture(capture, path);
+}
+
+void RecordingCommands::importCapture(const QString& capture, const QString& path) {
+  const auto& importer = workspace_.environment().import_capture;
+  if (!importer || workspace_.recording().isReading()) return;
+  progress_.begin(capture, "importProgress", tr("Import a Capture"), [this] { workspace_.recording().cancel(); });
+  workspace_.recording().importCapture(capture, path, importer);
+}
+
 /// What is read in an instant needs no picture before.
 void RecordingCommands::onOutlined(const OpenedRecording::Outline& outline) {
   if (outline.cycles < kManyCycles) return;

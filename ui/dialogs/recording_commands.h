@@ -26,6 +26,9 @@ class RecordingCommands final : public QObject {
 
   /// Reads it with progress and Cancel; then asks about a machine that runs. Errors are shown; then all is as it was.
   void open(const QString& path);
+  /// Asks for a capture and for the file of its recording; then as open().
+  void importCapture();
+  void importCapture(const QString& capture, const QString& path);
   /// Begins to record to a file that the user names, or ends it.
   void toggle();
   /// Asks how much, and where to.

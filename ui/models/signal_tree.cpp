@@ -2,6 +2,8 @@
 #include "ui/models/signal_tree.h"
 
 #include "ui/plots/view_signals.h"
+#include "ui/text/joined_text.h"
+#include "ui/text/quality_text.h"
 #include "ui/text/signal_text.h"
 
 namespace syncline::ui {
@@ -21,6 +23,14 @@ QStandardItem* groupItem(const QString& text) {
 bool hasValues(const RunRecord& record, const SignalInfo& row, std::size_t slave) {
   if (row.form == SignalInfo::Form::kDerived) return record.samples().sync0(slave).period > 0;
   return !seriesOf(record, {row.id, slave}).empty();
+}
+
+/// At the end of what is shown.
+QString qualityOf(const RunRecord& record, const ViewSignal& signal) {
+  const auto source = sourceOf(record, signal);
+  if (!source) return {};
+  const auto& store = record.samples();
+  return qualityText(quality_of(store, source->signal, source->slave, store.last_time()));
 }
 
 }  // namespace
@@ -58,7 +68,7 @@ void SignalTree::addSignal(QStandardItem& group, const RunRecord& record, const 
   const auto key = QString::fromStdString(signal.key);
   item->setData(ownerOf(record, signal) + u' ' + name + u' ' + key, kWordsRole);
   item->setData(static_cast<int>(signals_.size()), kNumberRole);
-  item->setToolTip(key);
+  item->setToolTip(any ? joinedSentences({key, qualityOf(record, signal)}) : key);
   signals_.push_back(signal);
   group.appendRow(item);
 }

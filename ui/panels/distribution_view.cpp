@@ -272,7 +272,15 @@ void DistributionView::showFigures() {
   for (const auto& count : others_) least = std::min(least, count.progress());
   auto text = range_->lack(*record_);
   if (text.isEmpty() && !complete()) text = tr("Computing, %1 %").arg(static_cast<int>(100 * least));
+  if (text.isEmpty() && !sources().empty()) text = binText();
   state_->setText(text);
+}
+
+/// "each bar 5 ns wide"
+QString DistributionView::binText() const {
+  const auto unit = fromView(info(sources().front().signal).unit);
+  const auto width = QLocale().toString(grid_.width(), 'g', 4) + (unit.isEmpty() ? QString() : u' ' + unit);
+  return tr("each bar %1 wide").arg(width);
 }
 
 void DistributionView::listBin(qint64 bin) {

@@ -65,6 +65,7 @@ class DistributionView final : public QWidget {
   };
   [[nodiscard]] std::vector<Column> columns() const;
   void showFigures();
+  [[nodiscard]] QString binText() const;
   void listBin(qint64 bin);
 
   const TimeView* view_;

@@ -269,6 +269,7 @@ std::vector<LegendBar::Entry> FreePlot::entries(Nanoseconds time) const {
       one.value = state.isEmpty() ? noText() : state;
       if (curve.band == nullptr) one.value = sourceOf(source(), signal) ? tr("not drawn") : tr("not there");
     }
+    one.source = curve.source;
     if (signal.right) one.name = tr("%1 (right)").arg(one.name);
     if (signal.of == ViewSignal::Of::kSlave && curve.source) {
       const auto number = u'#' + QString::number(curve.source->slave);

@@ -155,6 +155,7 @@ class LiveStrip : public QWidget {
   [[nodiscard]] TimeView& activeView();
   void openMenu(const QPoint& global, Nanoseconds time, TracePanel* panel = nullptr);
   void addPlotActions(QMenu& menu, TracePanel& panel);
+  static void addSlaveCounts(QMenu& menu, TracePanel& panel);
   void addAxisActions(QMenu& menu);
   void addCursorActions(QMenu& menu, Nanoseconds time);
   void addRecordingActions(QMenu& menu, Nanoseconds time);

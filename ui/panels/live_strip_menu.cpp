@@ -87,6 +87,20 @@ void LiveStrip::addAxisActions(QMenu& menu) {
 }
 
 /// Of one plot.
+void LiveStrip::addSlaveCounts(QMenu& menu, TracePanel& panel) {
+  if (panel.slavesShown() == 0) return;
+  auto* counts = menu.addMenu(tr("Slaves that are drawn"));
+  counts->setObjectName(QStringLiteral("slavesShownMenu"));
+  auto* group = new QActionGroup(counts);
+  for (int count = 1; count <= TracePanel::kMostSlaves; ++count) {
+    auto* action = counts->addAction(count == 1 ? tr("The worst one") : tr("The worst %1").arg(count), &panel,
+                                     [&panel, count] { panel.setSlavesShown(count); });
+    action->setCheckable(true);
+    action->setChecked(panel.slavesShown() == count);
+    group->addAction(action);
+  }
+}
+
 void LiveStrip::addPlotActions(QMenu& menu, TracePanel& panel) {
   const auto& left = panel.plot()->axis(TracePlot::kLeft);
   auto* scales = menu.addMenu(tr("Value scale of this plot"));
@@ -100,6 +114,7 @@ void LiveStrip::addPlotActions(QMenu& menu, TracePanel& panel) {
     action->setChecked(left.scale() == scale);
     group->addAction(action);
   }
+  addSlaveCounts(menu, panel);
   auto* limits = menu.addAction(tr("Value limits of this plot…"), &panel, [&panel] {
     LimitsDialog dialog(panel, panel.window());
     dialog.exec();

@@ -45,7 +45,7 @@ DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* pare
       tr("Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the "
          "wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest "
          "readings. Lines: signed values of single slaves."));
-  for (std::size_t i = 0; i < kDeviationsShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
+  for (int i = 0; i < kMostSlaves; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
   hideAll(slaves_);
   other_ = addOverlayItem(SeriesItem::Shape::kEnvelope);
 }
@@ -79,6 +79,14 @@ void DeviationPanel::choose() {
   }
   colorItems();
   plot()->markDirty();
+}
+
+void DeviationPanel::setSlavesShown(int count) {
+  slots_.clear();
+  slots_.setCount(static_cast<std::size_t>(count));
+  hideAll(slaves_);
+  plot()->markDirty();
+  refreshText(true);
 }
 
 void DeviationPanel::colorItems() {
@@ -122,9 +130,9 @@ Sm2Panel::Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent)
   setObjectName(QStringLiteral("sm2Panel"));
   plot()->setObjectName(QStringLiteral("sm2Plot"));
   plot()->setToolTip(tr("SM event missed counter, object 0x1C32:0B or 0x1C32:0C of the slaves that have one."));
-  for (std::size_t i = 0; i < kCountersShown; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kStep));
+  for (int i = 0; i < kMostSlaves; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kStep));
   hideAll(slaves_);
-  for (std::size_t i = 0; i < kCountersShown; ++i) others_.push_back(addOverlayItem(SeriesItem::Shape::kStep));
+  for (int i = 0; i < kMostSlaves; ++i) others_.push_back(addOverlayItem(SeriesItem::Shape::kStep));
 }
 
 void Sm2Panel::attachOverlay() {
@@ -157,6 +165,15 @@ void Sm2Panel::choose() {
   attachOverlay();
   colorItems();
   plot()->markDirty();
+}
+
+void Sm2Panel::setSlavesShown(int count) {
+  slots_.clear();
+  slots_.setCount(static_cast<std::size_t>(count));
+  hideAll(slaves_);
+  hideAll(others_);
+  plot()->markDirty();
+  refreshText(true);
 }
 
 void Sm2Panel::colorItems() { colorSlots(slaves_, slots_, palette()); }

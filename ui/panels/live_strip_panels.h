@@ -15,6 +15,8 @@ class DeviationPanel final : public TracePanel {
   DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
   [[nodiscard]] const SlaveSlots& slots_shown() const { return slots_; }
   [[nodiscard]] std::optional<Signal> limitSignal() const override { return Signal::kDeviation; }
+  [[nodiscard]] int slavesShown() const override { return static_cast<int>(slots_.count()); }
+  void setSlavesShown(int count) override;
 
  protected:
   void attach() override;
@@ -42,6 +44,8 @@ class Sm2Panel final : public TracePanel {
 
  public:
   Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
+  [[nodiscard]] int slavesShown() const override { return static_cast<int>(slots_.count()); }
+  void setSlavesShown(int count) override;
 
  protected:
   void attach() override;

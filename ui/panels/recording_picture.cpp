@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/recording_picture.h"
+#include "support/whole_file.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -171,6 +172,7 @@ Status prepare(LiveStrip& strip, const ReplayedRun& run, const RecordingPicture&
     strip.stability()->setSources(wanted.sources);
   }
   if (wanted.figure) strip.stability()->setFigure(*wanted.figure);
+  if (wanted.cycle_figure) strip.cycle()->setFigure(*wanted.cycle_figure);
   if (wanted.view == PictureView::kCycle &&
       (strip.cycle()->slave() < 0 || (wanted.slave >= 0 && strip.cycle()->slave() != wanted.slave)))
     return fail(ErrorCode::kBadValue, "cycle", because("no slave with SYNC0 whose arrivals are known"));
@@ -203,6 +205,12 @@ std::optional<StabilityView::Figure> stabilityFigureOf(const QString& name) {
   for (const auto& [key, figure] : kFigures) {
     if (name == QLatin1String(key)) return figure;
   }
+  return std::nullopt;
+}
+
+std::optional<CycleView::Figure> cycleFigureOf(const QString& name) {
+  if (name == QLatin1String("arrivals")) return CycleView::Figure::kArrivals;
+  if (name == QLatin1String("bathtub")) return CycleView::Figure::kBathtub;
   return std::nullopt;
 }
 
@@ -250,7 +258,9 @@ Result<SignalSource> drawnSignalOf(const QString& text, const RunRecord& record)
 }
 
 Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wanted, const QString& path) {
-  if (!pictureFormOf(path)) return writePicture({}, path);
+  const bool table = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
+  const bool possible = table ? wanted.view != PictureView::kOverview : pictureFormOf(path).has_value();
+  if (!possible) return writePicture({}, path);
   if (wanted.view == PictureView::kOverview) return writeOverview(run, wanted, path);
   LiveStrip strip;
   strip.findChild<LiveStripToolbar*>()->hide();  // no part of the picture, and wider than many are to be
@@ -275,6 +285,7 @@ Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wan
     return isComplete(strip, wanted.view);
   });
   if (!complete) return fail(ErrorCode::kTimeout, "picture");
+  if (table) return write_whole_file(path.toStdString(), strip.csv());
   for (auto* panel : strip.panels()) panel->refreshText(true);
   for (auto* plot : strip.free()->plots()) plot->refreshText(true);
   QCoreApplication::processEvents();  // what a legend says by now may need more room

@@ -17,6 +17,17 @@ namespace {
 constexpr double kBetweenLanes = 2;  // logical pixels between lanes
 constexpr double kLabelRoom = 4;
 
+/// With an outline instead of a plate: the states below it, the oldest that are shown, stay seen.
+void drawOutlined(QPainter& painter, const QRectF& place, const QString& text, const QColor& color,
+                  const QColor& outline) {
+  painter.setPen(outline);
+  for (const auto& [dx, dy] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1), std::pair(-1, -1),
+                               std::pair(1, -1), std::pair(-1, 1), std::pair(1, 1)})
+    painter.drawText(place.translated(dx, dy), Qt::AlignCenter, text);
+  painter.setPen(color);
+  painter.drawText(place, Qt::AlignCenter, text);
+}
+
 }  // namespace
 
 BandItem::BandItem(const QString& title) : QwtPlotItem(title) { setZ(15); }
@@ -92,12 +103,7 @@ void BandItem::draw(QPainter* painter, const QwtScaleMap& x, const QwtScaleMap&,
     painter->drawText(words, Qt::AlignLeft | Qt::AlignVCenter, shown.name);
   }
   if (title.isEmpty() || high < metrics.height() - 3) return;
-  const QRectF plate(canvas.left(), top, label, high);
-  auto ground = background_;
-  ground.setAlpha(225);
-  painter->fillRect(plate, ground);
-  painter->setPen(label_);
-  painter->drawText(plate, Qt::AlignCenter, title);
+  drawOutlined(*painter, QRectF(canvas.left(), top, label, high), title, label_, background_);
 }
 
 }  // namespace syncline::ui

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/legend_bar.h"
 
+#include <QHelpEvent>
 #include <QPainter>
 #include <QStringList>
+#include <QToolTip>
+#include <utility>
 
 #include "ui/text/joined_text.h"
 #include "ui/theme/theme.h"
@@ -37,6 +40,22 @@ QStringList LegendBar::parts() const {
   QStringList parts;
   for (const auto& entry : entries_) parts << entry.name + u' ' + entry.value;
   return parts;
+}
+
+QString LegendBar::about() const {
+  QStringList lines;
+  for (const auto& entry : entries_) {
+    lines << entry.name + u' ' + entry.value;
+    if (const auto more = about_ ? about_(entry) : QString(); !more.isEmpty()) lines << QStringLiteral("\u2003") + more;
+  }
+  return lines.join(u'\n');
+}
+
+/// Made when it is wanted: it looks at a second of each signal.
+bool LegendBar::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip || entries_.empty()) return QWidget::event(event);
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), about(), this);
+  return true;
 }
 
 QSize LegendBar::sizeHint() const { return {200, fontMetrics().height() + 2}; }

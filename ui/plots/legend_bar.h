@@ -4,9 +4,12 @@
 #include <QColor>
 #include <QString>
 #include <QWidget>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "ui/plots/series_item.h"
+#include "ui/plots/signal_source.h"
 
 namespace syncline::ui {
 
@@ -20,12 +23,18 @@ class LegendBar final : public QWidget {
     QString name, short_name, value;  // the short name where room is scarce; may be empty
     QColor color;
     SeriesItem::Shape shape = SeriesItem::Shape::kLine;
+    std::optional<SignalSource> source{};  // what it is of, of the run or of what lies over it
+    bool of_overlay = false;
     bool operator==(const Entry&) const = default;
   };
 
   explicit LegendBar(QWidget* parent = nullptr);
   void setEntries(std::vector<Entry> entries);
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  /// What else there is to know of an entry; asked when somebody wants to know.
+  void setAbout(std::function<QString(const Entry&)> about) { about_ = std::move(about); }
+  /// A line an entry: name, value and, below it, what else there is to know.
+  [[nodiscard]] QString about() const;
   /// "largest 35 ns; 2 Drive +12 ns".
   [[nodiscard]] QString text() const;
   [[nodiscard]] QSize sizeHint() const override;
@@ -33,6 +42,7 @@ class LegendBar final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   [[nodiscard]] QStringList parts() const;
@@ -43,6 +53,7 @@ class LegendBar final : public QWidget {
   [[nodiscard]] Names namesThatFit() const;
 
   std::vector<Entry> entries_;
+  std::function<QString(const Entry&)> about_;
 };
 
 }  // namespace syncline::ui

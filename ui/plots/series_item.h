@@ -11,6 +11,7 @@
 #include "trace/held_series.h"
 #include "trace/kept_columns.h"
 #include "trace/min_max_series.h"
+#include "ui/plots/signal_source.h"
 
 namespace syncline::ui {
 
@@ -54,6 +55,9 @@ class SeriesItem final : public QwtPlotItem {
   void setMaxGap(Nanoseconds gap) { max_gap_ = gap; }
   /// Steps hold their last value as long as this has heard of it; null: until setHoldUntil().
   void setHeldBy(const HeldSeries* held) { held_ = held; }
+  /// What it draws, where that is a signal of a run.
+  void setSource(const SignalSource& source) { source_ = source; }
+  [[nodiscard]] const std::optional<SignalSource>& source() const { return source_; }
   /// By how much its samples are drawn later than they were, ns; of another recording. Every time here is that of the
   /// plot.
   void setShift(Nanoseconds shift) { shift_ = shift; }
@@ -89,6 +93,7 @@ class SeriesItem final : public QwtPlotItem {
   Nanoseconds max_gap_ = 100 * kMillisecond;
   Nanoseconds hold_until_ = 0;
   Nanoseconds shift_ = 0;
+  std::optional<SignalSource> source_;
   ColumnGrid grid_;  // in the time of the series
   KeptColumns columns_;
   std::vector<SeriesColumn> given_;

@@ -22,6 +22,9 @@ class SlaveSlots {
   /// choice changed.
   bool update(const std::vector<double>& scores, int picked);
   void clear() { slots_.clear(); }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// Of so many from the next update() on; clear() before it where they become fewer.
+  void setCount(std::size_t count) { count_ = count; }
   [[nodiscard]] const std::vector<Slot>& slots() const { return slots_; }
 
  private:

@@ -112,15 +112,35 @@ TimeAxis dcTimeAxis(const TimeView& view, int most) {
   return axis;
 }
 
+/// What a span is told in, and what larger one is taken off the moments in it, so that labels keep few digits.
+struct SpanUnit {
+  Nanoseconds unit, whole;
+  const char* name;
+  int decimals;  // of the whole in seconds
+};
+
+SpanUnit unitOfSpan(Nanoseconds span) {
+  if (span > kSecond) return {kSecond, 0, "s", 0};
+  if (span > kMillisecond) return {kMillisecond, kSecond, "ms", 0};
+  if (span > 2 * TimeView::kMinSpan) return {kMicrosecond, kMillisecond, "\u00B5s", 3};
+  return {1, kMicrosecond, "ns", 6};
+}
+
 TimeAxis numberAxis(const TimeView& view) {
   const auto span = static_cast<double>(view.span()) / 1e9;
-  if (view.mode() == TimeView::Mode::kLive && view.notation() == Notation::kBeforeNow) {
-    const bool small = span <= 1;
-    return {-span, 0, small ? 1e-3 : 1, TracePlot::tr("Time before now"),
-            small ? QStringLiteral("ms") : QStringLiteral("s")};
-  }
-  const double end = static_cast<double>(view.end() - view.origin()) / 1e9;
-  return {end - span, end, 1, TracePlot::tr("Time since start"), QStringLiteral("s")};
+  const auto of = unitOfSpan(view.span());
+  const double divisor = static_cast<double>(of.unit) / 1e9;
+  const auto unit = QString::fromUtf8(of.name);
+  if (view.mode() == TimeView::Mode::kLive && view.notation() == Notation::kBeforeNow)
+    return {-span, 0, divisor, TracePlot::tr("Time before now"), unit};
+  const auto since = view.end() - view.origin();
+  const auto begin = since - view.span();
+  const auto base = of.whole == 0 || begin < 0 ? 0 : begin / of.whole * of.whole;
+  const double end = static_cast<double>(since - base) / 1e9;
+  const auto quantity = base == 0 ? TracePlot::tr("Time since start")
+                                  : TracePlot::tr("Time since start \u2212 %1 s")
+                                        .arg(QLocale().toString(static_cast<double>(base) / 1e9, 'f', of.decimals));
+  return {end - span, end, divisor, quantity, unit};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/signal_source.h"
 #include "ui/text/joined_text.h"
+#include "ui/text/quality_text.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/spoken_value.h"
@@ -66,6 +67,7 @@ TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, 
   layout->addWidget(legend_);
   layout->addWidget(plot_, 1);
   heading_->setBuddy(plot_);
+  legend_->setAbout([this](const LegendBar::Entry& entry) { return aboutEntry(entry); });
   setTitle(title);
 }
 
@@ -138,10 +140,12 @@ void TracePanel::drawOverlay(SeriesItem& item, const QString& name, Signal signa
   item.setTitle(tr("%1 (%2)").arg(name, overlay_.other));
   item.setHeldBy(record->samples().held(signal, slave));
   item.setMaxGap(record->samples().longest_gap(signal));
+  item.setSource({signal, slave});
 }
 
 LegendBar::Entry TracePanel::overlayEntry(const SeriesItem& item, const QString& name, Nanoseconds time) const {
   auto result = entry(item, time);
+  result.of_overlay = true;
   result.name = tr("%1 (%2)").arg(name, overlay_.other);
   result.short_name = overlay_.other;
   return result;
@@ -302,7 +306,8 @@ QStringList TracePanel::figures() const {
 }
 
 LegendBar::Entry TracePanel::entry(const SeriesItem& item, Nanoseconds time) const {
-  LegendBar::Entry entry{item.title().text(), {}, QStringLiteral("\u2013"), item.color(), item.shape()};
+  LegendBar::Entry entry{item.title().text(), {},   QStringLiteral("\u2013"), item.color(), item.shape(),
+                         item.source(),       false};
   if (item.series() == nullptr) return entry;
   if (const auto reading = item.valueAt(time)) entry.value = itemText(item, static_cast<double>(reading->value));
   return entry;
@@ -324,6 +329,15 @@ void TracePanel::draw(SeriesItem& item, Signal signal, std::size_t slave) const 
   if (const auto* series = &store().series(signal, slave); item.series() != series) item.setSeries(series);
   item.setHeldBy(store().held(signal, slave));
   item.setMaxGap(store().longest_gap(signal));
+  item.setSource({signal, slave});
+}
+
+QString TracePanel::aboutEntry(const LegendBar::Entry& entry) const {
+  const auto* record = entry.of_overlay ? overlay_.record : source_;
+  if (record == nullptr || !entry.source || !isThere(*record, *entry.source)) return {};
+  const auto time = cursors_->pointer().value_or(std::min(view_->end(), view_->last()));
+  return qualityText(quality_of(record->samples(), entry.source->signal, entry.source->slave,
+                                entry.of_overlay ? time - overlay_.shift : time));
 }
 
 void TracePanel::showWantedLimits(const std::optional<RunLimits>& wanted) {

@@ -39,6 +39,10 @@ class TracePanel : public QWidget {
   /// The slave that is drawn whatever its values are; -1 = none.
   void setPickedSlave(int position);
   [[nodiscard]] int pickedSlave() const { return picked_; }
+  /// How many slaves are drawn, the worst of them, 1 to kMostSlaves; 0: it is no panel of slaves.
+  static constexpr int kMostSlaves = 6;
+  [[nodiscard]] virtual int slavesShown() const { return 0; }
+  virtual void setSlavesShown(int /*count*/) {}
   /// Limits nothing: by what is shown. In the unit of the axis.
   virtual void setScale(ValueScale scale);
   virtual void setLimits(TracePlot::Side side, const std::optional<AxisLimits>& limits);
@@ -129,6 +133,8 @@ class TracePanel : public QWidget {
   };
   [[nodiscard]] QString betweenCursors();
   [[nodiscard]] QString limitWords() const;
+  /// How often it is read, how old, by which clocks, and how far off it may be; at the time of its value.
+  [[nodiscard]] QString aboutEntry(const LegendBar::Entry& entry) const;
   [[nodiscard]] QString measure(const SeriesItem& item, Nanoseconds begin) const;
   struct OfStretch {
     Statistics statistics;

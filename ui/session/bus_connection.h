@@ -4,6 +4,7 @@
 #include <QString>
 #include <QStringList>
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "channels/values/bus_scan.h"
 #include "compare/compare_configs.h"
 #include "config/project.h"
+#include "record/import_run.h"
 #include "record/recording.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"
@@ -56,6 +58,11 @@ struct NetworkAdapter {
 };
 using AdapterLister = std::function<Result<std::vector<NetworkAdapter>>()>;
 
+/// Makes a run of a capture; `progress` gets the bytes that are read and those of the file (0: not known), in the
+/// calling thread, and ends it by false. Called from the reader's thread.
+using CaptureImporter = std::function<Result<ImportedRun>(
+    const QString& path, const std::function<bool(std::uint64_t done, std::uint64_t all)>& progress)>;
+
 /// What the program that hosts the window knows and the window does not: given once at construction.
 struct Environment {
   MasterOpener open_master;
@@ -72,6 +79,7 @@ struct Environment {
   BusComparer compare_bus{};       // none: nothing is compared with a bus
   /// An event as recordings hold it; none: recordings hold no events.
   std::function<std::optional<RecordedEvent>(const Event&)> record_event{};
+  CaptureImporter import_capture{};  // none: captures are no recordings
 };
 
 }  // namespace syncline::ui

@@ -9,6 +9,7 @@
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
 #include "reasons/because.h"
+#include "record/trigger_document.h"
 #include "ui/session/network_run.h"
 #include "ui/session/post.h"
 #include "ui/session/run_findings.h"
@@ -37,6 +38,7 @@ void DiskRecording::connectRun() {
     if (first_ == 0 && !samples.empty()) first_ = samples.front().send_time;
     recorder_->add(samples);
     tellStanding();
+    tellTriggers(false);
   });
   connect(&run_, &NetworkRun::watchChanged, this, [this](const std::vector<WatchedVariable>& variables) {
     if (recorder_) recorder_->tell(variables);
@@ -51,6 +53,7 @@ void DiskRecording::connectRun() {
   connect(&run_, &NetworkRun::noteAdded, this, [this](const RunNote& note) {
     if (recorder_) recorder_->add(note);
   });
+  connect(&run_, &NetworkRun::triggerKept, this, [this] { triggers_new_ = true; });
   connect(&findings_, &RunFindings::findingsChanged, this, [this] {
     if (recorder_) recorder_->tell(found());
   });
@@ -82,7 +85,17 @@ RecordingAbout DiskRecording::about() const {
   result.link = run_.link().toStdString();
   result.documents.push_back(project());
   result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(run.config())});
+  if (!run.triggers().empty()) result.documents.push_back(trigger_document(run.triggers()));
   return result;
+}
+
+/// A restless one finds more with every cycle: once a second is enough, and at the end.
+void DiskRecording::tellTriggers(bool at_end) {
+  const auto now = run_.record()->samples().last_time();
+  if (!triggers_new_ || (!at_end && now - triggers_told_ < kSecond)) return;
+  triggers_new_ = false;
+  triggers_told_ = now;
+  recorder_->tell(trigger_document(run_.record()->triggers()));
 }
 
 /// With the moments of the file that is written, which may have begun in the middle of the run.
@@ -132,6 +145,7 @@ void DiskRecording::stop() {
   if (recorder_ == nullptr) return;
   tellStanding();
   if (views_) recorder_->tell(project());
+  tellTriggers(true);
   const bool ended = run_.phase() == NetworkRun::Phase::kOffline;
   auto& ending = ending_[number_];
   ending.path = path_;

@@ -85,6 +85,7 @@ class DiskRecording final : public QObject {
   void connectRun();
   [[nodiscard]] std::vector<RecordedFinding> found() const;
   void tellStanding();
+  void tellTriggers(bool at_end);
   void onStopped(int number, const Recorder::Stop& stop);
   void onFinished(int number, const Status& status);
 
@@ -97,6 +98,8 @@ class DiskRecording final : public QObject {
   Nanoseconds begun_ = 0;            // the newest sample when it was started
   Nanoseconds first_ = 0;            // of its samples; 0: none yet
   std::optional<RunStanding> told_;  // to the recorder
+  bool triggers_new_ = false;        // something was found that the recorder has not been told
+  Nanoseconds triggers_told_ = 0;
   std::unique_ptr<Recorder> recorder_;
   int number_ = 0;                // of the recording that goes on, or was the last one
   std::map<int, Ending> ending_;  // by number

@@ -202,6 +202,8 @@ void NetworkRun::drain() {
   channels.samples.pop(samples_);
   const bool fresh = channels.snapshot.read(snapshot_);
   record_->add(samples_);
+  // Before the snapshot, which shows what came of them.
+  for (const auto& event : events) record_->add(event);
   if (fresh) record_->add(snapshot_);
   takeAnswers();
   if (!samples_.empty()) Q_EMIT samplesArrived(samples_);
@@ -214,7 +216,6 @@ void NetworkRun::drain() {
 }
 
 void NetworkRun::handle(const Event& event) {
-  record_->add(event);
   Q_EMIT eventArrived(event);
   if (event.is<events::Online>() && phase_ == Phase::kStarting) setPhase(Phase::kOnline);
   if (event.is<events::Offline>()) close(patience_.stop);
@@ -224,6 +225,12 @@ void NetworkRun::addNote(const RunNote& note) {
   if (record_ == nullptr) return;
   record_->add(note);
   Q_EMIT noteAdded(note);
+}
+
+void NetworkRun::keepTrigger(const KeptTrigger& kept) {
+  if (record_ == nullptr) return;
+  record_->keep(kept);
+  Q_EMIT triggerKept();
 }
 
 /// The window waits for no thread any longer than that.

@@ -70,6 +70,8 @@ class NetworkRun final : public QObject {
   void arm();
   /// What the user writes at a moment of the run; nothing without one.
   void addNote(const RunNote& note);
+  /// What a trigger has found, to be kept with the run.
+  void keepTrigger(const KeptTrigger& kept);
   /// Gives the running master synchronisation the parameters of another origin, which is what runs as soon as the
   /// master has taken them (applied()). What it refuses comes as an event, and what runs stays. Nothing while one is
   /// under way.
@@ -121,6 +123,7 @@ class NetworkRun final : public QObject {
   void samplesArrived(const std::vector<syncline::CycleSample>& samples);
   void eventArrived(const syncline::Event& event);
   void noteAdded(const syncline::RunNote& note);
+  void triggerKept();
   /// Other variables than before: samples of a list after the latest of the record's may come.
   void watchChanged(const std::vector<syncline::WatchedVariable>& variables);
   /// All channels have been looked at, whether there was something or not.

@@ -37,14 +37,38 @@ OpenedRecording::~OpenedRecording() {
 }
 
 void OpenedRecording::read(const QString& path) {
+  begin(path, [this, path] { return load(path); });
+}
+
+void OpenedRecording::importCapture(const QString& capture, const QString& path, const CaptureImporter& importer) {
+  begin(path, [this, capture, path, importer]() -> Outcome {
+    if (auto made = makeRecording(capture, path, importer); !made) return tl::unexpected(made.error());
+    return load(path);
+  });
+}
+
+Status OpenedRecording::makeRecording(const QString& capture, const QString& path, const CaptureImporter& importer) {
+  int told = -1;
+  const auto run = importer(capture, [this, &told](std::uint64_t done, std::uint64_t all) {
+    const int now = all == 0 ? 0 : static_cast<int>(std::min<std::uint64_t>(done * 1000 / all, 1000));
+    if (now != std::exchange(told, now)) {
+      post(*this, [this, now] { Q_EMIT progress(now); });
+    }
+    return !cancelled_;
+  });
+  if (!run) return tl::unexpected(run.error());
+  return write_recording(*run, path.toStdString());
+}
+
+void OpenedRecording::begin(const QString& path, std::function<Outcome()> work) {
   if (reading_) return;
   if (worker_.joinable()) worker_.join();
   reading_ = true;
   cancelled_ = false;
   read_file_.hold(path);
   Q_EMIT started(path);
-  worker_ = std::thread([this, path] {
-    auto outcome = std::make_shared<Outcome>(load(path));
+  worker_ = std::thread([this, path, work = std::move(work)] {
+    auto outcome = std::make_shared<Outcome>(work());
     post(*this, [this, path, outcome] { deliver(path, std::move(*outcome)); });
   });
 }

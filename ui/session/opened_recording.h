@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -18,6 +19,7 @@
 #include "record/run_replay.h"
 #include "support/result.h"
 #include "ui/files/held_file.h"
+#include "ui/session/bus_connection.h"
 #include "ui/session/first_pictures.h"
 #include "ui/text/message.h"
 
@@ -34,6 +36,8 @@ class OpenedRecording final : public QObject {
 
   /// No-op while one is being read.
   void read(const QString& path);
+  /// Writes the recording of a capture to a new file and reads that, as read() does. No-op while one is being read.
+  void importCapture(const QString& capture, const QString& path, const CaptureImporter& importer);
   /// Curves of the recording that is being read, or is going to be; pictured() follows unless it is whole before.
   void picture(std::vector<FirstPicture> pictures) { pictures_.ask(std::move(pictures)); }
   /// Ends the reading within a block; failed() with kCancelled follows.
@@ -86,7 +90,10 @@ class OpenedRecording final : public QObject {
     std::optional<RunReplay> replay{};
   };
   using Outcome = Result<Whole>;
+  void begin(const QString& path, std::function<Outcome()> work);
   Outcome load(const QString& path);
+  /// In the reader's thread: the recording is at `path` when there is no error.
+  Status makeRecording(const QString& capture, const QString& path, const CaptureImporter& importer);
   /// Between two blocks, in the reader's thread.
   void answer(const QString& path);
   static void keepForReplay(const ImportedRun& run, Whole& whole);

@@ -2,7 +2,9 @@
 #include "ui/session/trigger_monitor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "ui/session/window_memory.h"
 
@@ -89,14 +91,32 @@ void TriggerMonitor::setRecord(const RunRecord* record, bool recorded) {
   recorded_ = recorded;
   names_.clear();
   watch_.reset();
+  kept_.reset();
+  if (own_) trigger_ = *std::exchange(own_, std::nullopt);
+  if (!armed_) showKept();
   Q_EMIT recordChanged();
   if (armed_) return begin(std::numeric_limits<Nanoseconds>::min());
   Q_EMIT changed();
 }
 
+void TriggerMonitor::showKept() {
+  if (record_ == nullptr || record_->triggers().empty()) return;
+  const auto& all = record_->triggers();
+  auto kept = std::ranges::find(all, trigger_, &KeptTrigger::trigger);
+  if (kept == all.end() && !recorded_) return;
+  if (kept == all.end()) {
+    kept = all.end() - 1;
+    own_ = std::exchange(trigger_, kept->trigger);
+  }
+  kept_ = *kept;
+  names_ = kept_->names;
+}
+
 void TriggerMonitor::setTrigger(const Trigger& trigger) {
   if (trigger == trigger_) return;
   trigger_ = trigger;
+  own_.reset();
+  kept_.reset();
   keep(memory_, trigger_);
   if (armed_) {
     arm();
@@ -109,8 +129,12 @@ void TriggerMonitor::setTrigger(const Trigger& trigger) {
 
 void TriggerMonitor::arm() {
   armed_ = true;
+  const auto names = kept_ ? std::exchange(kept_, std::nullopt)->names : std::map<Nanoseconds, std::string>();
   const bool from_now = record_ != nullptr && !recorded_ && !record_->samples().empty();
   begin(from_now ? record_->samples().last_time() + 1 : std::numeric_limits<Nanoseconds>::min());
+  // What is found again has the name that it had.
+  if (recorded_) names_ = names;
+  Q_EMIT changed();
 }
 
 void TriggerMonitor::setBack() {
@@ -140,15 +164,37 @@ void TriggerMonitor::disarm() {
 
 const std::vector<TriggerEpisode>& TriggerMonitor::episodes() const {
   static const std::vector<TriggerEpisode> kNone;
-  return watch_ ? watch_->episodes() : kNone;
+  if (watch_) return watch_->episodes();
+  return kept_ ? kept_->episodes : kNone;
 }
 
 QString TriggerMonitor::name(const TriggerEpisode& episode) const {
   const auto found = names_.find(episode.time);
-  return found == names_.end() ? QString() : found->second;
+  return found == names_.end() ? QString() : QString::fromStdString(found->second);
 }
 
-void TriggerMonitor::setName(const TriggerEpisode& episode, const QString& name) { names_[episode.time] = name; }
+void TriggerMonitor::setName(const TriggerEpisode& episode, const QString& name) {
+  names_[episode.time] = name.toStdString();
+  tellFound();
+}
+
+/// What was found before in the same run, and is not looked at again, stays.
+void TriggerMonitor::tellFound() {
+  if (recorded_ || record_ == nullptr || episodes().empty()) return;
+  KeptTrigger kept{trigger_, {}, {}};
+  const auto& before = record_->triggers();
+  if (const auto same = std::ranges::find(before, trigger_, &KeptTrigger::trigger); same != before.end()) {
+    std::ranges::copy_if(same->episodes, std::back_inserter(kept.episodes),
+                         [first = episodes().front().time](const TriggerEpisode& one) { return one.time < first; });
+    kept.names = same->names;
+  }
+  kept.episodes.insert(kept.episodes.end(), episodes().begin(), episodes().end());
+  if (const auto all = kept.episodes.size(); all > TriggerWatch::kMostEpisodes)
+    kept.episodes.erase(kept.episodes.begin(),
+                        kept.episodes.begin() + static_cast<std::ptrdiff_t>(all - TriggerWatch::kMostEpisodes));
+  for (const auto& [time, name] : names_) kept.names[time] = name;
+  Q_EMIT found(kept);
+}
 
 void TriggerMonitor::hearEvents() {
   const auto& told = record_->events();
@@ -174,6 +220,7 @@ void TriggerMonitor::look() {
   hearFindings();
   whole_ = watch_->look(record_->samples(), kPortionCycles * std::max<Nanoseconds>(record_->limits().cycle_time, 1));
   tellCompleted(whole_);
+  if (count != watch_->count() || left_out != leftOut()) tellFound();
   if (count != watch_->count() || left_out != leftOut() || before != stateText()) Q_EMIT changed();
 }
 

@@ -6,6 +6,8 @@
 #include <QTimer>
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "record/run_record.h"
 #include "trace/trigger.h"
@@ -43,7 +45,8 @@ class TriggerMonitor final : public QObject {
   /// The state in words; empty where nothing is shown.
   [[nodiscard]] QString stateText() const;
 
-  /// The latest, also after it was disarmed, until it is armed again.
+  /// The latest, also after it was disarmed, until it is armed again; of a run or a recording that is shown anew what
+  /// was found before.
   [[nodiscard]] const std::vector<TriggerEpisode>& episodes() const;
   [[nodiscard]] std::uint64_t leftOut() const { return watch_ ? watch_->left_out() : 0; }
   [[nodiscard]] QString name(const TriggerEpisode& episode) const;
@@ -58,6 +61,8 @@ class TriggerMonitor final : public QObject {
   void recordChanged();
   /// Episodes, or the state.
   void changed();
+  /// Of a run: what was found by now, or named, is to be kept with it.
+  void found(const syncline::KeptTrigger& kept);
   /// The newest one is there with the time behind it.
   void completed(const syncline::TriggerEpisode& episode);
 
@@ -68,16 +73,21 @@ class TriggerMonitor final : public QObject {
   void hearEvents();
   void hearFindings();
   void tellCompleted(bool whole);
+  void tellFound();
+  /// Shows what the record keeps, found by the trigger that is set or, in a recording, by another one.
+  void showKept();
 
   WindowMemory& memory_;
   Trigger trigger_;
   const RunRecord* record_ = nullptr;
   bool recorded_ = false, armed_ = false, whole_ = false;
   std::unique_ptr<TriggerWatch> watch_;
-  std::uint64_t heard_ = 0;  // events
+  std::optional<KeptTrigger> kept_;  // shown while there is no watch
+  std::optional<Trigger> own_;       // what was set before a recording brought its own
+  std::uint64_t heard_ = 0;          // events
   unsigned looks_ = 0;
   std::uint64_t told_ = 0;  // episodes that were complete
-  std::map<Nanoseconds, QString> names_;
+  std::map<Nanoseconds, std::string> names_;
   QTimer tick_;
 };
 

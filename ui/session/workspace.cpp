@@ -88,6 +88,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
   connect(&runs_, &NetworkRuns::eventArrived, this, &Workspace::appendEvent);
   connect(&runs_, &NetworkRuns::signSeen, this, &Workspace::appendSign);
   connect(&runs_, &NetworkRuns::noteAdded, this, &Workspace::appendNote);
+  connect(&trigger_, &TriggerMonitor::found, this,
+          [this](const KeptTrigger& kept) { runs_.current().run.keepTrigger(kept); });
   connect(&runs_, &NetworkRuns::begun, this, [this](int run, qint64 moment) { messages_.setRunBegin(run, moment); });
   connect(&runs_, &NetworkRuns::dcmLogBegan, this,
           [this](const QString& path) { inform(tr("Controller log"), tr("Written to %1").arg(path)); });

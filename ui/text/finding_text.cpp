@@ -88,7 +88,10 @@ QString FindingSentences::of(const Figure& figure) {
     case In::kPpm:
       return ppmText(static_cast<double>(figure.value) / 1e3);
     case In::kTime:
-      return QString::fromStdString(figure_text(figure)).replace(QLatin1Char('.'), QLocale().decimalPoint());
+      return QString::fromStdString(figure_text(figure))
+          .replace(QLatin1Char('.'), QLocale().decimalPoint())
+          .replace(QStringLiteral(" us"), QStringLiteral(" \u00B5s"))
+          .replace(u' ', QChar(0x00A0));
     case In::kSlave: {
       if (figure.value == -1) return tr("the host");
       if (figure.value < 0) return tr("nobody in the configuration");

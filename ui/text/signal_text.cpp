@@ -63,6 +63,8 @@ QString signalText(Signal signal) {
       return QCoreApplication::translate("DistributionView", "Master to network");
     case Signal::kFrameLateBy:
       return QCoreApplication::translate("DistributionView", "Frame late by");
+    case Signal::kStampDoubt:
+      return QCoreApplication::translate("DistributionView", "Doubt of the send stamp");
     case Signal::kSlaveDeviation:
       return QCoreApplication::translate("DistributionView", "Deviation");
     case Signal::kArrivalPhase:

@@ -152,10 +152,13 @@ void CyclicTaskRunner::note_sending(CycleSample& sample) {
   if (!sent.empty()) {
     const auto& first = *sent.front();
     send_time_ = first.send_time();
+    sample.stamped_by = first.stamped_by();
     stamp_doubt_ = 0;
     if (first.answered()) {
       sample.round_trip_ns = to_32(first.arrival_time() - first.send_time());
+      const bool known = travel_ != 0;
       learn_travel(first);
+      if (known) sample.stamp_doubt_ns = to_32(stamp_doubt_);
     }
   }
   sample.send_time = send_time_;

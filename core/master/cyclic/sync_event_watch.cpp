@@ -83,6 +83,7 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
   }
   slave.in_op_since = time;
   slave.gave_up = slave.fallen = false;
+  run_.snapshot.slaves[slave.position].sm2_missed.settling = true;
   if (!slave.account) slave.account.emplace(grid_of(slave));
   slave.account->set_limit(slave.limit);
   slave.before = slave.account;
@@ -270,6 +271,7 @@ void SyncEventWatch::publish(const Slave& slave) {
   const auto& account = *slave.account;
   news_ = news_ || !status.known || status.missed != account.missed();
   status.known = true;
+  status.settling = false;
   status.missed = account.missed();
   status.computed = account.computed();
   status.at_least = account.at_least();

@@ -61,6 +61,7 @@ Status FrameExchange::send(PendingFrame& frame, SendStamp* stamp) {
   frame.answered_ = false;
   const auto bytes = builder_.finish();
   frame.send_time_ = clock_.now();
+  frame.stamped_by_ = StampSource::kSoftware;
   if (stamp != nullptr) {
     stamp->stamp(frame.send_time_);
     refill_stamped(frame);
@@ -75,13 +76,17 @@ Status FrameExchange::hand_over(PendingFrame& frame, std::span<const std::uint8_
                                 std::span<const std::uint8_t> corrected) {
   if (corrected.empty()) {
     auto status = link_.send(bytes);
-    if (const auto left = link_.sent_at()) frame.send_time_ = *left;
+    if (const auto left = link_.sent_at()) {
+      frame.send_time_ = *left;
+      frame.stamped_by_ = StampSource::kKernel;
+    }
     return status;
   }
   const auto offset = static_cast<std::size_t>(corrected.data() - bytes.data());
   const auto left = link_.send_corrected(bytes, {offset, corrected.size(), frame.send_time_});
   if (!left) return tl::unexpected(left.error());
   frame.send_time_ = *left;
+  frame.stamped_by_ = StampSource::kAdapter;
   return {};
 }
 

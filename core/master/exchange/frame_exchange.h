@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "channels/values/stamp_source.h"
 #include "link/link.h"
 #include "master/exchange/missing_frames.h"
 #include "protocol/frame.h"
@@ -63,6 +64,8 @@ class PendingFrame {
   /// when it came back.
   [[nodiscard]] Nanoseconds send_time() const { return send_time_; }
   [[nodiscard]] Nanoseconds arrival_time() const { return arrival_time_; }
+  /// Whose send_time() is.
+  [[nodiscard]] StampSource stamped_by() const { return stamped_by_; }
 
  private:
   friend class FrameExchange;
@@ -75,6 +78,7 @@ class PendingFrame {
   bool answered_ = false;
   bool cyclic_ = false;
   Nanoseconds send_time_ = 0, arrival_time_ = 0;
+  StampSource stamped_by_ = StampSource::kUntold;
 };
 
 /// Puts datagrams on the wire and matches what comes back by the datagram index: every datagram of a

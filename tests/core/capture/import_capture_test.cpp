@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -13,65 +14,14 @@
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/whole_file.h"
+#include "tests/support/plain_capture.h"
 #include "tests/support/temporary_folder.h"
 #include "trace/untold.h"
 
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kCaptureBegin = 830'000'000 * kSecond;
-
-/// A capture as it is written: pcap with times in ns.
-class PlainCapture {
- public:
-  PlainCapture() {
-    for (const std::uint32_t word : {0xA1B23C4DU, 0x00040002U, 0U, 0U, 0x40000U, 1U}) put(word);
-  }
-  void add(Nanoseconds time, std::vector<std::uint8_t> frame) {
-    const auto unix_time = time + kDcEpochUnixSeconds * kSecond;
-    put(static_cast<std::uint32_t>(unix_time / kSecond));
-    put(static_cast<std::uint32_t>(unix_time % kSecond));
-    for (int i = 0; i < 2; ++i) put(static_cast<std::uint32_t>(frame.size()));
-    bytes_.insert(bytes_.end(), frame.begin(), frame.end());
-  }
-  [[nodiscard]] std::string write(const test::TemporaryFolder& folder) const {
-    const auto path = folder.file("capture.pcap");
-    EXPECT_TRUE(write_whole_file(path, std::span<const std::uint8_t>(bytes_)).has_value());
-    return path;
-  }
-
- private:
-  void put(std::uint32_t word) {
-    for (int i = 0; i < 4; ++i) bytes_.push_back(static_cast<std::uint8_t>(word >> (8 * i)));
-  }
-  std::vector<std::uint8_t> bytes_;
-};
-
-/// A cycle's frame: process data, the reference clock at station 1001, the deviation of one station.
-std::vector<std::uint8_t> cyclic_frame(std::uint8_t index, std::uint16_t station) {
-  FrameBuilder builder;
-  const std::array<std::uint8_t, 6> to{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF}, from{0x00, 1, 2, 3, 4, 5};
-  builder.set_addresses(to, from);
-  EXPECT_TRUE(builder.add_zeros(Command::kLrw, index, 0x1000, 8));
-  EXPECT_TRUE(builder.add_zeros(Command::kFrmw, index, device_address(1001, reg::kSystemTime), 8));
-  EXPECT_TRUE(builder.add_zeros(Command::kFprd, index, device_address(station, reg::kSystemTimeDifference), 4));
-  const auto bytes = builder.finish();
-  return {bytes.begin(), bytes.end()};
-}
-
-std::vector<std::uint8_t> answered(std::vector<std::uint8_t> frame, std::uint64_t system_time, std::int64_t deviation) {
-  frame[6] |= kLocallyAdministered;
-  FrameReader reader(frame);
-  auto data = reader.next();
-  data->set_wkc(6);
-  data = reader.next();
-  store_le(data->data, system_time);
-  data->set_wkc(1);
-  data = reader.next();
-  store_le(data->data, SystemTimeDifference::from_signed(deviation).raw);
-  data->set_wkc(1);
-  return frame;
-}
+using test::answered, test::cyclic_frame, test::kCaptureBegin, test::PlainCapture;
 
 std::vector<std::uint8_t> stamped(std::vector<std::uint8_t> frame, std::uint64_t stamp) {
   const std::array<std::uint8_t, 8> head{0x01, 0x01, 0x05, 0x10, 0x00, 0x00, 0x80, 0x20};
@@ -195,6 +145,33 @@ TEST(ImportCapture, SaysWhatIsMissing) {
   ASSERT_FALSE(text.has_value());
   EXPECT_EQ(text.error().code, ErrorCode::kNotThatKindOfFile);
   EXPECT_EQ(import_capture(folder.file("none")).error().code, ErrorCode::kFileNotFound);
+}
+
+TEST(ImportCapture, SaysHowFarItIsAndEndsWhenItIsNotWanted) {
+  const test::TemporaryFolder folder;
+  PlainCapture file;
+  for (int i = 0; i < 10'000; ++i) {
+    const auto sent = kCaptureBegin + i * 500 * kMicrosecond;
+    const auto frame = cyclic_frame(static_cast<std::uint8_t>(i), 1002);
+    file.add(sent, frame);
+    file.add(sent + 28'000, answered(frame, static_cast<std::uint64_t>(sent + 77), -12));
+  }
+  const auto path = file.write(folder);
+  std::vector<std::uint64_t> told;
+  std::uint64_t all = 0;
+  const auto run = import_capture(path, {}, [&](std::uint64_t done, std::uint64_t of) {
+    told.push_back(done);
+    all = of;
+    return true;
+  });
+  ASSERT_TRUE(run);
+  ASSERT_GE(told.size(), 4U);
+  EXPECT_TRUE(std::ranges::is_sorted(told));
+  EXPECT_GT(told.back(), all / 2);
+  EXPECT_LE(told.back(), all);
+  const auto ended = import_capture(path, {}, [](std::uint64_t, std::uint64_t) { return false; });
+  ASSERT_FALSE(ended);
+  EXPECT_EQ(ended.error().code, ErrorCode::kCancelled);
 }
 
 }  // namespace

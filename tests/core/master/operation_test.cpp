@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <span>
 #include <thread>
 
 #include "compile/compile.h"
@@ -200,6 +201,19 @@ TEST_F(OperationTest, MasterShiftFollowsAFastReferenceClock) {
   const auto& a = samples[samples.size() - 1001];
   const auto& b = samples.back();
   EXPECT_NEAR(static_cast<double>(b.send_time - a.send_time), 1e9 * (1 - 80e-6), 2000);
+}
+
+/// A link without stamps of its own leaves those of the master; what they may be off by comes back with the frame.
+TEST_F(OperationTest, EachCycleSaysWhoStampedItAndHowSureThatIs) {
+  go_online();
+  run(500 * kMillisecond);
+  ASSERT_GT(samples.size(), 100U);
+  for (const auto& sample : std::span(samples).subspan(10)) {
+    EXPECT_EQ(sample.stamped_by, StampSource::kSoftware);
+    if ((sample.flags & CycleSample::kFrameLost) != 0) continue;
+    EXPECT_GE(sample.stamp_doubt_ns, 0);
+    EXPECT_LE(sample.stamp_doubt_ns, sample.round_trip_ns);
+  }
 }
 
 TEST_F(OperationTest, ReadsTheSm2CounterWhereTheVendorHasIt) {

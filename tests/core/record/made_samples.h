@@ -50,6 +50,8 @@ class MadeSamples {
       return s;
     }
     s.flags |= CycleSample::kReferenceValid | CycleSample::kDeviationValid | CycleSample::kFollowersRead;
+    s.stamped_by = StampSource::kKernel;
+    s.stamp_doubt_ns = static_cast<std::int32_t>(s.cycle * 7919 % 3'000);
     s.round_trip_ns = static_cast<std::int32_t>(30'000 + about(900));
     s.wkc_received = once_in(50) ? 6 : 9;
     s.reference_time = s.send_time + 333'333 + about(400);

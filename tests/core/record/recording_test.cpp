@@ -14,6 +14,7 @@
 #include <fstream>
 #include <thread>
 
+#include "record/recorded_signals.h"
 #include "record/recorder.h"
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
@@ -192,6 +193,71 @@ TEST_F(RecordingFile, HoldsTheRunAsItWas) {
   }
   EXPECT_EQ(low, static_cast<double>(extent->min));
   EXPECT_EQ(high, static_cast<double>(extent->max));
+}
+
+/// Between two snapshots a slave may fall and come back: the events tell it, in the file, too.
+TEST_F(RecordingFile, HoldsAFallThatNoSnapshotHasMet) {
+  auto recorder = start({.by_clock = false});
+  test::MadeSamples made(3);
+  Nanoseconds fall = 0, back = 0, end = 0;
+  const auto tell = [&](Nanoseconds time, AlState from, AlState to) {
+    recorder->add(RecordedEvent{time, 1, "state", "words", encode_event(events::StateChanged{from, to})});
+  };
+  for (int i = 0; i < 30; ++i) {
+    const auto samples = made.next(100);
+    recorder->add(samples);
+    auto now = snapshot(samples.back().send_time, 0);
+    for (auto& slave : now.slaves) slave.al_status = 8;
+    if (i == 15) {
+      fall = samples[20].send_time;
+      back = samples[25].send_time;
+      tell(fall, AlState::kOp, AlState::kSafeop);
+      recorder->add(RecordedEvent{fall, 1, "error", "words", encode_event(events::AlStatusError{0x14, 0x1B})});
+      tell(back, AlState::kSafeop, AlState::kOp);
+    }
+    recorder->add(now);
+    end = samples[90].send_time;
+  }
+  tell(end, AlState::kOp, AlState::kInit);
+  recorder->add(RecordedEvent{end, -1, "offline", "words", encode_event(events::Offline{})});
+  ASSERT_TRUE(recorder->finish());
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  NetworkConfig config;
+  config.slaves.resize(3);
+  const auto run = replay_run(*reader, config);
+  ASSERT_TRUE(run);
+  const auto& samples = run->record->samples();
+  EXPECT_EQ(samples.value(Signal::kAlState, 1, fall - 1)->value, 8);
+  EXPECT_EQ(samples.value(Signal::kAlState, 1, fall)->value, 0x14) << "with its error";
+  EXPECT_EQ(samples.value(Signal::kAlState, 1, back)->value, 8);
+  EXPECT_EQ(samples.value(Signal::kAlState, 1, samples.last_time())->value, 8) << "how it was left is no part of it";
+}
+
+TEST_F(RecordingFile, TellsHowOftenEachSignalWasReadAndWhoStampedIt) {
+  make();
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  const auto found = recorded_signals(*reader, 3);
+  ASSERT_TRUE(found);
+  std::vector<CycleSample> all;
+  ASSERT_TRUE(reader->samples([&all](std::span<const CycleSample> samples) {
+    all.insert(all.end(), samples.begin(), samples.end());
+    return true;
+  }));
+  const auto values_of = [&found](Signal signal, int slave) {
+    const auto one = std::ranges::find_if(
+        found->signals, [&](const RecordedSignal& of) { return of.signal == signal && of.slave == slave; });
+    return one == found->signals.end() ? 0 : one->values;
+  };
+  const auto count = [&all](auto has) { return static_cast<std::uint64_t>(std::ranges::count_if(all, has)); };
+  const auto answered = count([](const CycleSample& s) { return (s.flags & CycleSample::kFrameLost) == 0; });
+  EXPECT_EQ(values_of(Signal::kRoundTrip, -1), answered);
+  EXPECT_EQ(values_of(Signal::kLateness, -1), all.size());
+  EXPECT_EQ(values_of(Signal::kSlaveDeviation, 2), count([](const CycleSample& s) { return s.slave_position == 2; }));
+  EXPECT_EQ(found->stamps[static_cast<std::size_t>(StampSource::kKernel)], answered);
+  EXPECT_EQ(found->stamps[static_cast<std::size_t>(StampSource::kSoftware)], 0U);
+  EXPECT_EQ(found->worst_stamp, std::ranges::max_element(all, {}, &CycleSample::stamp_doubt_ns)->stamp_doubt_ns);
 }
 
 /// Replayed, each series of the store has the samples that it had while the run went on, bit for bit.

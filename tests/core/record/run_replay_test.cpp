@@ -74,8 +74,8 @@ std::vector<Drained> replayed_run() {
 
 void take(RunRecord& live, const Drained& drained) {
   live.add(drained.samples);
-  live.add(drained.snapshot);
   if (drained.event) live.add(*drained.event);
+  live.add(drained.snapshot);
 }
 
 std::vector<std::pair<Nanoseconds, std::uint32_t>> bits_of(const MinMaxSeries& series) {

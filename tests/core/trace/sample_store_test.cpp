@@ -158,6 +158,102 @@ TEST(SampleStore, AValueThatIsNoLongerReadEnds) {
   EXPECT_EQ(store.value(Signal::kSm2Missed, 1, kMillisecond)->value, 4);
 }
 
+/// One clock is read a cycle, in turn: 300 of them within 300 cycles, three within three.
+TEST(SampleStore, AReadingInTurnIsOldAfterTenCyclesOrWhenItsTurnWasMissed) {
+  const auto read_in_turn = [](SampleStore& store, std::uint64_t clocks) {
+    std::vector<CycleSample> samples;
+    for (std::uint64_t cycle = 1; cycle < 4 * clocks + 20; ++cycle) {
+      auto s = stored(cycle);
+      s.flags |= CycleSample::kSlaveFollows;
+      s.slave_position = static_cast<std::int16_t>(cycle % clocks);
+      samples.push_back(s);
+    }
+    store.append(samples);
+  };
+  SampleStore few({.slaves = 9}), many({.slaves = 300});
+  read_in_turn(few, 3);
+  read_in_turn(many, 300);
+  EXPECT_EQ(few.longest_gap(Signal::kSlaveDeviation), 10 * kMillisecond);
+  EXPECT_EQ(many.longest_gap(Signal::kSlaveDeviation), 602 * kMillisecond + kMillisecond / 2);
+  const auto last = few.series(Signal::kSlaveDeviation, 2).last_time();
+  EXPECT_TRUE(few.value(Signal::kSlaveDeviation, 2, last + 10 * kMillisecond));
+  EXPECT_FALSE(few.value(Signal::kSlaveDeviation, 2, last + 10 * kMillisecond + 1));
+}
+
+Snapshot in_state(Nanoseconds time, std::uint16_t al_status) {
+  auto snapshot = stored_snapshot(time, 0);
+  snapshot.slaves[1].al_status = al_status;
+  return snapshot;
+}
+Event state_changed(Nanoseconds time, AlState from, AlState to) { return {time, 1, events::StateChanged{from, to}}; }
+std::vector<std::pair<Nanoseconds, float>> al_states(const SampleStore& store) {
+  std::vector<std::pair<Nanoseconds, float>> all;
+  store.series(Signal::kAlState, 1).for_each(INT64_MIN, INT64_MAX, [&all](Nanoseconds time, float value) {
+    all.emplace_back(time, value);
+  });
+  return all;
+}
+
+/// Between two snapshots a slave may fall and come back.
+TEST(SampleStore, AFallThatNoSnapshotHasMetIsAmongTheStates) {
+  SampleStore store({.slaves = 2});
+  store.append(std::vector<CycleSample>{stored(1)});
+  store.append(in_state(10 * kMillisecond, 8));
+  store.append(in_state(43 * kMillisecond, 8));
+  // Also behind a snapshot that shows the same as before.
+  store.append(state_changed(20 * kMillisecond, AlState::kOp, AlState::kSafeop));
+  store.append(Event{20 * kMillisecond, 1, events::AlStatusError{0x14, 0x1B}});
+  store.append(state_changed(22 * kMillisecond, AlState::kSafeop, AlState::kOp));
+  store.append(in_state(76 * kMillisecond, 8));
+  // Nothing of the run is behind it: the bus is taken down.
+  store.append(state_changed(90 * kMillisecond, AlState::kOp, AlState::kInit));
+  using Changes = std::vector<std::pair<Nanoseconds, float>>;
+  EXPECT_EQ(
+      al_states(store),
+      (Changes{
+          {10 * kMillisecond, 8.F}, {20 * kMillisecond, 4.F}, {20 * kMillisecond, 20.F}, {22 * kMillisecond, 8.F}}));
+  EXPECT_EQ(store.value(Signal::kAlState, 1, 21 * kMillisecond)->value, 20);
+  EXPECT_EQ(store.heard(Signal::kAlState, 1), 76 * kMillisecond);
+}
+
+TEST(SampleStore, AStateHasTheMomentOfItsEventAndNotThatOfTheSnapshot) {
+  SampleStore store({.slaves = 2});
+  store.append(std::vector<CycleSample>{stored(1)});
+  store.append(in_state(10 * kMillisecond, 8));
+  store.append(state_changed(21 * kMillisecond, AlState::kOp, AlState::kSafeop));
+  store.append(in_state(43 * kMillisecond, 4));
+  EXPECT_EQ(al_states(store).back(), std::pair(21 * kMillisecond, 4.F));
+  EXPECT_EQ(store.heard(Signal::kAlState, 1), 43 * kMillisecond);
+  // Without an event, as of an error that was acknowledged, the snapshot is what there is.
+  store.append(in_state(76 * kMillisecond, 8));
+  EXPECT_EQ(store.value(Signal::kAlState, 1, 76 * kMillisecond)->value, 8);
+  store.append(in_state(109 * kMillisecond, 8));
+  EXPECT_EQ(al_states(store).back(), std::pair(76 * kMillisecond, 8.F));
+  EXPECT_EQ(store.heard(Signal::kAlState, 1), 109 * kMillisecond);
+}
+
+/// It begins at 0 when the slave is in OP again, and until that is counted nobody knows it.
+TEST(SampleStore, TheFuseDoesNotShowItsLimitAfterARecovery) {
+  SampleStore store({.slaves = 2});
+  store.append(std::vector<CycleSample>{stored(1)});
+  auto snapshot = stored_snapshot(kMillisecond, 3);
+  auto& misses = snapshot.slaves[1].sm2_missed;
+  misses.integrator = misses.limit = 9;
+  store.append(snapshot);
+  EXPECT_EQ(store.value(Signal::kSm2Integrator, 1, kMillisecond)->value, 9);
+  misses.settling = true;
+  snapshot.time = 20 * kMillisecond;
+  store.append(snapshot);
+  EXPECT_FALSE(store.value(Signal::kSm2Integrator, 1, 20 * kMillisecond));
+  EXPECT_FALSE(store.value(Signal::kSm2CyclesToTrip, 1, 20 * kMillisecond));
+  EXPECT_TRUE(store.value(Signal::kSm2Missed, 1, 20 * kMillisecond)) << "its sum stays";
+  misses.settling = false;
+  misses.integrator = 0;
+  snapshot.time = 40 * kMillisecond;
+  store.append(snapshot);
+  EXPECT_EQ(store.value(Signal::kSm2Integrator, 1, 40 * kMillisecond)->value, 0);
+}
+
 TEST(Signals, EachHasItsPlaceItsKeyAndOneSource) {
   std::set<std::pair<std::string_view, bool>> keys;
   for (std::size_t i = 0; i < kSignalCount; ++i) {

@@ -19,10 +19,11 @@ using testing::ElementsAre;
 constexpr float kNothing = SlaveCells::kNoReading;
 constexpr Nanoseconds kHeatStart = 830'000'000 * kSecond;
 
-/// Cycles of 1 ms; four slaves, of which 1..3 are read in turn, each after 3 ms: a reading holds for 36 ms at most.
+/// Cycles of 1 ms; four slaves, of which 1..3 are read in turn, each after 3 ms: a reading holds for ten cycles at
+/// most.
 class SlaveCellsTest : public testing::Test {
  protected:
-  static constexpr Nanoseconds kHolds = 4 * 4 * kMillisecond + 20 * kMillisecond;
+  static constexpr Nanoseconds kHolds = 10 * kMillisecond;
 
   CycleSample cycle(std::uint64_t i) const {
     CycleSample sample;
@@ -91,10 +92,10 @@ TEST_F(SlaveCellsTest, OneSpikeIsSeenAtEveryZoomAndInOneColumn) {
 }
 
 TEST_F(SlaveCellsTest, AnAbsentSlaveHasNoReadingFromItsLastOneOn) {
-  // Slave 3 does not answer from 20 to 100 ms, which is longer than a reading holds; 2 not from 20 to 30 ms.
+  // Slave 3 does not answer from 20 to 100 ms, which is longer than a reading holds; 2 not from 20 to 27 ms.
   run(0, 200, [](CycleSample& sample) {
     const bool silent = (sample.slave_position == 3 && sample.cycle >= 20 && sample.cycle < 100) ||
-                        (sample.slave_position == 2 && sample.cycle >= 20 && sample.cycle < 30);
+                        (sample.slave_position == 2 && sample.cycle >= 20 && sample.cycle < 27);
     if (silent) sample.slave_position = -1;
     return true;
   });
@@ -118,37 +119,37 @@ TEST_F(SlaveCellsTest, TheNewestReadingHoldsUntilItIsTooOld) {
     return true;
   };
   run(0, 30);  // slave 3 last at 29 ms
-  run(30, 60, without_three);
+  run(30, 35, without_three);
   show(0, kMillisecond, 120);
-  EXPECT_EQ(cells.row(3)[59], 30);
-  EXPECT_EQ(cells.row(3)[60], kNothing) << "later than the newest cycle";
-  run(60, 66, without_three);
+  EXPECT_EQ(cells.row(3)[34], 30);
+  EXPECT_EQ(cells.row(3)[35], kNothing) << "later than the newest cycle";
+  run(35, 40, without_three);
   show(0, kMillisecond, 120);
-  EXPECT_EQ(cells.row(3)[65], 30) << "36 ms old";
-  run(66, 67, without_three);
+  EXPECT_EQ(cells.row(3)[39], 30) << "10 ms old";
+  run(40, 41, without_three);
   show(0, kMillisecond, 120);
   EXPECT_EQ(cells.row(3)[29], 30);
   EXPECT_EQ(cells.row(3)[30], kNothing) << "nothing stale is left of what held before";
-  EXPECT_EQ(cells.row(2)[65], 20);
+  EXPECT_EQ(cells.row(2)[39], 20);
 }
 
 TEST_F(SlaveCellsTest, NothingHoldsOverAnOutage) {
-  // Frames are lost from 31 to 40 ms, cycles are missing from 61 to 70 ms: less than a reading would hold.
+  // Frames are lost from 31 to 36 ms, cycles are missing from 61 to 66 ms: less than a reading would hold.
   run(0, 120, [](CycleSample& sample) {
-    if (sample.cycle > 60 && sample.cycle <= 70) return false;
-    if (sample.cycle <= 30 || sample.cycle > 40) return true;
+    if (sample.cycle > 60 && sample.cycle <= 66) return false;
+    if (sample.cycle <= 30 || sample.cycle > 36) return true;
     sample.flags = CycleSample::kFrameLost;
     sample.slave_position = -1;
     return true;
   });
   show(0, kMillisecond, 120);
-  const auto& seen = cells.row(1);  // read at 27, 30, 42, 60, 72 ms
+  const auto& seen = cells.row(1);  // read at 27, 30, 39, 60, 69 ms
   EXPECT_EQ(seen[30], 10);
-  for (std::size_t i = 31; i < 42; ++i) EXPECT_EQ(seen[i], kNothing) << i;
-  EXPECT_EQ(seen[42], 10);
+  for (std::size_t i = 31; i < 39; ++i) EXPECT_EQ(seen[i], kNothing) << i;
+  EXPECT_EQ(seen[39], 10);
   EXPECT_EQ(seen[60], 10);
-  for (std::size_t i = 61; i < 72; ++i) EXPECT_EQ(seen[i], kNothing) << i;
-  EXPECT_EQ(seen[72], 10);
+  for (std::size_t i = 61; i < 69; ++i) EXPECT_EQ(seen[i], kNothing) << i;
+  EXPECT_EQ(seen[69], 10);
   EXPECT_EQ(cells.row(2)[28], 20) << "until then it holds";
   EXPECT_EQ(cells.row(2)[29], 20);
   show(35 * kMillisecond, kMillisecond, 20);
@@ -214,7 +215,7 @@ TEST_F(SlaveCellsTest, AFullStoreKeepsItsOutages) {
   run(0, now);
   for (int step = 0; step < 40; ++step) {
     run(now, now + 40);
-    now += 40 + 28;  // longer than cycles are apart, shorter than a reading holds
+    now += 40 + 7;  // longer than cycles are apart, shorter than a reading holds
     const SlaveCells::Grid grid{kHeatStart + static_cast<Nanoseconds>(now - 400) * kMillisecond, kMillisecond, 400};
     cells.show(store, grid);
     SlaveCells anew;

@@ -62,7 +62,7 @@ TEST_F(SlaveFiguresTest, WhoIsNotReadAnyMoreHasNoPresentValue) {
   EXPECT_EQ(figures.newest->time, 499 * kMillisecond);
   EXPECT_EQ(figures.age, 500 * kMillisecond);
   EXPECT_FALSE(figures.is_present);
-  EXPECT_TRUE(of(2, 0, 510 * kMillisecond).is_present);
+  EXPECT_TRUE(of(2, 0, 505 * kMillisecond).is_present);
   EXPECT_TRUE(of(1, 0, 10 * kSecond).is_present) << "behind the newest cycle there is no present";
   EXPECT_FALSE(of(3, 0, kSecond).newest);
 }
