@@ -42,8 +42,7 @@ tl::unexpected<Stop> failed(TryStep step, std::string reason) {
 
 Project project_of(const DeviceDescription& device) {
   Project project;
-  auto& slave = project.slaves.emplace_back(default_slave(device, 0));
-  slave.station_address = 1001;
+  project.slaves.push_back(default_slave(device, 0));
   return project;
 }
 

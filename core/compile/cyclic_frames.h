@@ -12,10 +12,6 @@
 
 namespace syncline::compiler {
 
-/// Bytes of all datagrams of one Ethernet frame: 1500 less the EtherCAT header.
-inline constexpr std::uint32_t kMaxDatagramBytes = 1498;
-inline constexpr std::uint32_t kDatagramOverhead = 12;
-
 struct CyclicOptions {
   EniDialect dialect = EniDialect::kEcEngineer;
   std::uint16_t slave_count = 0;

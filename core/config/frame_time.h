@@ -8,6 +8,11 @@
 /// How long a bus cycle's frames are under way.
 namespace syncline {
 
+/// From the Ethernet header to the last datagram; neither padding nor FCS.
+[[nodiscard]] std::size_t frame_bytes(const CyclicFrame& frame);
+/// With both.
+[[nodiscard]] std::size_t bytes_sent(const CyclicFrame& frame);
+
 /// Time on a 100 Mbit/s wire of one frame with these commands: preamble, header, padding, FCS and gap included.
 [[nodiscard]] Nanoseconds wire_time(const CyclicFrame& frame);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
 #include "sim/dc/rate_changes.h"

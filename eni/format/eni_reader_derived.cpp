@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "eni/format/eni_reader.h"
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -45,8 +46,6 @@ void derive_assign_activate(SlaveConfig& slave) {
 
 /// Frames whose offsets advance like datagram headers on the wire come from a tool that counts headers.
 bool counts_headers(const NetworkConfig& config) {
-  constexpr std::uint32_t kFirstHeader = 16;
-  constexpr std::uint32_t kDatagramOverhead = 12;
   bool any = false;
   for (const auto& task : config.cyclic) {
     for (const auto& frame : task.frames) {
@@ -57,7 +56,7 @@ bool counts_headers(const NetworkConfig& config) {
       for (const CyclicCmd& cmd : frame.commands) {
         const bool follows = previous
                                  ? cmd.input_offset == previous->input_offset + kDatagramOverhead + previous->length()
-                                 : cmd.input_offset >= kFirstHeader;
+                                 : cmd.input_offset >= kFrameOverhead;
         if (!follows) {
           return false;
         }

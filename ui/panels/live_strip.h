@@ -96,10 +96,8 @@ class LiveStrip : public QWidget {
   [[nodiscard]] std::string csv() const;
   /// The same of a stretch of the plots over time, or of the user's own.
   [[nodiscard]] CsvTable table(Nanoseconds from, Nanoseconds to) const;
-  /// Writes it, with progress and Cancel; who waits looks at csvExport().
+  /// Writes it, with progress and Cancel.
   void exportTable(const QString& path, CsvTable table);
-  /// Null before the first one.
-  [[nodiscard]] CsvExport* csvExport() const { return csv_export_; }
   /// What is shown, with a caption, in light colours whatever the theme is. To be drawn at once.
   [[nodiscard]] Picture picture();
   /// The figures of the plots that are shown, a line a curve, for a spreadsheet.

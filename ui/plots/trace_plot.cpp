@@ -283,11 +283,6 @@ void TracePlot::fitValues() {
   markDirty();
 }
 
-void TracePlot::fixValues(double low, double high) {
-  axes_[kLeft]->fix({low, high});
-  markDirty();
-}
-
 Nanoseconds TracePlot::timeAt(double x) const {
   const auto width = static_cast<double>(std::max(canvas()->contentsRect().width(), 1));
   const double column = (x - canvas()->contentsRect().left()) / width * grid_.columns;

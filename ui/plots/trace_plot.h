@@ -50,7 +50,6 @@ class TracePlot final : public QwtPlot {
   void setRightReserved(bool reserved);
   void setLimit(double limit, const QString& label, Side side = kLeft);
   [[nodiscard]] double limit() const { return band_->limit(); }
-  [[nodiscard]] Side limitSide() const { return limit_side_; }
   /// It can be dragged: limitDragged() tells where to; it stays where it is.
   void setLimitMovable(bool movable) { limit_movable_ = movable; }
   [[nodiscard]] bool limitMovable() const { return limit_movable_ && band_->limit() > 0; }
@@ -75,7 +74,6 @@ class TracePlot final : public QwtPlot {
   /// Redraws whatever can be seen of it, for pictures.
   void redraw();
   void fitValues();
-  void fixValues(double low, double high);
   [[nodiscard]] ValueAxis& axis(Side side) { return *axes_[side]; }
   [[nodiscard]] const ValueAxis& axis(Side side) const { return *axes_[side]; }
 

@@ -172,7 +172,6 @@ class Overview {
 
 }  // namespace
 
-QString faultText(const Fault& fault, const RunRecord& record) { return Overview::fault(fault, record); }
 QString lampText(const SyncLamp& lamp, const SyncOverview& overview) { return Overview::lamp(lamp, overview); }
 QString firstFaultText(const RunRecord& record, std::span<const Finding> findings, std::size_t episode) {
   return Overview::firstFault(record, findings, episode);

@@ -13,6 +13,7 @@
 #include "master/sii/sii_reader.h"
 #include "protocol/al_state.h"
 #include "protocol/registers.h"
+#include "protocol/station_address.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -158,7 +159,7 @@ class Scanner {
     writes.push_back({Command::kBwr, device_address(0, reg::kDlControlAlias), no_alias});
     for (std::size_t i = 0; i < addresses_.size(); ++i) {
       auto& slave = scan_.slaves[i];
-      slave.station_address = static_cast<std::uint16_t>(kFirstStationAddress + i);
+      slave.station_address = usual_station_address(i);
       store_le(bytes[i], slave.station_address);
       writes.push_back(addresses_[i].write(reg::kStationAddress, bytes[i]));
     }

@@ -31,9 +31,6 @@ struct ScanObserver {
   std::function<void(std::size_t running, std::size_t eeproms)> touching{};
 };
 
-/// First station address that the scan gives; the configurator's convention.
-inline constexpr std::uint16_t kFirstStationAddress = 1001;
-
 /// Number of slaves that process a broadcast; 0 when no frame comes back from any.
 [[nodiscard]] Result<std::uint16_t> count_slaves(Bus& bus);
 
