@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "config/dc_times.h"
 #include "config/module_slots.h"
+#include "config/sync0_cycle.h"
 
 namespace syncline::compiler {
 namespace {

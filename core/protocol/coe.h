@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "protocol/emergency.h"
 #include "support/brief_error.h"
 #include "support/result.h"
 
@@ -87,14 +88,6 @@ struct UploadSegmentResponse {
   bool last = false;
   std::vector<std::uint8_t> data;
   bool operator==(const UploadSegmentResponse&) const = default;
-};
-
-/// Service 1.
-struct Emergency {
-  std::uint16_t error_code = 0;
-  std::uint8_t error_register = 0;
-  std::array<std::uint8_t, 5> data{};
-  bool operator==(const Emergency&) const = default;
 };
 
 using Request = std::variant<DownloadRequest, DownloadSegmentRequest, UploadRequest, UploadSegmentRequest, Abort>;

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 #include "protocol/registers.h"
 #include "recover/recovered_device.h"
 #include "support/byte_order.h"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 #include "protocol/dc_registers.h"
 #include "settings/settings_table.h"
 #include "ui/text/finding_text.h"

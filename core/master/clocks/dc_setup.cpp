@@ -6,8 +6,9 @@
 #include <algorithm>
 
 #include "dc/clock_registers.h"
-#include "master/clocks/dc_burst.h"
+#include "dc/system_time_offset.h"
 #include "master/clocks/dc_loop_values.h"
+#include "master/clocks/drift_compensation.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"

@@ -8,6 +8,7 @@
 
 #include "config/sync_grid.h"
 #include "dc/clock_registers.h"
+#include "dc/start_time.h"
 #include "dc/sync0_arrival.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/clocks/dc_burst.h"
+#include "master/clocks/drift_compensation.h"
 
 #include <algorithm>
 

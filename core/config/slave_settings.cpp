@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "config/project.h"
+#include "config/slave_settings.h"
 
 #include <algorithm>
 
