@@ -10,6 +10,7 @@
 #include "app/cli/options.h"
 #include "app/composition/eeprom_journal.h"
 #include "findings/error_text.h"
+#include "findings/finding.h"
 
 namespace syncline::cli {
 namespace {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/project_create.h"
+#include "app/cli/command_files.h"
+#include "app/cli/context.h"
 #include "app/cli/difference_json.h"
+#include "engine/opened_link.h"
+#include "eni/xml/file_warning.h"
 
 #include <algorithm>
 

@@ -8,6 +8,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/composition/slave_eeprom.h"
+#include "master/sii/sii_writer.h"
 
 namespace syncline::cli {
 namespace {

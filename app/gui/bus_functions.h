@@ -6,8 +6,10 @@
 #include "app/composition/open_master.h"
 #include "engine/compare_bus.h"
 #include "engine/describe_slaves.h"
+#include "engine/opened_link.h"
 #include "engine/scan_bus.h"
 #include "ui/session/bus_connection.h"
+#include "ui/text/link_text.h"
 
 namespace syncline {
 

@@ -22,6 +22,7 @@
 #include "app/gui/recording_picture.h"
 #include "app/gui/screenshots.h"
 #include "link/pcap_link.h"
+#include "master/sii/sii_writer.h"
 #include "reasons/because.h"
 #include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"

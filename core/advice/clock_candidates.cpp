@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "config/project.h"
 #include "config/sync0_cycle.h"
 
 namespace syncline {

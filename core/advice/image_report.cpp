@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "config/cyclic_frame.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
+#include "config/project.h"
+#include "config/slave_config.h"
 #include "protocol/frame.h"
 
 namespace syncline {

@@ -8,6 +8,8 @@
 
 namespace syncline {
 
+struct ImportedRun;
+
 /// The run that a capture (pcap, pcapng) of any master shows: a cycle begins with each frame of the process-data
 /// command that came most often (without any, of the reading of the reference clock). Told are the times of the frames,
 /// by a probe's own stamps (ET2000) where it has them, else by the host's; whether they came back, and their working

@@ -9,10 +9,13 @@
 
 #include "capture/pcap_reader.h"
 #include "capture/recorded_bus.h"
+#include "link/link.h"
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "protocol/station_alias.h"
 #include "reasons/because.h"
 #include "support/byte_order.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

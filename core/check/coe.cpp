@@ -5,6 +5,9 @@
 #include <map>
 
 #include "check/network_view.h"
+#include "config/mailbox_config.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "support/le_number.h"
 
 namespace syncline::checker {

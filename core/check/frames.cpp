@@ -5,6 +5,7 @@
 
 #include "check/network_view.h"
 #include "config/command_text.h"
+#include "config/network_config.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 
+#include "compile/slave_plan.h"
 #include "compile/sync_init_cmds.h"
+#include "config/dc_description.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
 #include "config/startup_origin.h"
 #include "config/sync0_cycle.h"
 #include "support/byte_order.h"

@@ -7,8 +7,6 @@
 
 #include "compile/compile.h"
 #include "compile/process_image.h"
-#include "config/frame_time.h"
-#include "config/network_config.h"
 
 namespace syncline::compiler {
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "config/device_description.h"
+
 namespace syncline {
 namespace {
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "config/cyclic_frame.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
 #include "protocol/frame.h"
 
 namespace syncline {

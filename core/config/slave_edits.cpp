@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "config/device_description.h"
+#include "config/project.h"
 #include "config/wiring_draft.h"
 #include "config/wiring_tree.h"
 #include "protocol/station_address.h"

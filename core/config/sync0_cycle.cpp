@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "config/dc_description.h"
+#include "config/dc_settings.h"
+#include "config/slave_settings.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::compiler {

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "config/command_text.h"
+#include "config/cyclic_frame.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
 #include "exports/exports.h"
 #include "exports/html_table.h"
 #include "exports/report_sections.h"

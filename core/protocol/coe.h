@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -9,8 +10,11 @@
 #include <vector>
 
 #include "protocol/emergency.h"
-#include "support/brief_error.h"
 #include "support/result.h"
+
+namespace syncline {
+struct BriefError;
+}  // namespace syncline
 
 /// CANopen over EtherCAT (ETG.1000.6, 5.6): the bytes behind the mailbox header, both directions,
 /// for the master's client and the simulated devices' server.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "protocol/datagram.h"
 #include "support/byte_order.h"
 
 namespace syncline {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,6 +11,8 @@
 #include "protocol/datagram.h"
 
 namespace syncline {
+
+struct DatagramView;
 
 inline constexpr std::size_t kEthernetHeaderSize = 14;
 inline constexpr std::size_t kEtherCatHeaderSize = 2;

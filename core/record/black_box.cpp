@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "config/frame_time.h"
+#include "config/network_config.h"
 #include "protocol/frame.h"
+#include "support/pcapng_block.h"
 
 namespace syncline {
 namespace {

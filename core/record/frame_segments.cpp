@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/frame_segments.h"
 #include "reasons/because.h"
+#include "support/pcapng_block.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

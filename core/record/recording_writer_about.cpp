@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a recording says beside its samples: of whom it is, its documents, limits, signals, events and findings.
+#include "record/recording_schema.h"
 #include "record/recording_writer.h"
 
 #include <fmt/format.h>

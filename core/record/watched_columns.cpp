@@ -5,7 +5,9 @@
 #include <type_traits>
 #include <variant>
 
+#include "channels/cycle_sample.h"
 #include "support/bits.h"
+#include "trace/watch_lists.h"
 
 namespace syncline {
 namespace {

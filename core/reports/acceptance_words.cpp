@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "findings/acceptance_words.h"
+#include "protocol/al_state.h"
 #include "reports/acceptance.h"
+#include "trace/signals.h"
 
 namespace syncline::reports {
 namespace {

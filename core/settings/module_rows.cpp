@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/dc_description.h"
 #include "config/module_slots.h"
+#include "config/project.h"
+#include "settings/setting.h"
+#include "settings/setting_type.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "channels/snapshot.h"
 #include "trace/bus_signals.h"
 #include "trace/cycle_gap.h"
 

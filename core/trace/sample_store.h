@@ -7,8 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "channels/cycle_sample.h"
-#include "channels/snapshot.h"
 #include "trace/arrival_series.h"
 #include "trace/held_series.h"
 #include "trace/min_max_series.h"
@@ -17,6 +15,9 @@
 #include "trace/watch_lists.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct Snapshot;
 
 /// The signals of a run (core/trace/signals.h), as series that plots and reports read. Time is the host clock's send
 /// time. Lost frames, values that were not valid and cycles that are missing in the stream (ring overruns) are gaps.

@@ -10,6 +10,7 @@
 #include "eni/check/eni_schema.h"
 #include "eni/check/eni_value_check.h"
 #include "eni/format/eni_end_cap.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/eni_structure_words.h"

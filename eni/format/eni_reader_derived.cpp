@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "config/cyclic_frame.h"
+#include "config/dcm_settings.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
 #include "eni/format/eni_reader.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "config/slave_config.h"
+#include "eni/format/eni_element.h"
 #include "eni/format/eni_reader.h"
 #include "protocol/registers.h"
 #include "protocol/station_address.h"

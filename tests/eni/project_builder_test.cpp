@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/project/project_builder.h"
+#include "channels/values/bus_scan.h"
+#include "eni/catalogue/esi_catalogue.h"
+#include "eni/xml/file_warning.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/setpoint_slips.h"
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/cycle_view.h"
+#include "trace/arrival_bathtub.h"
+#include "ui/plots/bathtub_plot.h"
+#include "ui/plots/cycle_plot.h"
+#include "ui/plots/histogram_plot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

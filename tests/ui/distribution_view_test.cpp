@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/distribution_view.h"
+#include "ui/plots/histogram_plot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The user's own plots: any signals of a run in any number of plots, kept with the project.
 #include "ui/panels/free_view.h"
+#include "ui/plots/band_item.h"
+#include "ui/plots/series_csv.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

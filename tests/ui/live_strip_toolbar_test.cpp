@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/live_strip_toolbar.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/time_view.h"
 
 #include <gtest/gtest.h>
 

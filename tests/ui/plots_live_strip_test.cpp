@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/live_strip.h"
+#include "ui/plots/limit_band_item.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

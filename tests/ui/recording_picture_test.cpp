@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of recordings without a window: what is drawn, and the program that writes them where there is no display.
 #include "ui/panels/recording_picture.h"
+#include "record/replay_run.h"
+#include "ui/panels/picture_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

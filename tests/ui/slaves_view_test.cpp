@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/slaves_view.h"
+#include "ui/models/slave_figures_model.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,6 +6,10 @@
 class QLabel;
 class QPushButton;
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class Card;

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "families/device_family.h"
 #include "families/families.h"
 #include "protocol/sync_error_counter.h"
 #include "ui/editors/choice_edit.h"

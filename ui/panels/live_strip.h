@@ -12,7 +12,8 @@
 
 #include "record/run_record.h"
 #include "ui/panels/picture_file.h"
-#include "ui/plots/series_csv.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/event_marks_item.h"
 #include "ui/plots/trace_panel.h"
 
 class QLabel;
@@ -20,6 +21,8 @@ class QMenu;
 class QStackedLayout;
 
 namespace syncline::ui {
+
+class CsvTable;
 
 class CsvExport;
 class CycleView;

@@ -7,10 +7,15 @@
 #include <optional>
 #include <vector>
 
-#include "record/replay_run.h"
+#include "findings/finding.h"
 #include "ui/panels/stability_view.h"
 #include "ui/plots/signal_source.h"
 #include "ui/plots/trace_panel.h"
+
+namespace syncline {
+struct ReplayedRun;
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
 

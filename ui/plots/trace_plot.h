@@ -2,6 +2,7 @@
 #pragma once
 
 #include <qwt_plot.h>
+#include <QObject>
 
 #include <QString>
 #include <array>
@@ -10,13 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/plots/band_item.h"
-#include "ui/plots/cursor_item.h"
-#include "ui/plots/event_marks_item.h"
-#include "ui/plots/gap_item.h"
 #include "ui/plots/limit_band_item.h"
 #include "ui/plots/series_item.h"
-#include "ui/plots/time_view.h"
 #include "ui/plots/trigger_level_item.h"
 #include "ui/plots/value_axis.h"
 
@@ -24,6 +20,14 @@ class QWheelEvent;
 class QwtPlotGrid;
 
 namespace syncline::ui {
+
+class BandItem;
+class CursorItem;
+class CursorSet;
+class EventMarksItem;
+class GapItem;
+class LimitWordsItem;
+class TimeView;
 
 class UnitScaleDraw;
 

@@ -9,6 +9,7 @@
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
 #include "reasons/because.h"
+#include "ui/files/held_file.h"
 #include "ui/session/network_run.h"
 #include "ui/session/post.h"
 #include "ui/session/run_findings.h"

@@ -13,13 +13,16 @@
 #include <vector>
 
 #include "reasons/because.h"
-#include "record/import_run.h"
 #include "record/replay_run.h"
 #include "record/run_replay.h"
 #include "support/result.h"
 #include "ui/files/held_file.h"
 #include "ui/session/first_pictures.h"
 #include "ui/text/message.h"
+
+namespace syncline {
+struct ImportedRun;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -4,8 +4,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "channels/slave_status.h"
-#include "config/network_config.h"
+#include "protocol/al_state.h"
+
+namespace syncline {
+struct SlaveConfig;
+struct SlaveStatus;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "record/run_record.h"
 #include "ui/session/window_memory.h"
 
 namespace syncline::ui {

@@ -9,6 +9,7 @@
 
 #include "findings/fold.h"
 #include "protocol/al_state.h"
+#include "reasons/placeholder.h"
 #include "reasons/reason.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"

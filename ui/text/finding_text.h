@@ -6,7 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "findings/finding.h"
+namespace syncline {
+struct Finding;
+class Reason;
+}  // namespace syncline
 
 namespace syncline::ui {
 

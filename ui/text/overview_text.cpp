@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "record/run_record.h"
+#include "trace/fault_log.h"
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"

@@ -2,9 +2,17 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
 #include <span>
 
-#include "record/run_record.h"
+#include "support/types.h"
+
+namespace syncline {
+struct Finding;
+class RunRecord;
+struct SyncLamp;
+struct SyncOverview;
+}  // namespace syncline
 
 namespace syncline::ui {
 

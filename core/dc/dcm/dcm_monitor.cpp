@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/dcm_settings.h"
+#include "dc/dcm/dcm_controller.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline::dc {

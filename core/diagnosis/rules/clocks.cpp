@@ -9,6 +9,7 @@
 #include "channels/values/sync_obstacle_text.h"
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline::diagnosis {

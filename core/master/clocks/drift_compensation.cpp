@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "dc/clock_registers.h"
+#include "master/exchange/bus.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

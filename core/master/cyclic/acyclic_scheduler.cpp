@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/cycle_sample.h"
 #include "config/frame_time.h"
+#include "master/cyclic/mailbox_bits.h"
+#include "master/cyclic/sync_event_watch.h"
+#include "master/exchange/run_state.h"
 #include "reasons/brief_reason.h"
 
 namespace syncline {

@@ -5,6 +5,10 @@
 #include <bit>
 #include <utility>
 
+#include "config/network_config.h"
+#include "config/slave_config.h"
+#include "master/exchange/run_state.h"
+#include "protocol/datagram.h"
 #include "protocol/registers.h"
 #include "recover/register_writes.h"
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <span>
 
+#include "channels/cycle_sample.h"
+#include "config/cyclic_frame.h"
 #include "protocol/al_state.h"
 #include "support/bits.h"
 

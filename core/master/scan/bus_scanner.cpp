@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 
+#include "master/exchange/bus.h"
 #include "master/exchange/slave_address.h"
 #include "master/scan/device_id.h"
 #include "master/scan/scan_findings.h"
 #include "master/scan/topology.h"
+#include "master/sii/sii_access.h"
 #include "master/sii/sii_reader.h"
 #include "protocol/al_state.h"
 #include "protocol/registers.h"

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "channels/values/bus_scan.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/slave_address.h"
 
 namespace syncline {
+
+class Bus;
+class SlaveAddress;
 
 struct ScanOptions {
   /// Writes nothing but read commands into EEPROM interfaces that belong to EtherCAT anyway (0x0502 to

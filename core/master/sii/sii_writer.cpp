@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "master/exchange/bus.h"
 #include "master/sii/sii_access.h"
 #include "master/sii/sii_layout.h"
 #include "master/sii/sii_work.h"

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <string_view>
 
+#include "config/dc_description.h"
+#include "config/device_description.h"
+#include "config/sim_config.h"
 #include "protocol/coe_data_type.h"
+#include "protocol/sii.h"
 #include "protocol/station_alias.h"
 #include "support/byte_order.h"
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
+#include "sim/objects/object_dictionary.h"
 #include "sim/registers/short_copy.h"
 #include "support/bits.h"
 

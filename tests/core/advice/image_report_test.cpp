@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "advice/image_report.h"
+#include "config/frame_time.h"
 
 #include <gtest/gtest.h>
 

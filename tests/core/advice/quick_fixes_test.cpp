@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "advice/quick_fixes.h"
+#include "settings/settings_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "capture/import_capture.h"
+#include "protocol/datagram.h"
+#include "record/import_run.h"
+#include "record/replay_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "channels/event_finding.h"
+#include "findings/figure.h"
+#include "findings/finding.h"
 
 #include <gtest/gtest.h>
 

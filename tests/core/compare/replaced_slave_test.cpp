@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/replaced_slave.h"
+#include "settings/setting_type.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/cyclic_frames.h"
+#include "config/frame_time.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/image_owners.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/slave_edits.h"
+#include "config/device_description.h"
+#include "config/project.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

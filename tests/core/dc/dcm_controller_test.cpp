@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/dcm_controller.h"
+#include "protocol/dcm_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/sync_judge.h"
+#include "config/dcm_settings.h"
 
 #include <gtest/gtest.h>
 

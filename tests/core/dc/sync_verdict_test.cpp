@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/sync_verdict.h"
+#include "config/dc_settings.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

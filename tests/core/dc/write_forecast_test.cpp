@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/write_forecast.h"
+#include "dc/dcm/dcm_controller.h"
 
 #include <gtest/gtest.h>
 

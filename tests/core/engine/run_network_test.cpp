@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run_network.h"
+#include "engine/opened_link.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/scan_bus.h"
+#include "channels/event.h"
+#include "engine/opened_link.h"
 
 #include <gtest/gtest.h>
 

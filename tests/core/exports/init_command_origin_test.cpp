@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exports/init_command_origin.h"
+#include "config/project.h"
+#include "exports/init_commands.h"
 
 #include <gtest/gtest.h>
 

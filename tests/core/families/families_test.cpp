@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "families/families.h"
+#include "config/device_description.h"
+#include "config/mailbox_config.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
 
 #include <gtest/gtest.h>
 

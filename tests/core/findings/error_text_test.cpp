@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "findings/error_text.h"
+#include "findings/finding.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

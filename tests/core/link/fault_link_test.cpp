@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/fault_link.h"
+#include "support/clock.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/acyclic_requests.h"
+#include "channels/master_channels.h"
+#include "master/exchange/run_state.h"
 
 #include <gtest/gtest.h>
 

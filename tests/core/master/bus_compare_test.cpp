@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/scan/bus_compare.h"
+#include "channels/values/bus_scan.h"
+#include "compare/compare_configs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/scan/bus_scanner.h"
+#include "config/device_description.h"
+#include "config/sync_manager_type.h"
+#include "master/exchange/bus.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The initialisation of the clocks against the simulated segment, whose delays and clocks are known.
 #include "master/clocks/dc_setup.h"
+#include "protocol/dc_registers.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/clocks/delay_compensation.h"
+#include "channels/master_channels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/exchange/missing_frames.h"
+#include "protocol/datagram.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/output_forces.h"
+#include "channels/command.h"
+#include "channels/cyclic_application.h"
+#include "channels/event.h"
+#include "channels/image_contents.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 

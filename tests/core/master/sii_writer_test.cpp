@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/sii/sii_writer.h"
+#include "master/exchange/slave_address.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

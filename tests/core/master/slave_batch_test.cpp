@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
+#include "master/exchange/bus.h"
 #include "master/master_service.h"
 #include "master/startup/coe_download_work.h"
 #include "master/startup/init_cmd_runner.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/standstill_cause.h"
+#include "support/clock.h"
 
 #include <gtest/gtest.h>
 

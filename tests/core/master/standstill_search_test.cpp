@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/standstill_search.h"
+#include "channels/processor_holder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

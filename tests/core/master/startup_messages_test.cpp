@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/startup/startup_messages.h"
+#include "channels/command.h"
+#include "channels/events/service_events.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
+#include "config/slave_settings.h"
+#include "support/clock.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Variables of the process image in the samples, against what went over the wire and what an application saw.
 #include "master/cyclic/watched_values.h"
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/cyclic_application.h"
+#include "channels/master_channels.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/working_counter.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 
 #include <gtest/gtest.h>
 

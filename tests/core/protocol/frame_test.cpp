@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "protocol/frame.h"
+#include "protocol/datagram.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/black_box.h"
+#include "config/network_config.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

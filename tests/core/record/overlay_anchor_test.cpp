@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/overlay_anchor.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "config/network_config.h"
+#include "findings/finding.h"
+#include "protocol/al_state.h"
+#include "record/run_record.h"
+#include "trace/trigger.h"
 
 #include <gtest/gtest.h>
 

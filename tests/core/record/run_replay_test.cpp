@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recorded run at its moments: what somebody saw who stopped the running machine there.
 #include "record/run_replay.h"
+#include "record/replay_run.h"
 
 #include <gtest/gtest.h>
 

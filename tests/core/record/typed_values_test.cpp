@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/typed_values.h"
+#include "findings/figure.h"
+#include "findings/finding.h"
+#include "reasons/placeholder.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/recover_project.h"
+#include "config/sim_config.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/acceptance.h"
+#include "record/replay_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

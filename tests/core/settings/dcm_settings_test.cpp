@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/dcm_settings.h"
+#include "config/project.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/settings_table.h"
+#include "families/device_family.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

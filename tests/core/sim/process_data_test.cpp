@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/device/process_data.h"
+#include "sim/esc/esc.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

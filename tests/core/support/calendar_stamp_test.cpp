@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/calendar_stamp.h"
+#include "support/clock.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

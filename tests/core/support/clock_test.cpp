@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/clock.h"
+#include "support/jitter_profile.h"
 
 #include <gtest/gtest.h>
 #include <time.h>

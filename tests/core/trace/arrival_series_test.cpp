@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/arrival_series.h"
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/reference_times.h"
+#include "channels/cycle_sample.h"
 
 #include <gtest/gtest.h>
 

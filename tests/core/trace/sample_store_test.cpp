@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/sample_store.h"
+#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 

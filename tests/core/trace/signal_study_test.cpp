@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/signal_study.h"
+#include "trace/min_max_series.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/slave_cells.h"
+#include "channels/cycle_sample.h"
+#include "trace/sample_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/slaves_standing.h"
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
+#include "protocol/al_state.h"
+#include "trace/sample_store.h"
+#include "trace/sync_overview.h"
 
 #include <gtest/gtest.h>
 

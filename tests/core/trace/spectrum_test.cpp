@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/spectrum.h"
+#include "config/dcm_settings.h"
+#include "config/network_config.h"
+#include "trace/min_max_series.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/stability_mask.h"
+#include "trace/stability.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/trigger.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "findings/finding.h"
+#include "trace/sample_store.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/watch_lists.h"
+#include "channels/cycle_sample.h"
+#include "config/identity.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

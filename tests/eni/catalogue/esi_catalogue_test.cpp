@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/catalogue/esi_catalogue.h"
+#include "config/dc_description.h"
+#include "config/device_description.h"
 #include "eni/catalogue/revision_words.h"
+#include "eni/xml/file_warning.h"
+#include "findings/figure.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/check/eni_check.h"
+#include "config/hot_connect.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
+#include "protocol/command.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
