@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a recording says beside its samples: of whom it is, its documents, limits, signals, events and findings.
-#include "record/recording_schema.h"
 #include "record/recording_writer.h"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include <string_view>
 
 #include "record/recording_rows.h"
+#include "record/recording_schema.h"
 #include "record/watched_columns.h"
 
 namespace syncline {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "config/dc_description.h"
 #include "config/module_slots.h"
-#include "config/project.h"
-#include "settings/setting.h"
-#include "settings/setting_type.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "config/dc_description.h"
+#include "config/project.h"
 #include "reasons/because.h"
 #include "settings/limits.h"
 #include "settings/number_text.h"
 #include "settings/pdo_places.h"
+#include "settings/setting.h"
+#include "settings/setting_type.h"
 #include "settings/tables.h"
 
 namespace syncline::settings {

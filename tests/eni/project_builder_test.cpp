@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/project/project_builder.h"
-#include "channels/values/bus_scan.h"
-#include "eni/catalogue/esi_catalogue.h"
-#include "eni/xml/file_warning.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +7,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "channels/values/bus_scan.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi/esi_writer.h"
 #include "eni/project/line_wiring.h"
+#include "eni/xml/file_warning.h"
 #include "eni/xml/xml_text.h"
 
 namespace syncline::eni {

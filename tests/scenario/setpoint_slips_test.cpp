@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/setpoint_slips.h"
-#include "channels/command.h"
-#include "channels/cycle_sample.h"
-#include "channels/master_channels.h"
-#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "tests/support/small_machines.h"
 #include "trace/sample_store.h"

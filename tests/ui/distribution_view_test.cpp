@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/distribution_view.h"
-#include "ui/plots/histogram_plot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +15,7 @@
 #include <memory>
 
 #include "ui/panels/live_strip.h"
+#include "ui/plots/histogram_plot.h"
 
 namespace syncline::ui {
 namespace {

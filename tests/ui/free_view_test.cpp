@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The user's own plots: any signals of a run in any number of plots, kept with the project.
 #include "ui/panels/free_view.h"
-#include "ui/plots/band_item.h"
-#include "ui/plots/series_csv.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,6 +32,8 @@
 #include "ui/panels/free_plot.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/picture_file.h"
+#include "ui/plots/band_item.h"
+#include "ui/plots/series_csv.h"
 #include "ui/plots/signal_source.h"
 
 namespace syncline::ui {

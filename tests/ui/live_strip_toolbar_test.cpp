@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/live_strip_toolbar.h"
-#include "ui/plots/cursor_item.h"
-#include "ui/plots/time_view.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +10,8 @@
 #include <vector>
 
 #include "support/ui_test_support.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/time_view.h"
 
 namespace syncline::ui {
 namespace {

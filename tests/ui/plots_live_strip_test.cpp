@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/live_strip.h"
-#include "ui/plots/limit_band_item.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,6 +24,8 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+
+#include "ui/plots/limit_band_item.h"
 
 namespace syncline::ui {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of recordings without a window: what is drawn, and the program that writes them where there is no display.
 #include "ui/panels/recording_picture.h"
-#include "record/replay_run.h"
-#include "ui/panels/picture_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,9 +24,11 @@
 
 #include "app/cli/cli.h"
 #include "eni/project/project_file.h"
+#include "record/replay_run.h"
 #include "support/ui_test_support.h"
 #include "tests/app/cli_runner.h"
 #include "ui/panels/overview_panel.h"
+#include "ui/panels/picture_file.h"
 #include "ui/plots/heat_legend.h"
 #include "ui/theme/theme.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "advice/image_report.h"
-#include "config/frame_time.h"
 
 #include <gtest/gtest.h>
 
 #include "compile/cyclic_frames.h"
+#include "config/frame_time.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "advice/quick_fixes.h"
-#include "settings/settings_table.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 
 #include "check/check_network.h"
 #include "compile/compile.h"
+#include "settings/settings_table.h"
 #include "tests/support/small_machines.h"
 
 namespace syncline {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "capture/import_capture.h"
-#include "protocol/datagram.h"
-#include "record/import_run.h"
-#include "record/replay_run.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +9,12 @@
 #include <vector>
 
 #include "link/link.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
+#include "record/import_run.h"
+#include "record/replay_run.h"
 #include "support/whole_file.h"
 #include "tests/support/temporary_folder.h"
 #include "trace/untold.h"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "channels/event_finding.h"
-#include "findings/figure.h"
-#include "findings/finding.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "findings/figure.h"
+#include "findings/finding.h"
 #include "tests/support/every_event.h"
 
 namespace syncline {

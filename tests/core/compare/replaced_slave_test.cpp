@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/replaced_slave.h"
-#include "settings/setting_type.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "config/slave_edits.h"
+#include "settings/setting_type.h"
 
 namespace syncline {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/cyclic_frames.h"
-#include "config/frame_time.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,6 +7,7 @@
 
 #include "compile/compile.h"
 #include "config/command_text.h"
+#include "config/frame_time.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline {

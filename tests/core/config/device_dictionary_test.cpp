@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/device_dictionary.h"
-#include "config/device_description.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "config/device_description.h"
 
 namespace syncline {
 namespace {

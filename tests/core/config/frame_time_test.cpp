@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/frame_time.h"
+
+#include <gtest/gtest.h>
+
 #include "config/cyclic_frame.h"
 #include "config/network_config.h"
 #include "config/process_image.h"
 #include "protocol/command.h"
-
-#include <gtest/gtest.h>
 
 namespace syncline {
 namespace {

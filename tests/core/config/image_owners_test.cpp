@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/image_owners.h"
-#include "config/network_config.h"
-#include "config/process_image.h"
 
 #include <gtest/gtest.h>
+
+#include "config/network_config.h"
+#include "config/process_image.h"
 
 namespace syncline {
 namespace {

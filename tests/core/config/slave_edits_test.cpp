@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/slave_edits.h"
-#include "config/device_description.h"
-#include "config/project.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,6 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "config/device_description.h"
+#include "config/project.h"
 #include "config/wiring_tree.h"
 
 namespace syncline {

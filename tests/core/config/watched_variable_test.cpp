@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/watched_variable.h"
-#include "config/network_config.h"
-#include "config/process_image.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +7,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+
+#include "config/network_config.h"
+#include "config/process_image.h"
 
 namespace syncline {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/bus_shift.h"
-#include "protocol/dcm_error.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "dcm_plant.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::dc {
 namespace {

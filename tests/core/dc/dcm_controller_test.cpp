@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/dcm_controller.h"
-#include "protocol/dcm_error.h"
 
 #include <gtest/gtest.h>
 
 #include "dc/dcm/bus_cycle_check.h"
 #include "dc/dcm/drift_estimator.h"
 #include "dcm_plant.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::dc {
 namespace {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/sync_judge.h"
-#include "config/dcm_settings.h"
 
 #include <gtest/gtest.h>
+
+#include "config/dcm_settings.h"
 
 namespace syncline::dc {
 namespace {

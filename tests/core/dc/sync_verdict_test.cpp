@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/sync_verdict.h"
-#include "config/dc_settings.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "config/dc_settings.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::dc {

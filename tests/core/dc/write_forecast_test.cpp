@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/write_forecast.h"
-#include "dc/dcm/dcm_controller.h"
 
 #include <gtest/gtest.h>
+
+#include "dc/dcm/dcm_controller.h"
 
 namespace syncline::dc {
 namespace {

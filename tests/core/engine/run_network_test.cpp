@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run_network.h"
-#include "engine/opened_link.h"
 
 #include <gtest/gtest.h>
 
+#include "engine/opened_link.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/scan_bus.h"
-#include "channels/event.h"
-#include "engine/opened_link.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "channels/event.h"
+#include "engine/opened_link.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {

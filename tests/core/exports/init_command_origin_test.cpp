@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exports/init_command_origin.h"
-#include "config/project.h"
-#include "exports/init_commands.h"
 
 #include <gtest/gtest.h>
+
+#include "config/project.h"
+#include "exports/init_commands.h"
 
 namespace syncline::exports {
 namespace {

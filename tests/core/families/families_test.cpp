@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "families/families.h"
-#include "config/device_description.h"
-#include "config/mailbox_config.h"
-#include "config/slave_config.h"
-#include "families/device_family.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
+
+#include "config/device_description.h"
+#include "config/mailbox_config.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
 
 namespace syncline::families {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "families/family_problems.h"
-#include "config/identity.h"
-#include "config/mailbox_config.h"
-#include "config/slave_config.h"
-#include "families/device_family.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "config/identity.h"
+#include "config/mailbox_config.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
 #include "families/families.h"
 
 namespace syncline::families {

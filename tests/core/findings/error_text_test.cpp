@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "findings/error_text.h"
-#include "findings/finding.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "findings/finding.h"
 #include "findings/reason_of.h"
 #include "findings/value_bytes.h"
 #include "reasons/because.h"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/fault_link.h"
-#include "support/clock.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <deque>
 #include <vector>
+
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/acyclic_requests.h"
-#include "channels/master_channels.h"
-#include "master/exchange/run_state.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "channels/master_channels.h"
+#include "master/exchange/run_state.h"
 #include "tests/core/master/mailbox_bed.h"
 
 namespace syncline::test {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/scan/bus_compare.h"
-#include "channels/values/bus_scan.h"
-#include "compare/compare_configs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "channels/values/bus_scan.h"
 #include "check/network_view.h"
+#include "compare/compare_configs.h"
 #include "compile/compile.h"
 #include "tests/support/sample_devices.h"
 

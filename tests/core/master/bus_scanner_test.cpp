@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/scan/bus_scanner.h"
-#include "config/device_description.h"
-#include "config/sync_manager_type.h"
-#include "master/exchange/bus.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "config/device_description.h"
 #include "config/device_from_sii.h"
+#include "config/sync_manager_type.h"
+#include "master/exchange/bus.h"
 #include "master/master_service.h"
 #include "tests/support/test_bus.h"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The initialisation of the clocks against the simulated segment, whose delays and clocks are known.
 #include "master/clocks/dc_setup.h"
-#include "protocol/dc_registers.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <cstdlib>
 
+#include "protocol/dc_registers.h"
 #include "sim/sim_bus.h"
 #include "support/random.h"
 #include "tests/support/clock_bed.h"

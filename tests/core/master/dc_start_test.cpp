@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Start times of SYNC signals: who says them, and whether they will come.
 #include "master/clocks/dc_start.h"
-#include "channels/command.h"
-#include "channels/event.h"
-#include "channels/events/clock_events.h"
-#include "channels/master_channels.h"
-#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "channels/command.h"
+#include "channels/event.h"
+#include "channels/events/clock_events.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "tests/support/clock_bed.h"
 

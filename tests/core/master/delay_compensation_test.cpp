@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/clocks/delay_compensation.h"
-#include "channels/master_channels.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
+#include "channels/master_channels.h"
 #include "protocol/dc_registers.h"
 #include "tests/support/clock_bed.h"
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/recovery/delay_renewal.h"
-#include "channels/command.h"
-#include "channels/event.h"
-#include "channels/events/clock_events.h"
-#include "channels/master_channels.h"
-#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "channels/command.h"
+#include "channels/event.h"
+#include "channels/events/clock_events.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/simulated_network.h"

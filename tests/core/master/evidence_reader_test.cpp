@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/evidence_reader.h"
-#include "channels/master_channels.h"
-#include "master/exchange/run_state.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "channels/master_channels.h"
+#include "master/exchange/run_state.h"
 #include "protocol/registers.h"
 #include "tests/support/event_match.h"
 

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/exchange/frame_tap.h"
-#include "channels/frame_ring.h"
-#include "channels/master_channels.h"
-#include "link/link.h"
-#include "support/clock.h"
-#include "support/result.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +7,12 @@
 #include <array>
 #include <utility>
 #include <vector>
+
+#include "channels/frame_ring.h"
+#include "channels/master_channels.h"
+#include "link/link.h"
+#include "support/clock.h"
+#include "support/result.h"
 
 namespace syncline {
 namespace {

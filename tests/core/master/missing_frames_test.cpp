@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/exchange/missing_frames.h"
-#include "protocol/datagram.h"
 
 #include <gtest/gtest.h>
 
 #include "master/exchange/tally.h"
+#include "protocol/datagram.h"
 
 namespace syncline {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/output_forces.h"
-#include "channels/command.h"
-#include "channels/cyclic_application.h"
-#include "channels/event.h"
-#include "channels/image_contents.h"
-#include "channels/master_channels.h"
-#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
+#include "channels/command.h"
+#include "channels/cyclic_application.h"
+#include "channels/event.h"
+#include "channels/image_contents.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "support/byte_order.h"
 #include "tests/support/small_machines.h"

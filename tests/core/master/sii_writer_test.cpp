@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/sii/sii_writer.h"
-#include "master/exchange/slave_address.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "link/fault_link.h"
+#include "master/exchange/slave_address.h"
 #include "protocol/sii.h"
 #include "sim/device/sii_from_device.h"
 #include "support/random.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/standstill_cause.h"
-#include "support/clock.h"
 
 #include <gtest/gtest.h>
+
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/standstill_search.h"
-#include "channels/processor_holder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,6 +7,7 @@
 #include <sched.h>
 #include <thread>
 
+#include "channels/processor_holder.h"
 #include "tests/support/proc_folder.h"
 
 namespace syncline {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Variables of the process image in the samples, against what went over the wire and what an application saw.
 #include "master/cyclic/watched_values.h"
-#include "channels/command.h"
-#include "channels/cycle_sample.h"
-#include "channels/cyclic_application.h"
-#include "channels/master_channels.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/cyclic_application.h"
+#include "channels/master_channels.h"
 #include "config/watched_variable.h"
 #include "master/master_service.h"
 #include "protocol/frame.h"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/working_counter.h"
-#include "channels/cycle_sample.h"
-#include "channels/master_channels.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 
 namespace syncline {
 namespace {

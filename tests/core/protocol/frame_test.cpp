@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "protocol/frame.h"
-#include "protocol/datagram.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include "byte_helpers.h"
+#include "protocol/datagram.h"
 
 namespace syncline {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/black_box.h"
-#include "config/network_config.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,6 +13,7 @@
 #include <thread>
 
 #include "capture/pcap_reader.h"
+#include "config/network_config.h"
 #include "support/random.h"
 #include "support/whole_file.h"
 #include "tests/support/pcapng_file.h"

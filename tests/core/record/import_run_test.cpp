@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/import_run.h"
-#include "record/replay_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "record/recording_reader.h"
+#include "record/replay_run.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/support/temporary_folder.h"
 #include "trace/csv.h"

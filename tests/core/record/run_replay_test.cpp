@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A recorded run at its moments: what somebody saw who stopped the running machine there.
 #include "record/run_replay.h"
-#include "record/replay_run.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +12,7 @@
 
 #include "config/sync_grid.h"
 #include "record/recorder.h"
+#include "record/replay_run.h"
 #include "record/typed_values.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/support/same_overview.h"

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/typed_values.h"
-#include "findings/figure.h"
-#include "findings/finding.h"
-#include "reasons/placeholder.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -11,7 +8,10 @@
 #include <set>
 #include <string>
 
+#include "findings/figure.h"
+#include "findings/finding.h"
 #include "reasons/because.h"
+#include "reasons/placeholder.h"
 
 namespace syncline {
 namespace {

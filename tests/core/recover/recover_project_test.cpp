@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recover/recover_project.h"
-#include "config/sim_config.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/sim_config.h"
 #include "recover/simulated_network.h"
 #include "tests/support/sample_devices.h"
 

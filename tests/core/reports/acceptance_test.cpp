@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/acceptance.h"
-#include "record/replay_run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "record/replay_run.h"
 #include "reports/commissioning_report.h"
 
 namespace syncline::reports {

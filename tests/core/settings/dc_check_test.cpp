@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/dc_check.h"
-#include "config/dc_settings.h"
-#include "config/network_config.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
+
+#include "config/dc_settings.h"
+#include "config/network_config.h"
 
 namespace syncline {
 namespace {

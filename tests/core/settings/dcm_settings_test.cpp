@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/dcm_settings.h"
-#include "config/project.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/project.h"
 #include "settings/dc_check.h"
 #include "settings/settings_keys.h"
 

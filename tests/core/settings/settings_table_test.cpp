@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/settings_table.h"
-#include "families/device_family.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "families/device_family.h"
 #include "families/families.h"
 #include "settings/default_value.h"
 #include "settings/limits.h"

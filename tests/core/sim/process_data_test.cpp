@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/device/process_data.h"
-#include "sim/esc/esc.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,6 +7,7 @@
 
 #include <algorithm>
 
+#include "sim/esc/esc.h"
 #include "support/clock.h"
 #include "tests/support/simulated_network.h"
 

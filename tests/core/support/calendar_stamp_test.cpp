@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/calendar_stamp.h"
-#include "support/clock.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,6 +7,8 @@
 #include <cstdlib>
 #include <deque>
 #include <utility>
+
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

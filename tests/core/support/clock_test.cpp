@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/clock.h"
-#include "support/jitter_profile.h"
 
 #include <gtest/gtest.h>
 #include <time.h>
 
 #include <algorithm>
 #include <vector>
+
+#include "support/jitter_profile.h"
 
 namespace syncline {
 namespace {

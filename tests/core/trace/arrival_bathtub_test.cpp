@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/arrival_bathtub.h"
-#include "trace/min_max_series.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 #include <limits>
 
 #include "support/random.h"
+#include "trace/min_max_series.h"
 
 namespace syncline {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/arrival_figures.h"
-#include "trace/min_max_series.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "trace/min_max_series.h"
 
 namespace syncline {
 namespace {

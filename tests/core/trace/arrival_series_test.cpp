@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/arrival_series.h"
-#include "channels/cycle_sample.h"
-#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 #include "dc/sync0_arrival.h"
 #include "support/random.h"
 #include "trace/sample_store.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/dcm_log.h"
-#include "channels/cycle_sample.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "channels/cycle_sample.h"
 #include "trace/csv.h"
 #include "trace/signals.h"
 

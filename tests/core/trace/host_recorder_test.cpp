@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/host_recorder.h"
-#include "channels/cycle_sample.h"
-#include "protocol/al_state.h"
-#include "support/jitter_profile.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "channels/cycle_sample.h"
+#include "protocol/al_state.h"
 #include "support/clock.h"
+#include "support/jitter_profile.h"
 #include "support/random.h"
 
 namespace syncline {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/reference_times.h"
-#include "channels/cycle_sample.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "channels/cycle_sample.h"
 
 namespace syncline {
 namespace {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/run_history.h"
+
+#include <gtest/gtest.h>
+
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
 #include "channels/events/slave_events.h"
 #include "channels/snapshot.h"
 #include "config/network_config.h"
-
-#include <gtest/gtest.h>
 
 namespace syncline {
 namespace {

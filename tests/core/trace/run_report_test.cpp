@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/run_report.h"
-#include "channels/cycle_sample.h"
-#include "config/cyclic_frame.h"
-#include "config/network_config.h"
-#include "config/process_image.h"
-#include "protocol/command.h"
 
 #include <gtest/gtest.h>
 
+#include "channels/cycle_sample.h"
+#include "config/cyclic_frame.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
+#include "protocol/command.h"
 
 namespace syncline {
 namespace {

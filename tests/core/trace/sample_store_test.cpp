@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/sample_store.h"
-#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "channels/snapshot.h"
 #include "support/random.h"
 #include "trace/bus_signals.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/setpoint_slips.h"
-#include "channels/cycle_sample.h"
-#include "channels/snapshot.h"
 
 #include <gtest/gtest.h>
+
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 
 namespace syncline {
 namespace {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/signal_study.h"
-#include "trace/min_max_series.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cmath>
 #include <random>
+
+#include "trace/min_max_series.h"
 
 namespace syncline {
 namespace {

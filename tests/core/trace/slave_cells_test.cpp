@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/slave_cells.h"
-#include "channels/cycle_sample.h"
-#include "trace/sample_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +8,9 @@
 #include <functional>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "support/random.h"
+#include "trace/sample_store.h"
 
 namespace syncline {
 namespace {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/slave_figures.h"
-#include "channels/cycle_sample.h"
-#include "config/network_config.h"
-#include "trace/sample_store.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
+
+#include "channels/cycle_sample.h"
+#include "config/network_config.h"
+#include "trace/sample_store.h"
 
 namespace syncline {
 namespace {

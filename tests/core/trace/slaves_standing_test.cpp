@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/slaves_standing.h"
+
+#include <gtest/gtest.h>
+
+#include <span>
+
 #include "channels/cycle_sample.h"
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "protocol/al_state.h"
 #include "trace/sample_store.h"
 #include "trace/sync_overview.h"
-
-#include <gtest/gtest.h>
-
-#include <span>
 
 namespace syncline {
 namespace {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/spectrum.h"
-#include "config/dcm_settings.h"
-#include "config/network_config.h"
-#include "trace/min_max_series.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -13,7 +10,10 @@
 #include <random>
 #include <vector>
 
+#include "config/dcm_settings.h"
+#include "config/network_config.h"
 #include "trace/even_samples.h"
+#include "trace/min_max_series.h"
 
 namespace syncline {
 namespace {

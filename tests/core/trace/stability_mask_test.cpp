@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/stability_mask.h"
-#include "trace/stability.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "trace/stability.h"
 
 namespace syncline {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/statistics.h"
-#include "channels/cycle_sample.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "trace/csv.h"
 #include "trace/histogram.h"
 

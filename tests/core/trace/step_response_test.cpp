@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/step_response.h"
-#include "config/dcm_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "config/dcm_settings.h"
 #include "dc/dcm/predicted_step.h"
 #include "support/random.h"
 

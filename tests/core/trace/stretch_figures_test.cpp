@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/stretch_figures.h"
-#include "trace/min_max_series.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "trace/min_max_series.h"
 
 namespace syncline {
 namespace {

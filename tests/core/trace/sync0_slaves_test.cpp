@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/sync0_slaves.h"
-#include "config/cyclic_frame.h"
-#include "config/network_config.h"
-#include "config/process_image.h"
-#include "protocol/command.h"
 
 #include <gtest/gtest.h>
 
+#include "config/cyclic_frame.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
 #include "config/sync_grid.h"
+#include "protocol/command.h"
 
 namespace syncline {
 namespace {

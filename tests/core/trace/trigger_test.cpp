@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/trigger.h"
-#include "channels/cycle_sample.h"
-#include "channels/event.h"
-#include "findings/finding.h"
-#include "trace/sample_store.h"
 
 #include <gtest/gtest.h>
 
 #include <string_view>
 #include <vector>
+
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "findings/finding.h"
+#include "trace/sample_store.h"
 
 namespace syncline {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/watch_lists.h"
-#include "channels/cycle_sample.h"
-#include "config/identity.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "config/identity.h"
 #include "trace/csv.h"
 #include "trace/sample_store.h"
 #include "trace/trigger.h"
