@@ -7,6 +7,7 @@ class QLabel;
 class QPushButton;
 
 namespace syncline {
+struct NetworkConfig;
 struct Snapshot;
 }  // namespace syncline
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "channels/slave_status.h"
 #include "protocol/al_state.h"
 
 namespace syncline {
 struct SlaveConfig;
-struct SlaveStatus;
 }  // namespace syncline
 
 namespace syncline::ui {
