@@ -11017,58 +11017,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <translation>, %1 % Reserve</translation>
     </message>
     <message>
-        <source>Watched for</source>
-        <translation>Beobachtet</translation>
-    </message>
-    <message>
-        <source>State of the master</source>
-        <translation>Zustand des Masters</translation>
-    </message>
-    <message>
-        <source>Slaves against their reference clock</source>
-        <translation>Slaves gegen ihre Referenzuhr</translation>
-    </message>
-    <message>
-        <source>Reference clock against the master</source>
-        <translation>Referenzuhr gegen den Master</translation>
-    </message>
-    <message>
-        <source>SM2 events missed</source>
-        <translation>Verpasste SM2-Ereignisse</translation>
-    </message>
-    <message>
-        <source>Frames lost</source>
-        <translation>Verlorene Frames</translation>
-    </message>
-    <message>
-        <source>Cycles with another working counter than expected</source>
-        <translation>Zyklen mit anderem Working Counter als erwartet</translation>
-    </message>
-    <message>
-        <source>Cycles left out by the host</source>
-        <translation>Vom Rechner ausgelassene Zyklen</translation>
-    </message>
-    <message>
-        <source>Disturbances</source>
-        <translation>Störungen</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Befunde</translation>
-    </message>
-    <message>
-        <source>kept</source>
-        <translation>erfüllt</translation>
-    </message>
-    <message>
-        <source>NOT KEPT</source>
-        <translation>NICHT ERFÜLLT</translation>
-    </message>
-    <message>
-        <source>not judged</source>
-        <translation>nicht beurteilt</translation>
-    </message>
-    <message>
         <source>Accepted</source>
         <translation>Angenommen</translation>
     </message>
@@ -11081,18 +11029,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <translation>Nicht nachgewiesen</translation>
     </message>
     <message>
-        <source>as long as it was</source>
-        <translation>so lange, wie es war</translation>
-    </message>
-    <message>
-        <source>OP at the end</source>
-        <translation>am Ende OP</translation>
-    </message>
-    <message>
-        <source>in sync throughout</source>
-        <translation>durchweg synchron</translation>
-    </message>
-    <message>
         <source>in sync throughout, within ±%1 ns</source>
         <translation>durchweg synchron, innerhalb ±%1 ns</translation>
     </message>
@@ -11101,36 +11037,12 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <translation>, %1 % Reserve</translation>
     </message>
     <message>
-        <source>no error, no warning</source>
-        <translation>kein Fehler, keine Warnung</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
     <message>
         <source>%1 at most</source>
         <translation>höchstens %1</translation>
-    </message>
-    <message>
-        <source>never: it was not in sync in OP</source>
-        <translation>nie: in OP war es nicht synchron</translation>
-    </message>
-    <message>
-        <source>unknown: a slave does not answer, or it is not told</source>
-        <translation>unbekannt: ein Slave antwortet nicht, oder es ist nicht überliefert</translation>
-    </message>
-    <message>
-        <source>not counted: it was never armed</source>
-        <translation>nicht gezählt: es wurde nie scharfgeschaltet</translation>
-    </message>
-    <message>
-        <source>no slave has a counter that is known</source>
-        <translation>kein Slave hat einen bekannten Zähler</translation>
-    </message>
-    <message>
-        <source>not told</source>
-        <translation>nicht überliefert</translation>
     </message>
     <message numerus="yes">
         <source>, lost %n time(s)</source>

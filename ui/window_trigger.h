@@ -3,7 +3,9 @@
 
 #include <QObject>
 
-#include "trace/trigger.h"
+namespace syncline {
+struct TriggerEpisode;
+}  // namespace syncline
 
 namespace syncline::ui {
 

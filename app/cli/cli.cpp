@@ -8,8 +8,9 @@
 
 #include "app/cli/context.h"
 #include "app/cli/options.h"
-#include "app/composition/eeprom_journal.h"
+#include "engine/eeprom_journal.h"
 #include "findings/error_text.h"
+#include "findings/finding.h"
 
 namespace syncline::cli {
 namespace {

@@ -15,6 +15,7 @@
 #include "compare/compare_run_time.h"
 #include "compare/network_compare.h"
 #include "engine/compare_bus.h"
+#include "engine/opened_link.h"
 #include "eni/project/project_file.h"
 
 namespace syncline::cli {

@@ -8,7 +8,14 @@
 
 #include "app/cli/cli.h"
 #include "app/cli/json.h"
-#include "support/result.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace syncline {
+struct Error;
+}  // namespace syncline
 
 namespace CLI {
 class App;  // whoever adds options to it includes app/cli/options.h

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/difference_json.h"
 
+#include "compare/network_compare.h"
+
 namespace syncline::cli {
 
 Json differences_json(const std::vector<NetworkDifference>& differences) {

@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "app/cli/json.h"
-#include "compare/network_compare.h"
+
+namespace syncline {
+struct NetworkDifference;
+}  // namespace syncline
 
 namespace syncline::cli {
 

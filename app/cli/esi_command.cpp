@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/esi_command.h"
 
+#include "app/cli/context.h"
 #include "app/cli/options.h"
 
 namespace syncline::cli {

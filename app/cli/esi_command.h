@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/cli/context.h"
+namespace CLI {
+class App;
+}  // namespace CLI
 
 /// The sub-commands of `synclinectl esi`, one file each.
 namespace syncline::cli {
+
+class Context;
 
 void add_esi_index(CLI::App& esi, Context& context);
 void add_esi_search(CLI::App& esi, Context& context);

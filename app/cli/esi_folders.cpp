@@ -3,11 +3,16 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/command_files.h"
+#include "app/cli/context.h"
 #include "app/cli/options.h"
 #include "app/composition/open_link.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/catalogue/usual_sources.h"
+#include "eni/xml/file_warning.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "findings/finding.h"
 
 namespace syncline::cli {
 void add_esi_folders(CLI::App& command, EsiFolders& options) {

@@ -8,6 +8,10 @@
 #include "app/cli/context.h"
 #include "eni/catalogue/esi_catalogue.h"
 
+namespace CLI {
+class App;
+}  // namespace CLI
+
 /// Which ESI files a command looks into: the options --esi and --cache.
 namespace syncline::cli {
 

@@ -3,12 +3,15 @@
 
 #include <memory>
 
+#include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/catalogue/usual_sources.h"
+#include "eni/xml/file_warning.h"
 
 namespace syncline::cli {
 namespace {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "app/cli/context.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/options.h"
+#include "config/device_description.h"
+#include "config/identity.h"
 #include "findings/error_text.h"
 
 namespace syncline::cli {

@@ -3,10 +3,14 @@
 
 #include <memory>
 
+#include "app/cli/context.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/options.h"
+#include "config/device_description.h"
+#include "eni/catalogue/catalogue_entry.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/xml/xml_text.h"
 
 namespace syncline::cli {

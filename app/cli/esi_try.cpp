@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/interrupt.h"

@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "channels/event.h"
+
 namespace syncline::cli {
 namespace {
 

@@ -3,7 +3,9 @@
 
 #include <string_view>
 
-#include "channels/event.h"
+namespace syncline {
+struct Event;
+}  // namespace syncline
 
 namespace syncline::cli {
 

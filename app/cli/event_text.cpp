@@ -7,8 +7,10 @@
 
 #include "app/cli/event_name.h"
 #include "app/cli/milliseconds.h"
+#include "channels/event.h"
 #include "channels/event_finding.h"
 #include "findings/error_text.h"
+#include "findings/finding.h"
 
 namespace syncline::cli {
 

@@ -3,8 +3,12 @@
 
 #include <string>
 
-#include "app/cli/context.h"
-#include "channels/event.h"
+#include "app/cli/json.h"
+#include "support/types.h"
+
+namespace syncline {
+struct Event;
+}  // namespace syncline
 
 namespace syncline::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/cli/context.h"
+#include "app/cli/json.h"
 #include "trace/run_report.h"
 
 namespace syncline::cli {

@@ -4,8 +4,12 @@
 #include <ostream>
 #include <vector>
 
-#include "app/cli/context.h"
-#include "findings/finding.h"
+#include "app/cli/json.h"
+
+namespace syncline {
+struct Finding;
+struct Place;
+}  // namespace syncline
 
 namespace syncline::cli {
 

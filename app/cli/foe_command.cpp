@@ -4,9 +4,11 @@
 #include <memory>
 
 #include "app/cli/command_files.h"
+#include "app/cli/context.h"
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
 #include "master/mailbox/foe_client.h"
+#include "master/startup/slave_visit.h"
 #include "support/whole_file.h"
 
 namespace syncline::cli {

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/cli/terminal_reason.h"
+#include "config/identity.h"
 
 namespace syncline::cli {
 namespace {

@@ -3,8 +3,11 @@
 
 #include <string_view>
 
-#include "config/device_description.h"
 #include "support/result.h"
+
+namespace syncline {
+struct Identity;
+}  // namespace syncline
 
 namespace syncline::cli {
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "support/confidence.h"
+
 namespace syncline::cli {
 
 Json interval_json(const std::optional<Interval>& interval, bool fine) {

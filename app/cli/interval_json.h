@@ -4,7 +4,10 @@
 #include <optional>
 
 #include "app/cli/json.h"
-#include "support/confidence.h"
+
+namespace syncline {
+struct Interval;
+}  // namespace syncline
 
 namespace syncline::cli {
 

@@ -10,6 +10,8 @@
 #include <map>
 
 #include "app/cli/counted.h"
+#include "channels/cycle_sample.h"
+#include "protocol/al_state.h"
 
 namespace syncline::cli {
 namespace {

@@ -5,10 +5,13 @@
 #include <span>
 #include <string>
 
-#include "app/cli/context.h"
-#include "channels/cycle_sample.h"
+#include "app/cli/json.h"
 #include "channels/host_status.h"
 #include "trace/histogram.h"
+
+namespace syncline {
+struct CycleSample;
+}  // namespace syncline
 
 namespace syncline::cli {
 

@@ -3,6 +3,10 @@
 
 #include "app/cli/context.h"
 
+namespace CLI {
+class App;
+}  // namespace CLI
+
 namespace syncline::cli {
 
 /// `project cycle-times` and `project report`: what the project's bus can do and what it costs.

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/project_create.h"
-#include "app/cli/difference_json.h"
 
 #include <algorithm>
 
+#include "app/cli/command_files.h"
+#include "app/cli/context.h"
 #include "app/cli/counted.h"
+#include "app/cli/difference_json.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/terminal_reason.h"
 #include "app/composition/open_link.h"
 #include "engine/describe_slaves.h"
+#include "engine/opened_link.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_builder.h"
 #include "eni/project/project_file.h"
+#include "eni/xml/file_warning.h"
 #include "findings/error_text.h"
 #include "recover/recover_project.h"
 #include "settings/settings_keys.h"

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/context.h"
 #include "app/cli/esi_folders.h"
 
 namespace syncline::cli {
+
+class Context;
 
 /// `project create FILE`: from a bus (scan), from ESI files (devices) or from an ENI; the rest are settings.
 struct CreateOptions {

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/event_text.h"
 #include "app/cli/interval_json.h"

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/context.h"
 #include "app/cli/record_range.h"
 
 namespace syncline::cli {
+
+class Context;
 
 struct FiguresOptions {
   std::string file;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "app/cli/context.h"
 #include "app/cli/duration.h"
 #include "app/cli/options.h"
 #include "reasons/because.h"
+#include "record/recording_reader.h"
 
 namespace syncline::cli {
 namespace {

@@ -4,8 +4,21 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/context.h"
-#include "record/recording_reader.h"
+#include "support/result.h"
+#include "support/types.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace syncline {
+struct RecordingInfo;
+class RecordingReader;
+}  // namespace syncline
+
+namespace syncline::cli {
+class Context;
+}  // namespace syncline::cli
 
 namespace CLI {
 class App;

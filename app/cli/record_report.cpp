@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/cli/command_files.h"
+#include "app/cli/context.h"
 #include "app/cli/duration.h"
 #include "app/cli/options.h"
 #include "app/cli/record_range.h"

@@ -6,6 +6,7 @@
 
 #include "app/cli/event_name.h"
 #include "app/cli/event_text.h"
+#include "record/recording.h"
 #include "record/typed_values.h"
 
 namespace syncline::cli {

@@ -3,8 +3,10 @@
 
 #include <optional>
 
-#include "channels/event.h"
-#include "record/recording.h"
+namespace syncline {
+struct Event;
+struct RecordedEvent;
+}  // namespace syncline
 
 namespace syncline::cli {
 

@@ -10,6 +10,8 @@
 #include "app/cli/event_text.h"
 #include "app/cli/options.h"
 #include "app/cli/terminal_reason.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
 #include "findings/error_text.h"
 
 namespace syncline::cli {

@@ -8,8 +8,16 @@
 #include <string>
 
 #include "app/cli/context.h"
-#include "channels/master_channels.h"
 #include "record/black_box.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace syncline {
+struct Event;
+struct MasterChannels;
+}  // namespace syncline
 
 namespace syncline::cli {
 

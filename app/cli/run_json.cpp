@@ -7,12 +7,14 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/cli/context.h"
 #include "app/cli/counted.h"
 #include "app/cli/evidence_json.h"
 #include "app/cli/interval_json.h"
 #include "channels/sync_standing.h"
 #include "channels/values/sync_obstacle_text.h"
 #include "diagnosis/run_diagnosis.h"
+#include "findings/finding.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline::cli {

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/cli/context.h"
-#include "trace/run_report.h"
+#include <string>
+
+#include "app/cli/json.h"
+#include "protocol/al_state.h"
+
+namespace syncline {
+struct RunReport;
+}  // namespace syncline
 
 namespace syncline::cli {
 

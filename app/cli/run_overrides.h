@@ -4,8 +4,11 @@
 #include <span>
 #include <string>
 
-#include "compile/compile.h"
 #include "support/result.h"
+
+namespace syncline {
+struct CompileResult;
+}  // namespace syncline
 
 namespace syncline::cli {
 

@@ -9,9 +9,11 @@
 #include <string>
 
 #include "app/cli/context.h"
-#include "config/network_config.h"
 #include "record/recorder.h"
-#include "trace/run_report.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace syncline::cli {
 

@@ -3,11 +3,14 @@
 
 #include <memory>
 
+#include "app/cli/context.h"
 #include "app/cli/options.h"
 #include "app/cli/terminal_reason.h"
 #include "app/cli/visit_options.h"
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/object_dictionary_reader.h"
+#include "master/startup/slave_visit.h"
+#include "protocol/coe.h"
 #include "protocol/object_value.h"
 
 namespace syncline::cli {

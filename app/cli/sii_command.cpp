@@ -7,7 +7,9 @@
 #include "app/cli/context.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
-#include "app/composition/slave_eeprom.h"
+#include "app/composition/open_link.h"
+#include "engine/slave_eeprom.h"
+#include "master/sii/sii_writer.h"
 
 namespace syncline::cli {
 namespace {
@@ -57,6 +59,7 @@ template <class Work>
 std::function<void()> interruptible(const std::shared_ptr<SiiOptions>& options, Work work) {
   return [options, work] {
     const InterruptGuard interrupt;
+    options->slave.open = [](const std::string& link) { return open_link(link); };
     options->slave.cancel = &interrupt.interrupted();
     work(*options);
   };

@@ -13,8 +13,10 @@
 #include "app/cli/options.h"
 #include "app/cli/run_json.h"
 #include "app/composition/load_scenario.h"
+#include "config/sim_config.h"
 #include "engine/simulate_bus.h"
 #include "findings/fold.h"
+#include "link/pcap_link.h"
 #include "protocol/al_state.h"
 
 namespace syncline::cli {

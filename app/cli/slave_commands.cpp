@@ -3,12 +3,16 @@
 
 #include <memory>
 
+#include "app/cli/context.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/cli/terminal_reason.h"
 #include "app/cli/visit_options.h"
 #include "app/composition/open_link.h"
+#include "engine/opened_link.h"
 #include "master/mailbox/diagnosis_history_reader.h"
+#include "master/startup/slave_visit.h"
+#include "protocol/al_state.h"
 #include "protocol/object_value.h"
 
 namespace syncline::cli {

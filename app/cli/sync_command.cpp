@@ -3,10 +3,14 @@
 
 #include <memory>
 
+#include "app/cli/context.h"
 #include "app/cli/options.h"
 #include "app/cli/visit_options.h"
+#include "config/identity.h"
+#include "families/device_family.h"
 #include "master/mailbox/family_status_reader.h"
 #include "master/mailbox/sync_object_reader.h"
+#include "master/startup/slave_visit.h"
 
 namespace syncline::cli {
 namespace {

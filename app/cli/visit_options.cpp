@@ -3,9 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "app/cli/context.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "app/composition/open_link.h"
+#include "engine/opened_link.h"
+#include "master/startup/slave_visit.h"
+#include "protocol/al_state.h"
+#include "protocol/coe.h"
 
 namespace syncline::cli {
 

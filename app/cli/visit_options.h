@@ -7,6 +7,10 @@
 #include "app/cli/context.h"
 #include "engine/visit_slave.h"
 
+namespace CLI {
+class App;
+}  // namespace CLI
+
 namespace syncline::cli {
 
 /// One slave behind a LINK.

@@ -3,6 +3,7 @@
 
 #include "app/composition/link_text.h"
 #include "app/composition/load_scenario.h"
+#include "config/sim_config.h"
 #include "support/input_file.h"
 
 namespace syncline {

@@ -7,9 +7,14 @@
 #include <vector>
 
 #include "compile/compile.h"
+#include "config/network_config.h"
+#include "config/project.h"
+#include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct CompileResult;
 
 /// A file that can be run or exported: a project is compiled, an ENI is read as it is. `network` chooses one of a
 /// project file that holds several, see eni::find_network; kBadValue where there is one and the file is an ENI.

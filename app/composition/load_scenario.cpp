@@ -8,6 +8,8 @@
 #include <set>
 
 #include "config/device_from_sii.h"
+#include "config/project.h"
+#include "config/sim_config.h"
 #include "eni/esi/esi_reader.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"

@@ -5,10 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "config/sim_config.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct SimConfig;
 
 /// Reads a scenario with the ESI files that it names; each ESI file is read once. Errors name the file,
 /// line and key of the scenario or of the ESI. An ENI (.xml) or a project (.syncline) gives the bus that it describes.

@@ -6,10 +6,14 @@
 #include "app/composition/link_text.h"
 #include "app/composition/load_scenario.h"
 #include "capture/replay_link.h"
+#include "config/project.h"
+#include "config/sim_config.h"
+#include "engine/opened_link.h"
 #include "link/pcap_link.h"
 #include "link/simulated_host.h"
 #include "link/simulated_link.h"
 #include "recover/simulated_network.h"
+#include "sim/sim_bus.h"
 
 namespace syncline {
 namespace {

@@ -4,11 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include "config/project.h"
-#include "engine/opened_link.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct OpenedLink;
+struct Project;
 
 /// Opens "sim:FILE[?virtual][&seed=N]", "nic:NAME" or "replay:FILE". Errors name the file, line and key of a scenario,
 /// or the adapter and the command that grants the permission.

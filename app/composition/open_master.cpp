@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "app/composition/open_link.h"
+#include "channels/background_master.h"
+#include "config/project.h"
 #include "engine/background_master.h"
+#include "engine/opened_link.h"
 
 namespace syncline {
 

@@ -4,11 +4,12 @@
 #include <memory>
 #include <string_view>
 
-#include "channels/background_master.h"
-#include "config/project.h"
 #include "support/result.h"
 
 namespace syncline {
+
+class BackgroundMaster;
+struct Project;
 
 /// A master on the bus that `link` names (see open_link(), whose errors these are). Nothing runs yet.
 [[nodiscard]] Result<std::unique_ptr<BackgroundMaster>> open_master(std::string_view link);

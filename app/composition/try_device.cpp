@@ -6,17 +6,25 @@
 #include <algorithm>
 #include <optional>
 
+#include "channels/background_master.h"
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
 #include "compare/network_compare.h"
 #include "compile/compile.h"
 #include "compile/effective_slave.h"
 #include "config/project.h"
 #include "config/sim_config.h"
 #include "engine/background_master.h"
+#include "engine/opened_link.h"
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
+#include "families/device_family.h"
 #include "families/families.h"
 #include "findings/error_text.h"
 #include "link/simulated_link.h"
+#include "protocol/sdo_information.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
 
@@ -42,8 +50,7 @@ tl::unexpected<Stop> failed(TryStep step, std::string reason) {
 
 Project project_of(const DeviceDescription& device) {
   Project project;
-  auto& slave = project.slaves.emplace_back(default_slave(device, 0));
-  slave.station_address = 1001;
+  project.slaves.push_back(default_slave(device, 0));
   return project;
 }
 

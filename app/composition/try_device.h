@@ -5,10 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "config/device_description.h"
-#include "support/types.h"
+#include "config/identity.h"
 
 namespace syncline {
+
+struct DeviceDescription;
 
 enum class TryOutcome : std::uint8_t { kPassed, kExcepted, kFailed };
 /// What was done with a device when it did not pass; kDone when it did.

@@ -7,8 +7,10 @@
 #include "capture/import_capture.h"
 #include "engine/compare_bus.h"
 #include "engine/describe_slaves.h"
+#include "engine/opened_link.h"
 #include "engine/scan_bus.h"
 #include "ui/session/bus_connection.h"
+#include "ui/text/link_text.h"
 
 namespace syncline {
 

@@ -13,16 +13,17 @@
 #include <exception>
 #include <string_view>
 
-#include "app/composition/eeprom_journal.h"
-#include "app/composition/slave_eeprom.h"
-#include "app/composition/state_folder.h"
 #include "app/gui/bus_functions.h"
 #include "app/gui/fault_pictures.h"
 #include "app/gui/options.h"
 #include "app/gui/recording_picture.h"
 #include "app/gui/screenshots.h"
+#include "engine/eeprom_journal.h"
+#include "engine/slave_eeprom.h"
 #include "link/pcap_link.h"
+#include "master/sii/sii_writer.h"
 #include "reasons/because.h"
+#include "support/state_folder.h"
 #include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
@@ -50,8 +51,9 @@ ui::EepromRepairs eeprom_repairs() {
     return writes;
   };
   repairs.end = [](const ui::CutShortWrite& write, bool undo, const std::atomic<bool>& cancel) -> Status {
-    const auto report =
-        finish_eeprom({write.link.toStdString(), static_cast<std::uint16_t>(write.position), &cancel}, undo);
+    const auto report = finish_eeprom({write.link.toStdString(), static_cast<std::uint16_t>(write.position),
+                                       [](const std::string& link) { return open_link(link); }, &cancel},
+                                      undo);
     return report ? Status{} : Status(tl::unexpected(report.error()));
   };
   repairs.keep = [](const QString& link, int position, const std::vector<std::uint8_t>& before,

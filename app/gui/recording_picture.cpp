@@ -19,6 +19,7 @@
 #include "reasons/because.h"
 #include "ui/panels/picture_file.h"
 #include "ui/panels/recording_picture.h"
+#include "ui/panels/signal_chooser.h"
 #include "ui/session/opened_recording.h"
 #include "ui/session/recording_overlay.h"
 #include "ui/text/error_text.h"

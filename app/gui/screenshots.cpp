@@ -37,6 +37,8 @@
 #include "ui/panels/mask_chooser.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
+#include "ui/plots/bathtub_plot.h"
+#include "ui/plots/cycle_plot.h"
 #include "ui/session/first_pictures.h"
 #include "ui/session/workspace.h"
 #include "ui/theme/theme.h"

@@ -3,7 +3,8 @@
 
 #include <optional>
 
-#include "config/dc_times.h"
+#include "config/project.h"
+#include "config/sync0_cycle.h"
 
 namespace syncline {
 

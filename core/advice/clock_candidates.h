@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "config/project.h"
-
 namespace syncline {
+
+struct Project;
 
 /// What speaks against a slave as reference clock.
 enum class ClockConcern : std::uint8_t {

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "config/project.h"
 #include "reasons/reason.h"
 #include "support/result.h"
+#include "support/types.h"
 
 /// Which bus cycles all slaves of a project accept, and who refuses the others and why.
 namespace syncline {
+
+struct Project;
 
 struct CycleRefusal {
   int slave = -1;       // position; -1 = the bus itself

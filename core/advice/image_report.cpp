@@ -3,20 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "compile/cyclic_frames.h"
+#include "config/cyclic_frame.h"
+#include "config/frame_time.h"
+#include "config/network_config.h"
+#include "config/project.h"
+#include "config/slave_config.h"
 #include "protocol/frame.h"
 
 namespace syncline {
 namespace {
-
-constexpr std::uint32_t kMinimumPayload = 46, kHeaderAndFcs = 18, kEtherCatHeader = 2;
-
-std::uint32_t payload(const CyclicFrame& frame) {
-  std::uint32_t bytes = kEtherCatHeader;
-  for (const auto& cmd : frame.commands) bytes += compiler::kDatagramOverhead + cmd.length();
-  return bytes;
-}
 
 bool is_process_data(const CyclicCmd& cmd) { return is_logical(cmd.command) && cmd.expected_wkc.has_value(); }
 
@@ -60,7 +57,7 @@ class Reporter {
       const CyclicTask& task = config_.cyclic[t];
       for (const CyclicFrame& frame : task.frames) {
         FrameLoad load{t, task.cycle_time, frame.commands.size(), 0, 0, syncline::wire_time(frame)};
-        load.bytes = std::max(payload(frame), kMinimumPayload) + kHeaderAndFcs;
+        load.bytes = static_cast<std::uint32_t>(bytes_sent(frame));
         for (const auto& cmd : frame.commands) load.process_data_bytes += is_process_data(cmd) ? cmd.length() : 0U;
         report_.frames_per_cycle += 1.0 / multiple(task);
         wire_time += static_cast<double>(load.wire_time) / multiple(task);
@@ -140,14 +137,14 @@ class Reporter {
       if (!range) continue;
       const Carrier at = carrier(*range, output);
       if (at.frame == nullptr) continue;
-      const std::uint32_t full = payload(*at.frame);
+      const auto full = static_cast<std::uint32_t>(frame_bytes(*at.frame));
       for (const PdoEntry& entry : pdo.pdo.entries) {
         if (entry.index == 0 || entry.fixed) continue;
         MovableObject object{i, slave.name, pdo.pdo.index, entry.index, entry.sub_index, entry.name, entry.bit_length,
                              0, 0};
         object.saved_bytes = saved_bytes(slave, pdo, entry.bit_length);
-        const std::uint32_t less =
-            std::max(full, kMinimumPayload) - std::max(full - object.saved_bytes, kMinimumPayload);
+        constexpr std::uint32_t kLeast = kMinEthernetFrame;
+        const std::uint32_t less = std::max(full, kLeast) - std::max(full - object.saved_bytes, kLeast);
         object.saved_wire_time = less * kWireByteTime / at.multiple;
         report_.movable.push_back(std::move(object));
       }

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "compile/compile.h"
-#include "config/project.h"
+#include "support/types.h"
 
 /// What the cyclic exchange costs on the wire, who makes the cost, and what could be left out of it.
 namespace syncline {
+
+struct NetworkConfig;
+struct Project;
 
 struct FrameLoad {
   std::size_t task = 0;   // index in NetworkConfig::cyclic

@@ -10,6 +10,7 @@
 
 #include "check/check_network.h"
 #include "compile/incremental.h"
+#include "settings/settings_table.h"
 
 namespace syncline {
 namespace {

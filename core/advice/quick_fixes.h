@@ -5,11 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "config/project.h"
-#include "findings/finding.h"
-#include "settings/settings_table.h"
+#include "settings/setting.h"
 
 namespace syncline {
+
+struct Finding;
+struct Project;
 
 /// One value for one setting, of one slave or of several, after which the finding is gone.
 struct QuickFix {

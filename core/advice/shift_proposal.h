@@ -3,9 +3,11 @@
 
 #include <cstdint>
 
-#include "config/project.h"
+#include "config/dcm_settings.h"
 
 namespace syncline {
+
+struct Project;
 
 enum class ShiftReason : std::uint8_t {
   kClocksOff,        // distributed clocks are switched off for the whole bus

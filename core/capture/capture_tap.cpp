@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "capture/pcapng_writer.h"
+#include "link/link.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

@@ -5,10 +5,12 @@
 #include <memory>
 #include <string>
 
-#include "link/link.h"
-#include "support/clock.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Clock;
+class Link;
 
 /// How a capture fares: written by the link's thread, read by any.
 class CaptureState {

@@ -17,10 +17,12 @@
 #include "findings/recording_words.h"
 #include "findings/sentence.h"
 #include "link/link.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
+#include "record/import_run.h"
 #include "trace/untold.h"
 
 namespace syncline {

@@ -12,6 +12,7 @@ namespace syncline {
 
 /// Told every few thousand frames: bytes that are read, and those of the whole file (0: not known); false ends it.
 using ImportProgress = std::function<bool(std::uint64_t done, std::uint64_t all)>;
+struct ImportedRun;
 
 /// The run that a capture (pcap, pcapng) of any master shows: a cycle begins with each frame of the process-data
 /// command that came most often (without any, of the reading of the reference clock). Told are the times of the frames,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "link/link.h"
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

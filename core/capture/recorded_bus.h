@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/frame.h"
+#include "protocol/datagram.h"
 
 namespace syncline {
 

@@ -9,9 +9,13 @@
 
 #include "capture/pcap_reader.h"
 #include "capture/recorded_bus.h"
+#include "link/link.h"
+#include "protocol/frame.h"
 #include "protocol/registers.h"
+#include "protocol/station_alias.h"
 #include "reasons/because.h"
 #include "support/byte_order.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {
@@ -182,7 +186,8 @@ class ReplayLink final : public Link {
 namespace {
 
 ReplayNotes::Slave note_of(const RecordedSlave& slave) {
-  constexpr std::uint32_t kAliasWord = 4, kVendorWord = 8, kProductWord = 10, kRevisionWord = 12, kSerialWord = 14;
+  constexpr std::uint32_t kAliasWord = kSiiAliasByte / 2, kVendorWord = 8, kProductWord = 10, kRevisionWord = 12,
+                          kSerialWord = 14;
   constexpr unsigned kDcFeature = 0x0004;
   const auto has_words = [&](std::uint32_t word) { return slave.sii.contains(word) && slave.sii.contains(word + 1); };
   const auto was_read = [&](std::uint32_t address, std::uint32_t size) {

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "link/link.h"
-#include "support/clock.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Link;
+class VirtualClock;
 
 /// What a capture proves, and what it leaves open.
 struct ReplayNotes {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "channels/master_channels.h"
 #include "support/types.h"
 
 namespace syncline {
+
+struct MasterChannels;
 
 /// The background core as those see it who look at it: its channels, and what makes its time pass. Who builds one knows
 /// link, clock and threads (core/engine). Its end takes the slaves to INIT and waits for its thread.

@@ -8,7 +8,6 @@
 #include "channels/values/stamp_source.h"
 #include "channels/values/sync_state.h"
 #include "channels/watch_command.h"
-#include "protocol/al_state.h"
 #include "support/types.h"
 
 namespace syncline {

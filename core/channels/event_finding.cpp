@@ -9,11 +9,18 @@
 #include <utility>
 #include <variant>
 
+#include "channels/event.h"
+#include "channels/events/clock_events.h"
+#include "channels/events/frame_events.h"
+#include "channels/events/slave_events.h"
+#include "channels/events/state_events.h"
 #include "channels/values/sync_obstacle_text.h"
+#include "families/device_family.h"
 #include "families/families.h"
 #include "findings/error_text.h"
 #include "findings/event_words.h"
 #include "findings/sentence.h"
+#include "protocol/al_state.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline {

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "channels/event.h"
-#include "findings/finding.h"
+#include "channels/values/delay_warning.h"
 
 namespace syncline {
+
+struct Event;
+struct Finding;
 
 /// What an event says: a row of core/findings/event_words.h with its figures, or that of the error it tells. Nothing
 /// for progress, which only programs care about.

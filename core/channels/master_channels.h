@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "channels/command_queue.h"
-#include "channels/cyclic_application.h"
 #include "channels/event_queue.h"
 #include "channels/frame_ring.h"
 #include "channels/image_contents.h"
@@ -16,6 +15,8 @@
 #include "channels/snapshot_box.h"
 
 namespace syncline {
+
+class CyclicApplication;
 
 /// The channels between the background core and whoever looks at it: commands, events, snapshot, image, samples,
 /// and on request the raw frames. Everything crosses by value.

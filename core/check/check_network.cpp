@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "check/network_view.h"
+#include "config/network_config.h"
 
 namespace syncline {
 

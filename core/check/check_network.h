@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "config/network_config.h"
-#include "findings/finding.h"
-
 namespace syncline {
+
+struct Finding;
+struct FindingWords;
+struct NetworkConfig;
 
 /// All rules of the checker in the order of docs/check.md: by family, then by number.
 [[nodiscard]] std::span<const FindingWords> check_rules();

@@ -5,6 +5,9 @@
 #include <map>
 
 #include "check/network_view.h"
+#include "config/mailbox_config.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "support/le_number.h"
 
 namespace syncline::checker {
@@ -171,8 +174,7 @@ class CoeCheck {
     if (pdo == config_.pdos.end()) return;
     std::vector<std::uint64_t> said;
     for (const PdoEntry& entry : pdo->pdo.entries) {
-      said.push_back(std::uint64_t{entry.index} << 16 | std::uint64_t{entry.sub_index} << 8 |
-                     (entry.bit_length & 0xFFU));
+      said.push_back(mapping_of(entry).word());
     }
     if (written != said) {
       add("ENI-COE-03", list.last_cmd, fig::hex<"object">(index), hex_list<"written">(written, 8),

@@ -5,6 +5,9 @@
 #include <map>
 
 #include "check/network_view.h"
+#include "config/network_config.h"
+#include "config/object_description.h"
+#include "config/slave_config.h"
 
 namespace syncline::checker {
 namespace {

@@ -6,6 +6,9 @@
 #include "check/network_view.h"
 #include "check/state_requests.h"
 #include "config/command_text.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 

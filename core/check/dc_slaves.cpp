@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "check/network_view.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "settings/predicates.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/network_view.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "families/families.h"
 #include "families/family_problems.h"
 

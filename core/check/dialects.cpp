@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "check/network_view.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
 #include "protocol/registers.h"
 
 /// Remarks on what readers and masters of the field do with a file that is right in itself.

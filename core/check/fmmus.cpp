@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "check/network_view.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "protocol/registers.h"
 
 namespace syncline::checker {

@@ -4,14 +4,13 @@
 #include <algorithm>
 
 #include "check/network_view.h"
-#include "compile/cyclic_frames.h"
 #include "config/command_text.h"
+#include "config/network_config.h"
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 
 namespace syncline::checker {
 namespace {
-
-constexpr std::uint32_t kMaxData = compiler::kMaxDatagramBytes - compiler::kDatagramOverhead;
 
 void check_sizes(const NetworkView& view, Findings& findings) {
   const auto& tasks = view.config.cyclic;
@@ -19,11 +18,11 @@ void check_sizes(const NetworkView& view, Findings& findings) {
     for (std::size_t f = 0; f < tasks[t].frames.size(); ++f) {
       std::uint64_t bytes = 0;
       for (const CyclicCmd& cmd : tasks[t].frames[f].commands) {
-        bytes += compiler::kDatagramOverhead + std::max<std::uint64_t>(cmd.length(), cmd.data.size());
+        bytes += kDatagramOverhead + std::max<std::uint64_t>(cmd.length(), cmd.data.size());
       }
-      if (bytes > compiler::kMaxDatagramBytes) {
+      if (bytes > kMaxDatagramBytes) {
         findings.add("ENI-FRM-01", {PlaceKind::kFrame, t, f}, fig::count<"bytes">(bytes),
-                     fig::count<"most">(compiler::kMaxDatagramBytes));
+                     fig::count<"most">(kMaxDatagramBytes));
       }
     }
   }
@@ -31,9 +30,9 @@ void check_sizes(const NetworkView& view, Findings& findings) {
     const auto& commands = view.config.slaves[i].init_cmds;
     for (std::size_t c = 0; c < commands.size(); ++c) {
       const auto length = std::max<std::size_t>(commands[c].length(), commands[c].data.size());
-      if (length > kMaxData) {
+      if (length > kMaxDatagramData) {
         findings.add("ENI-FRM-01/command", {PlaceKind::kSlaveInitCmd, i, c}, fig::count<"bytes">(length),
-                     fig::count<"most">(kMaxData));
+                     fig::count<"most">(kMaxDatagramData));
       } else if (length == 0 && commands[c].command != Command::kNop) {
         findings.add("ENI-FRM-02", {PlaceKind::kSlaveInitCmd, i, c}, fig::text<"command">(address_text(commands[c])));
       }

@@ -6,6 +6,10 @@
 
 #include "check/network_view.h"
 #include "config/command_text.h"
+#include "config/identity.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "protocol/registers.h"
 #include "support/le_number.h"
 

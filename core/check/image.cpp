@@ -5,6 +5,9 @@
 #include <unordered_map>
 
 #include "check/network_view.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
+#include "config/slave_config.h"
 #include "protocol/coe_data_type.h"
 
 namespace syncline::checker {

@@ -5,6 +5,7 @@
 
 #include "check/network_view.h"
 #include "config/command_text.h"
+#include "config/network_config.h"
 
 /// The same data are named three times: by an FMMU, by the cyclic command that carries it, and by Send or Recv.
 namespace syncline::checker {

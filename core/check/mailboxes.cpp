@@ -5,6 +5,9 @@
 #include <unordered_map>
 
 #include "check/network_view.h"
+#include "config/mailbox_config.h"
+#include "config/master_config.h"
+#include "config/network_config.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 

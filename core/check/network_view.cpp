@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "config/init_cmd.h"
+#include "config/network_config.h"
 #include "protocol/registers.h"
 
 namespace syncline::checker {

@@ -6,11 +6,18 @@
 #include <unordered_map>
 #include <vector>
 
-#include "check/check_network.h"
+#include "config/cyclic_frame.h"
+#include "config/network_config.h"
 #include "findings/eni_words.h"
 #include "findings/sentence.h"
+#include "protocol/al_state.h"
+#include "protocol/command.h"
 #include "protocol/fmmu.h"
 #include "protocol/sync_manager.h"
+
+namespace syncline {
+struct InitCmd;
+}  // namespace syncline
 
 /// The rules of the checker and what they share; check_network() puts them together.
 namespace syncline::checker {

@@ -6,6 +6,8 @@
 #include <unordered_set>
 
 #include "check/network_view.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 
 namespace syncline::checker {
 namespace {

@@ -7,6 +7,9 @@
 #include "check/network_view.h"
 #include "config/command_text.h"
 #include "config/entry_ports.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "config/previous_port.h"
 #include "support/types.h"
 
 namespace syncline::checker {

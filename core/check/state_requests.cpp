@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include "check/network_view.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "protocol/registers.h"
 
 namespace syncline::checker {

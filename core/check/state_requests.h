@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
-#include "config/network_config.h"
+#include "protocol/al_state.h"
+
+namespace syncline {
+struct InitCmd;
+struct SlaveConfig;
+}  // namespace syncline
 
 namespace syncline::checker {
 

@@ -5,6 +5,8 @@
 #include <unordered_map>
 
 #include "check/network_view.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 
 namespace syncline::checker {
 namespace {

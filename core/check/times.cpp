@@ -4,6 +4,7 @@
 #include "check/network_view.h"
 #include "compile/cyclic_frames.h"
 #include "config/command_text.h"
+#include "config/frame_time.h"
 #include "protocol/registers.h"
 #include "settings/limits.h"
 

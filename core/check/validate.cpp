@@ -2,6 +2,7 @@
 #include "check/validate.h"
 
 #include <compare>
+#include <cstddef>
 
 namespace syncline {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "config/network_config.h"
+#include "config/init_cmd.h"
 
 namespace syncline {
 

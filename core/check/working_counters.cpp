@@ -6,6 +6,8 @@
 
 #include "check/network_view.h"
 #include "config/command_text.h"
+#include "config/master_config.h"
+#include "config/network_config.h"
 #include "protocol/registers.h"
 
 namespace syncline::checker {

@@ -5,6 +5,8 @@
 
 #include "compare/difference_list.h"
 #include "compare/network_compare.h"
+#include "config/init_cmd.h"
+#include "config/slave_config.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

@@ -6,6 +6,10 @@
 #include <algorithm>
 
 #include "compare/difference_list.h"
+#include "compare/slave_pairing.h"
+#include "config/hot_connect.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "findings/finding.h"
 
 namespace syncline {

@@ -6,10 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "config/network_config.h"
 #include "findings/finding.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 enum class DifferenceGroup : std::uint8_t {
   kSlaves,       // which devices, in which place

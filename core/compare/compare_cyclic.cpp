@@ -6,8 +6,13 @@
 
 #include "compare/difference_list.h"
 #include "compare/network_compare.h"
+#include "compare/slave_pairing.h"
 #include "config/command_text.h"
+#include "config/cyclic_frame.h"
+#include "config/master_config.h"
+#include "config/network_config.h"
 #include "findings/finding.h"
+#include "protocol/command.h"
 #include "protocol/registers.h"
 
 namespace syncline::comparison {

@@ -5,7 +5,12 @@
 #include <map>
 
 #include "compare/difference_list.h"
+#include "compare/slave_pairing.h"
 #include "config/command_text.h"
+#include "config/cyclic_frame.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compare/difference_list.h"
+#include "config/project.h"
 #include "settings/settings_table.h"
 
 namespace syncline {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/compare_configs.h"
-#include "config/project.h"
-
 namespace syncline {
+
+struct ConfigDifference;
+struct Project;
 
 /// Settings of two projects that only our master knows, as no ENI has a place for them: the numbers of synchronisation
 /// and monitoring, recovery, real time. Group kRunTime, `what` is the settings key.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/project.h"
 #include "settings/settings_table.h"
 
 namespace syncline {

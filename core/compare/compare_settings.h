@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "config/project.h"
 #include "settings/setting.h"
 
 namespace syncline {
+
+struct Project;
 
 /// A setting that two projects hold differently.
 struct SettingDifference {

@@ -7,6 +7,8 @@
 
 #include "compare/difference_list.h"
 #include "config/command_text.h"
+#include "config/mailbox_config.h"
+#include "config/slave_config.h"
 
 namespace syncline::comparison {
 namespace {

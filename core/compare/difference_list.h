@@ -5,9 +5,14 @@
 #include <vector>
 
 #include "compare/compare_configs.h"
-#include "compare/slave_pairing.h"
 #include "findings/difference_words.h"
 #include "findings/sentence.h"
+
+namespace syncline {
+struct NetworkConfig;
+struct SlaveConfig;
+struct SlavePairing;
+}  // namespace syncline
 
 namespace syncline::comparison {
 

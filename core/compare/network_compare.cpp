@@ -8,6 +8,10 @@
 
 #include "compare/slave_pairing.h"
 #include "config/command_text.h"
+#include "config/cyclic_frame.h"
+#include "config/init_cmd.h"
+#include "config/mailbox_config.h"
+#include "config/network_config.h"
 
 namespace syncline {
 namespace {

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
-
 namespace syncline {
+
+struct NetworkConfig;
+struct SlaveConfig;
 
 struct CompareOptions {
   /// Also compare InputOffs and OutputOffs, which tools count from different starts.

@@ -6,7 +6,10 @@
 
 #include "config/project.h"
 #include "config/slave_edits.h"
-#include "settings/setting.h"
+
+namespace syncline::settings {
+struct Setting;
+}  // namespace syncline::settings
 
 namespace syncline {
 

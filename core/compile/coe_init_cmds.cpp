@@ -5,9 +5,13 @@
 
 #include <algorithm>
 
+#include "compile/slave_plan.h"
 #include "compile/sync_init_cmds.h"
-#include "config/dc_times.h"
+#include "config/dc_description.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
 #include "config/startup_origin.h"
+#include "config/sync0_cycle.h"
 #include "support/byte_order.h"
 
 namespace syncline::compiler {
@@ -172,16 +176,12 @@ class CoeList {
   static std::uint16_t assign_object(const ProcessDataChannel& channel) {
     return static_cast<std::uint16_t>(kSyncManagerPdoAssign + channel.number);
   }
-  static std::uint32_t mapping_entry(const PdoEntry& entry) {
-    return static_cast<std::uint32_t>(entry.index) << 16 | static_cast<std::uint32_t>(entry.sub_index) << 8 |
-           (entry.bit_length & 0xFFU);
-  }
 
   void add_mapping(const Pdo& pdo) {
     out_.push_back(generated(pdo.index, 0, {0}, fmt::format("clear mapping of PDO 0x{:04X}", pdo.index)));
     std::uint8_t sub_index = 0;
     for (const PdoEntry& entry : pdo.entries) {
-      out_.push_back(generated(pdo.index, ++sub_index, le_bytes(mapping_entry(entry)),
+      out_.push_back(generated(pdo.index, ++sub_index, le_bytes(mapping_of(entry).word()),
                                fmt::format("map entry {} of PDO 0x{:04X}", sub_index, pdo.index)));
     }
     if (!pdo.entries.empty()) {
@@ -194,7 +194,7 @@ class CoeList {
     ByteWriter writer(data);
     writer.u16(static_cast<std::uint16_t>(pdo.entries.size()));
     for (const PdoEntry& entry : pdo.entries) {
-      writer.u32(mapping_entry(entry));
+      writer.u32(mapping_of(entry).word());
     }
     out_.push_back(generated(pdo.index, 0, std::move(data), fmt::format("mapping of PDO 0x{:04X}", pdo.index)));
     out_.back().command.complete_access = true;

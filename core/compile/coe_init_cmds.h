@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "compile/compile.h"
-#include "compile/slave_plan.h"
 #include "support/types.h"
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// Interpolation time period of a drive, CiA 402.
 inline constexpr std::uint16_t kInterpolationTimePeriod = 0x60C2;

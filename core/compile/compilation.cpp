@@ -16,6 +16,8 @@
 #include "compile/slave_findings.h"
 #include "compile/task_plan.h"
 #include "compile/variables.h"
+#include "config/project.h"
+#include "config/task_settings.h"
 #include "reasons/because.h"
 #include "settings/predicates.h"
 

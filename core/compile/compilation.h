@@ -9,6 +9,10 @@
 #include "compile/process_image.h"
 #include "compile/slave_plan.h"
 
+namespace syncline {
+struct Project;
+}  // namespace syncline
+
 namespace syncline::compiler {
 
 /// The steps of compile(), with what they left from the run before: a run does again only what depends on something

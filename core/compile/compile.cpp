@@ -2,6 +2,7 @@
 #include "compile/compile.h"
 
 #include "compile/compilation.h"
+#include "config/project.h"
 
 namespace syncline {
 

@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "config/network_config.h"
-#include "config/project.h"
 #include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct Project;
 
 /// How the field's tools differ in writing an ENI (docs/eni.md). EC-Engineer's way is the default.
 enum class EniDialect : std::uint8_t { kEcEngineer, kTwinCat };

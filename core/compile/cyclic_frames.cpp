@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 
 namespace syncline::compiler {
@@ -118,15 +119,15 @@ std::vector<Placed> command_sequence(const ImageLayout& image, const CyclicOptio
   return commands;
 }
 
-std::uint32_t size_on_wire(const CyclicCmd& cmd) { return kDatagramOverhead + cmd.length(); }
+std::size_t size_on_wire(const CyclicCmd& cmd) { return kDatagramOverhead + cmd.length(); }
 
 using PlacedFrame = std::vector<Placed>;
 
 std::vector<PlacedFrame> split_into_frames(std::vector<Placed> commands) {
   std::vector<PlacedFrame> frames;
-  std::uint32_t used = kMaxDatagramBytes;
+  std::size_t used = kMaxDatagramBytes;
   for (Placed& placed : commands) {
-    const std::uint32_t size = size_on_wire(placed.command);
+    const std::size_t size = size_on_wire(placed.command);
     if (frames.empty() || used + size > kMaxDatagramBytes) {
       frames.emplace_back();
       used = 0;
@@ -187,7 +188,7 @@ CyclicFrame take(PlacedFrame& placed) {
 }  // namespace
 
 std::uint16_t max_process_data_length(const CyclicOptions& options) {
-  std::uint32_t others = kDatagramOverhead;
+  std::size_t others = kDatagramOverhead;
   for (const Placed& placed : command_sequence({}, options)) others += size_on_wire(placed.command);
   return static_cast<std::uint16_t>(kMaxDatagramBytes - others);
 }

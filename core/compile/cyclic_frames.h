@@ -7,14 +7,8 @@
 
 #include "compile/compile.h"
 #include "compile/process_image.h"
-#include "config/frame_time.h"
-#include "config/network_config.h"
 
 namespace syncline::compiler {
-
-/// Bytes of all datagrams of one Ethernet frame: 1500 less the EtherCAT header.
-inline constexpr std::uint32_t kMaxDatagramBytes = 1498;
-inline constexpr std::uint32_t kDatagramOverhead = 12;
 
 struct CyclicOptions {
   EniDialect dialect = EniDialect::kEcEngineer;

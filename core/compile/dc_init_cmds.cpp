@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/dc_init_cmds.h"
 
+#include "compile/init_cmd_builder.h"
+#include "compile/slave_plan.h"
+#include "config/slave_config.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

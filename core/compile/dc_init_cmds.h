@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "compile/init_cmd_builder.h"
-#include "compile/slave_plan.h"
-
 namespace syncline::compiler {
+
+class InitCmdBuilder;
+struct SlavePlan;
 
 /// PREOP to SAFEOP: SYNC cycle times, start time and activation; clears on the way into PREOP. Nothing for a slave
 /// without DC commands. The start time written is the SYNC0 shift: the master adds the common start when it runs.

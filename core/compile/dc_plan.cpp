@@ -3,7 +3,12 @@
 
 #include <algorithm>
 
-#include "config/dc_times.h"
+#include "compile/slave_plan.h"
+#include "config/dc_description.h"
+#include "config/dc_settings.h"
+#include "config/project.h"
+#include "config/slave_config.h"
+#include "config/sync0_cycle.h"
 
 namespace syncline::compiler {
 namespace {

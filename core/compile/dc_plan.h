@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
-#include "compile/slave_plan.h"
+namespace syncline {
+struct DcMasterSettings;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// Fills SlavePlan::dc of the slaves whose op mode switches DC on, and marks the reference clock.
 void plan_dc(const Project& project, std::span<SlavePlan> slaves);

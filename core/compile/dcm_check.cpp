@@ -5,12 +5,14 @@
 
 #include "compile/cyclic_frames.h"
 #include "config/external_clock.h"
+#include "config/frame_time.h"
 #include "findings/project_master_words.h"
 #include "findings/sentence.h"
 #include "protocol/dcm_error.h"
 #include "protocol/registers.h"
 #include "settings/dc_check.h"
 #include "settings/predicates.h"
+#include "settings/setting_type.h"
 
 namespace syncline {
 namespace {

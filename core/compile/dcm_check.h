@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "config/network_config.h"
 #include "findings/finding.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 /// What keeps the DCM of a configuration from working, known before anything is sent.
 struct DcmProblem {

@@ -5,8 +5,12 @@
 
 #include <algorithm>
 
-#include "config/dc_times.h"
+#include "config/dc_description.h"
+#include "config/device_description.h"
 #include "config/module_slots.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
+#include "config/sync0_cycle.h"
 
 namespace syncline::compiler {
 namespace {

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <memory>
 
-#include "config/project.h"
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::compiler {
 

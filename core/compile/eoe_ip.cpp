@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/dotted_address.h"
+#include "config/slave_options.h"
 #include "protocol/eoe.h"
 #include "support/byte_order.h"
 

@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "config/slave_options.h"
-
 /// "Set IP parameter" of Ethernet over EtherCAT (ETG.1000.6, 5.7.4): flags of 4 bytes, then MAC, address, mask, gateway
 /// and DNS server (each of the four least significant byte first) and a name of 32 bytes.
 namespace syncline {
+
+struct EoeSlaveSettings;
 
 /// Behind the EoE header: always 58 bytes, as tools write them, with each parameter in its own place. Slaves differ in
 /// whether a parameter that is not announced takes room, so that none is left out in front of one that is: the MAC is

@@ -6,7 +6,10 @@
 #include <algorithm>
 
 #include "compile/coe_init_cmds.h"
+#include "compile/finding_list.h"
+#include "compile/slave_plan.h"
 #include "compile/sync_init_cmds.h"
+#include "config/slave_settings.h"
 #include "config/startup_origin.h"
 #include "families/families.h"
 #include "families/family_problems.h"

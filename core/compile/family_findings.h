@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "compile/finding_list.h"
-#include "compile/slave_plan.h"
+namespace syncline {
+struct SlaveConfig;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+class FindingList;
+struct SlavePlan;
 
 /// What the slave's device family refuses (errors) or does not bear (warnings) of the configuration made from the plan,
 /// and a cycle below the minimum that its object dictionary names.

@@ -2,6 +2,8 @@
 #include "compile/fmmu_plan.h"
 
 #include "compile/process_image.h"
+#include "compile/slave_plan.h"
+#include "protocol/fmmu.h"
 #include "protocol/registers.h"
 
 namespace syncline::compiler {

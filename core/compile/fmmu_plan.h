@@ -3,9 +3,10 @@
 
 #include <vector>
 
-#include "compile/slave_plan.h"
-
 namespace syncline::compiler {
+
+struct FmmuPlan;
+struct SlavePlan;
 
 /// FMMUs of a slave that has its place in the logical address space: outputs, then inputs (one for each SyncManager
 /// with data, or one for neighbours where the ESI lists fewer FMMUs), then the mailbox state. This order is the

@@ -3,6 +3,8 @@
 
 #include "compile/identity_cmds.h"
 #include "compile/init_cmd_builder.h"
+#include "config/hot_connect.h"
+#include "config/project.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

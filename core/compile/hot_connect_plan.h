@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
-#include "config/network_config.h"
-#include "config/project.h"
+namespace syncline {
+struct HotConnectConfig;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::compiler {
 

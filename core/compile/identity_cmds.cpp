@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/identity_cmds.h"
 
+#include "compile/slave_plan.h"
+#include "config/device_description.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

@@ -2,9 +2,16 @@
 #pragma once
 
 #include "compile/init_cmd_builder.h"
-#include "compile/slave_plan.h"
+#include "config/identity.h"
+
+namespace syncline {
+struct DeviceDescription;
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// INIT to PREOP: what the master compares before it takes the device for the configured one (IdentityCheck).
 void add_identity_check(InitCmdBuilder& cmds, const SlavePlan& slave);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "compile/compile.h"
+#include "config/project.h"
 
 namespace syncline {
 

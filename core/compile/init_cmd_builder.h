@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "config/network_config.h"
+#include "config/init_cmd.h"
+#include "protocol/command.h"
 
 namespace syncline::compiler {
 

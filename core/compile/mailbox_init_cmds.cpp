@@ -4,6 +4,11 @@
 #include <algorithm>
 
 #include "compile/eoe_ip.h"
+#include "compile/slave_plan.h"
+#include "config/mailbox_config.h"
+#include "config/mailbox_description.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
 #include "protocol/eoe.h"
 
 namespace syncline::compiler {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "compile/slave_plan.h"
+#include "config/device_description.h"
+#include "config/mailbox_config.h"
 #include "support/byte_order.h"
 
 namespace syncline::compiler {

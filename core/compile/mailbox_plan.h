@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
-#include "compile/slave_plan.h"
+namespace syncline {
+struct DeviceDescription;
+struct MailboxConfig;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct MailboxPlan;
+struct SlavePlan;
 
 /// The mailbox SyncManagers of a device with their bootstrap variant; empty when it has no complete pair.
 [[nodiscard]] std::optional<MailboxPlan> plan_mailbox(const DeviceDescription& device);

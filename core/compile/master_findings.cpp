@@ -9,8 +9,12 @@
 #include "compile/cyclic_frames.h"
 #include "compile/dcm_check.h"
 #include "compile/finding_list.h"
+#include "compile/slave_plan.h"
 #include "compile/task_plan.h"
 #include "config/entry_ports.h"
+#include "config/frame_time.h"
+#include "config/master_settings.h"
+#include "config/project.h"
 
 namespace syncline::compiler {
 namespace {

@@ -3,10 +3,15 @@
 
 #include <vector>
 
-#include "compile/compile.h"
-#include "compile/slave_plan.h"
+namespace syncline {
+struct Finding;
+struct NetworkConfig;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// Cycle time, wire load, reference clock, sync window, station addresses.
 void find_master_problems(std::vector<Finding>& out, const Project& project, const std::vector<SlavePlan>& slaves,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/master_init_cmds.h"
 
+#include "config/init_cmd.h"
+#include "protocol/command.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

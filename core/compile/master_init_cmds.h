@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "config/network_config.h"
+namespace syncline {
+struct InitCmd;
+}  // namespace syncline
 
 namespace syncline::compiler {
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "compile/init_cmd_builder.h"
 #include "protocol/registers.h"
+#include "protocol/sync_manager.h"
 
 namespace syncline::compiler {
 namespace {

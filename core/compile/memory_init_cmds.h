@@ -2,10 +2,11 @@
 #pragma once
 
 #include "compile/compile.h"
-#include "compile/init_cmd_builder.h"
 #include "compile/slave_plan.h"
 
 namespace syncline::compiler {
+
+class InitCmdBuilder;
 
 /// Commands that set and clear the SyncManagers and FMMUs of one slave.
 class MemoryCommands {

@@ -6,7 +6,12 @@
 #include <algorithm>
 #include <map>
 
+#include "compile/finding_list.h"
+#include "compile/slave_plan.h"
+#include "config/module_description.h"
 #include "config/module_slots.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
 
 namespace syncline::compiler {
 namespace {

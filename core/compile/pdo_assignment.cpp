@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "compile/slave_plan.h"
+#include "config/slave_config.h"
+#include "config/slave_settings.h"
+
 namespace syncline::compiler {
 namespace {
 

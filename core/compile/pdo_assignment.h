@@ -3,9 +3,14 @@
 
 #include <vector>
 
-#include "compile/slave_plan.h"
+namespace syncline {
+struct ConfiguredPdo;
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct ProcessDataChannel;
 
 /// All PDOs of a slave with the user's changed mappings and the user's assignment: Tx, then Rx, ESI order.
 [[nodiscard]] std::vector<ConfiguredPdo> effective_pdos(const SlaveSettings& slave);

@@ -5,6 +5,13 @@
 
 #include <algorithm>
 
+#include "compile/finding_list.h"
+#include "compile/slave_plan.h"
+#include "config/dc_description.h"
+#include "config/object_description.h"
+#include "config/pdo_description.h"
+#include "config/slave_settings.h"
+
 namespace syncline::compiler {
 namespace {
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "compile/slave_plan.h"
+
 namespace syncline::compiler {
 namespace {
 

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "compile/compile.h"
-#include "compile/slave_plan.h"
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// One process-data command of the cyclic frame(s).
 struct LogicalDatagram {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "config/device_description.h"
+
 namespace syncline::compiler {
 
 std::string product_revision(const DeviceDescription& device) {

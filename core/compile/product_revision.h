@@ -3,7 +3,9 @@
 
 #include <string>
 
-#include "config/device_description.h"
+namespace syncline {
+struct DeviceDescription;
+}  // namespace syncline
 
 namespace syncline::compiler {
 

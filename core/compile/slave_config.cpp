@@ -9,6 +9,9 @@
 #include "compile/master_init_cmds.h"
 #include "compile/product_revision.h"
 #include "compile/slave_init_cmds.h"
+#include "compile/slave_plan.h"
+#include "config/master_settings.h"
+#include "config/slave_settings.h"
 #include "protocol/registers.h"
 
 namespace syncline::compiler {

@@ -4,9 +4,14 @@
 #include <vector>
 
 #include "compile/compile.h"
-#include "compile/slave_plan.h"
+
+namespace syncline {
+struct MasterSettings;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// A planned slave as the configuration has it, without its place in the process image.
 [[nodiscard]] SlaveConfig slave_config(const SlavePlan& plan, EniDialect dialect);

@@ -6,15 +6,19 @@
 #include <algorithm>
 
 #include "compile/coe_init_cmds.h"
-#include "compile/cyclic_frames.h"
 #include "compile/family_findings.h"
 #include "compile/finding_list.h"
 #include "compile/fmmu_plan.h"
 #include "compile/module_findings.h"
 #include "compile/pdo_findings.h"
-#include "config/dc_times.h"
+#include "compile/slave_plan.h"
+#include "config/dc_description.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
 #include "config/startup_origin.h"
+#include "config/sync0_cycle.h"
 #include "protocol/dc_registers.h"
+#include "protocol/frame.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
 
@@ -29,7 +33,7 @@ void check_memory(FindingList& findings, const SlavePlan& slave) {
   }
   const std::uint32_t bytes =
       (std::max(slave.image_bits(PdoDirection::kRx), slave.image_bits(PdoDirection::kTx)) + 7) / 8;
-  if (bytes > kMaxDatagramBytes - kDatagramOverhead) {
+  if (bytes > kMaxDatagramData) {
     findings.add("process-data-too-long/frame", fig::count<"bytes">(bytes));
   }
 }

@@ -3,10 +3,14 @@
 
 #include <vector>
 
-#include "compile/compile.h"
-#include "compile/slave_plan.h"
+namespace syncline {
+struct Finding;
+struct SlaveConfig;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// PDO assignment, memory, DC times, mailbox, topology of one slave, and what its device family says of the
 /// configuration made from the plan.

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "compile/compile.h"
-#include "compile/slave_plan.h"
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// The register commands of one slave for every transition, in the order that ET9000, TwinCAT 3 and EC-Engineer share
 /// (docs/eni.md lists it row by row). A master runs those of a transition in list order.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "protocol/sync_manager.h"
+
 namespace syncline::compiler {
 
 SyncManager ProcessDataChannel::image() const {

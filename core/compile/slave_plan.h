@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "config/network_config.h"
-#include "config/project.h"
+#include "config/device_description.h"
+#include "config/slave_config.h"
+#include "config/slave_settings.h"
 #include "protocol/fmmu.h"
-#include "protocol/sync_manager.h"
+#include "support/types.h"
+
+namespace syncline {
+struct SyncManager;
+}  // namespace syncline
 
 /// Values that the steps of compile() hand to each other. Each step fills its own part and leaves the rest.
 namespace syncline::compiler {

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+#include "compile/slave_plan.h"
+#include "config/device_description.h"
+#include "config/slave_settings.h"
+#include "families/device_family.h"
 #include "families/families.h"
 #include "protocol/dc_registers.h"
 #include "settings/sync_settings.h"

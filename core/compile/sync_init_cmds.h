@@ -3,9 +3,13 @@
 
 #include <vector>
 
-#include "compile/slave_plan.h"
+namespace syncline {
+struct StartupCommand;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// Downloads on PS that the settings slave.N.sync.*, slave.N.can.* and slave.N.output_pin.* ask for. Without SYNC0 a
 /// gateway with a CAN cycle is told its bus cycle, unless the start-up list does so.

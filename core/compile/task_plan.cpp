@@ -3,6 +3,12 @@
 
 #include <algorithm>
 
+#include "compile/cyclic_frames.h"
+#include "compile/slave_plan.h"
+#include "config/cyclic_frame.h"
+#include "config/master_settings.h"
+#include "config/project.h"
+
 namespace syncline::compiler {
 
 std::size_t sync_unit_number(const MasterSettings& master, std::string_view name) {

@@ -6,11 +6,19 @@
 #include <string_view>
 #include <vector>
 
-#include "compile/cyclic_frames.h"
-#include "compile/slave_plan.h"
+#include "support/types.h"
+
+namespace syncline {
+struct CyclicTask;
+struct MasterSettings;
+struct Project;
+}  // namespace syncline
 
 /// Which task exchanges whose process data.
 namespace syncline::compiler {
+
+struct CyclicLayout;
+struct SlavePlan;
 
 /// Number of a Sync Unit by its name: 0 for the unnamed one and for names that nobody has.
 [[nodiscard]] std::size_t sync_unit_number(const MasterSettings& master, std::string_view name);

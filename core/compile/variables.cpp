@@ -6,6 +6,8 @@
 #include <unordered_map>
 
 #include "compile/effective_slave.h"
+#include "compile/slave_plan.h"
+#include "config/slave_settings.h"
 
 namespace syncline::compiler {
 namespace {

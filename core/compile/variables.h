@@ -4,9 +4,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "compile/slave_plan.h"
+#include "config/pdo_description.h"
+
+namespace syncline {
+struct Variable;
+}  // namespace syncline
 
 namespace syncline::compiler {
+
+struct SlavePlan;
 
 /// Variables of one direction: `slave.PDO.entry`, padding left out, in slave and PDO order. Names are unique: the
 /// second of the same name gets " (2)". `placement_bits[i]` is the image bit at which slave i's data of this direction

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "config/cyclic_frame.h"
+#include "config/init_cmd.h"
+
 namespace syncline {
 
 std::string hex_text(std::span<const std::uint8_t> bytes) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
+#include "protocol/al_state.h"
 
 /// Short texts of command fields for comparisons and logs.
 namespace syncline {

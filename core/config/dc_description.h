@@ -10,7 +10,7 @@
 namespace syncline {
 
 /// CycleTimeSync0/1 and ShiftTimeSync0/1 of an OpMode: fixed value (ns) or factor of the Sync Unit
-/// Cycle; reference/eni rules in config/dc_times.h.
+/// Cycle; reference/eni rules in config/sync0_cycle.h.
 struct DcTime {
   std::int64_t value_ns = 0;
   std::optional<int> factor;

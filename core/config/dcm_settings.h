@@ -5,7 +5,6 @@
 #include <optional>
 #include <string_view>
 
-#include "support/result.h"
 #include "support/types.h"
 
 namespace syncline {

@@ -8,36 +8,17 @@
 
 #include "config/dc_description.h"
 #include "config/esi_text.h"
+#include "config/identity.h"
 #include "config/mailbox_description.h"
 #include "config/module_description.h"
 #include "config/object_description.h"
 #include "config/pdo_description.h"
-#include "config/sync_manager_type.h"
+#include "config/state_timeouts.h"
+#include "config/sync_manager_description.h"
+#include "config/sync_unit.h"
 
 /// What an ESI file (ETG.2000) or a slave's SII says about a device: plain values, no XML.
 namespace syncline {
-
-struct Identity {
-  std::uint32_t vendor_id = 0;
-  std::uint32_t product_code = 0;
-  std::uint32_t revision_no = 0;
-  std::uint32_t serial_no = 0;  // 0 = any
-  bool operator==(const Identity&) const = default;
-};
-[[nodiscard]] std::string to_string(const Identity& identity);  // "0x00000002:0x044c2c52:0x00120000"
-
-struct SyncManagerDescription {
-  SyncManagerType type = SyncManagerType::kUnused;
-  std::uint16_t start_address = 0;
-  std::optional<std::uint16_t> min_size, max_size, default_size;
-  std::uint8_t control_byte = 0;
-  bool enable = false;
-  bool is_virtual = false;
-  bool op_only = false;
-  bool one_byte_mode = false;  // only triggers watchdog and PDI interrupt
-  std::optional<bool> watchdog{};
-  bool operator==(const SyncManagerDescription&) const = default;
-};
 
 enum class FmmuUse : std::uint8_t { kUnused = 0, kOutputs = 1, kInputs = 2, kMailboxState = 3 };
 
@@ -47,25 +28,6 @@ struct FmmuOptions {
   std::optional<std::uint8_t> sync_unit{};     // Su
   bool op_only = false;
   bool operator==(const FmmuOptions&) const = default;
-};
-
-/// Su: process data of a device that may live in frames of its own.
-struct SyncUnitDescription {
-  std::string name{};
-  bool separate_su = false;
-  bool separate_frame = false;
-  bool depend_on_input_state = false;
-  bool frame_repeat_support = false;
-  bool operator==(const SyncUnitDescription&) const = default;
-};
-
-/// Type@CheckRevisionNo: which revisions count as this device.
-enum class RevisionCheck : std::uint8_t {
-  kNone,
-  kEqual,
-  kEqualOrGreater,
-  kLowWordEqual,
-  kLowWordEqualHighWordEqualOrGreater,
 };
 
 /// HideType, AlternativeType, SubDevice: another device of the vendor.
@@ -89,15 +51,6 @@ struct PortDescription {
 struct StartBehavior {
   bool to_init = false, to_preop = false, to_safeop = false, to_safeop_no_sync = false;
   bool operator==(const StartBehavior&) const = default;
-};
-
-/// ESI Info/StateMachine/Timeout, ms; ETG defaults where the ESI is silent.
-struct StateTimeouts {
-  std::uint32_t preop = 3000;
-  std::uint32_t safeop_op = 10000;
-  std::uint32_t back_to_init = 5000;
-  std::uint32_t back_to_safeop = 200;
-  bool operator==(const StateTimeouts&) const = default;
 };
 
 struct EepromCategory {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "config/device_description.h"
+
 namespace syncline {
 namespace {
 
@@ -30,9 +32,10 @@ Pdo pdo_of(const DictionaryPdo& from, const DeviceDictionary& dictionary) {
   pdo.fixed = !from.writable;
   for (const auto word : from.mapped) {
     PdoEntry entry;
-    entry.index = static_cast<std::uint16_t>(word >> 16);
-    entry.sub_index = static_cast<std::uint8_t>(word >> 8);
-    entry.bit_length = static_cast<std::uint8_t>(word);
+    const auto mapped = PdoMapping::of(word);
+    entry.index = mapped.index;
+    entry.sub_index = mapped.sub_index;
+    entry.bit_length = mapped.bits;
     if (entry.index != 0) {
       const auto* described = find_entry(dictionary, entry.index, entry.sub_index);
       entry.name = entry_name(dictionary, entry, described);

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "config/device_description.h"
+#include "config/object_description.h"
 
 namespace syncline {
+
+struct DeviceDescription;
 
 /// A PDO as the device's dictionary has it (0x1600 to 0x17FF, 0x1A00 to 0x1BFF).
 struct DictionaryPdo {

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "config/dc_description.h"
+#include "config/device_description.h"
+#include "config/mailbox_description.h"
 #include "protocol/coe_data_type.h"
+#include "protocol/sii.h"
 #include "protocol/sync_manager.h"
 #include "support/byte_order.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/previous_port.h"
 #include "protocol/dl_status.h"
 
 namespace syncline {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "config/project.h"
-
 namespace syncline {
+
+struct PreviousPort;
 
 /// The own port towards the master of every slave of a wiring, in the order in which frames pass the processing units.
 /// A slave that stands behind one that hangs at it is entered by another port than 0: what hangs at its ports from the

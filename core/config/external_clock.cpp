@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/external_clock.h"
 
+#include "config/network_config.h"
 #include "support/byte_order.h"
 
 namespace syncline {

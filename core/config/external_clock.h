@@ -5,9 +5,11 @@
 #include <optional>
 #include <span>
 
-#include "config/network_config.h"
+#include "support/types.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 /// Where a bridge device shows the time of another network: its "external synchronisation" object 0x10F4 (ETG.1020),
 /// of which it maps both time stamps into the process data.

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "config/cyclic_frame.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
 #include "protocol/frame.h"
 
 namespace syncline {
@@ -16,11 +19,17 @@ bool carries(const CyclicCmd& command, const ImageRange& outputs, std::uint32_t 
 
 }  // namespace
 
-Nanoseconds wire_time(const CyclicFrame& frame) {
+std::size_t frame_bytes(const CyclicFrame& frame) {
   std::size_t bytes = kFrameOverhead;
-  for (const auto& cmd : frame.commands) bytes += kDatagramHeaderSize + cmd.length() + kWkcSize;
-  return wire_time_ns(bytes);
+  for (const auto& cmd : frame.commands) bytes += kDatagramOverhead + cmd.length();
+  return bytes;
 }
+
+std::size_t bytes_sent(const CyclicFrame& frame) {
+  return std::max(frame_bytes(frame), kMinEthernetFrame) + kFrameCheckSequence;
+}
+
+Nanoseconds wire_time(const CyclicFrame& frame) { return wire_time_ns(frame_bytes(frame)); }
 
 Nanoseconds outputs_wire_time(const NetworkConfig& config, std::size_t slave) {
   const auto& outputs = config.slaves[slave].send;

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
-#include "config/network_config.h"
+#include "support/types.h"
 
 /// How long a bus cycle's frames are under way.
 namespace syncline {
+
+struct CyclicFrame;
+struct NetworkConfig;
+
+/// From the Ethernet header to the last datagram; neither padding nor FCS.
+[[nodiscard]] std::size_t frame_bytes(const CyclicFrame& frame);
+/// With both.
+[[nodiscard]] std::size_t bytes_sent(const CyclicFrame& frame);
 
 /// Time on a 100 Mbit/s wire of one frame with these commands: preamble, header, padding, FCS and gap included.
 [[nodiscard]] Nanoseconds wire_time(const CyclicFrame& frame);

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "config/network_config.h"
+#include "config/process_image.h"
+
 namespace syncline {
 
 ImageOwners::ImageOwners(const NetworkConfig& config) {

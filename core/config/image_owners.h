@@ -6,9 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "config/network_config.h"
-
 namespace syncline {
+
+struct ImageRange;
+struct NetworkConfig;
 
 /// Whose process data stands where in the process image. Pure; valid for the configuration it was made of.
 class ImageOwners {

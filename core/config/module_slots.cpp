@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "config/device_description.h"
+#include "config/slave_options.h"
+#include "config/slave_settings.h"
 #include "reasons/because.h"
 
 namespace syncline {

@@ -5,11 +5,16 @@
 #include <optional>
 #include <vector>
 
-#include "config/project.h"
+#include "config/pdo_description.h"
 #include "support/result.h"
 
 /// Modular devices: places for modules, and what a module becomes at its place.
 namespace syncline {
+
+struct DeviceDescription;
+struct ModuleDescription;
+struct SlaveSettings;
+struct SlotDescription;
 
 /// One place for a module. A slot of the ESI that may occur several times has as many places in a row.
 struct SlotPlace {

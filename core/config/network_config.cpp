@@ -12,15 +12,6 @@ std::optional<std::uint16_t> NetworkConfig::reference_clock() const {
   return std::nullopt;
 }
 
-std::optional<std::uint16_t> HotConnectConfig::alias() const {
-  constexpr std::uint16_t kAliasRegister = 0x0012;
-  for (const auto& command : identify_cmds) {
-    if (command.ado != kAliasRegister || !command.validate || command.validate->data.size() < 2) continue;
-    return static_cast<std::uint16_t>(command.validate->data[0] | command.validate->data[1] << 8);
-  }
-  return std::nullopt;
-}
-
 std::optional<std::size_t> NetworkConfig::hot_connect_head(std::size_t slave) const {
   for (std::size_t head = slave + 1; head-- > 0;) {
     if (!slaves[head].hot_connect) continue;

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "protocol/pdo_mapping.h"
+
 /// Process data objects as ESI and SII describe them.
 namespace syncline {
 
@@ -25,6 +27,11 @@ struct PdoEntry {
   std::uint8_t swap = 0;  // DataType@SwapData: 1 swaps the bytes of words, 2 the words, 3 both
   bool operator==(const PdoEntry&) const = default;
 };
+
+/// As it stands in the PDO's object; of more than 255 bits only the low byte.
+[[nodiscard]] constexpr PdoMapping mapping_of(const PdoEntry& entry) {
+  return {entry.index, entry.sub_index, static_cast<std::uint8_t>(entry.bit_length)};
+}
 
 struct Pdo {
   std::uint16_t index = 0;

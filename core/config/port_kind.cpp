@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/port_kind.h"
 
+#include "config/device_description.h"
 #include "protocol/dl_status.h"
 
 namespace syncline {

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "config/device_description.h"
-
 namespace syncline {
+
+struct DeviceDescription;
 
 /// What is plugged into a port.
 enum class PortKind : std::uint8_t {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "config/device_description.h"
-#include "support/clock.h"
+#include "support/jitter_profile.h"
 #include "support/types.h"
 
 /// A simulated segment as a value; read from a TOML scenario by sim/scenario/scenario_loader.

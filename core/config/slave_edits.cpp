@@ -9,8 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "config/device_description.h"
+#include "config/project.h"
 #include "config/wiring_draft.h"
 #include "config/wiring_tree.h"
+#include "protocol/station_address.h"
 
 namespace syncline {
 namespace {
@@ -144,7 +147,7 @@ EditedSlave duplicate_slave(Project& project, std::size_t slave) {
   for (const auto one : group) {
     auto copy = project.slaves[one];
     const bool had_default = copy.name == default_name(copy.station_address, copy.device);
-    copy.station_address = take_address(used, static_cast<std::uint16_t>(1001 + count + added.size()));
+    copy.station_address = take_address(used, usual_station_address(count + added.size()));
     copy.name = take_name(names, had_default ? default_name(copy.station_address, copy.device) : copy.name);
     copy.alias = 0;
     if (!copy.hot_connect.empty()) copy.hot_connect = copy.name;

@@ -8,13 +8,15 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "config/project.h"
-
 /// Slaves come, go and change their places. Whatever says a slave by its number (where another one hangs, the reference
 /// clock) stays with the slave; station addresses stay unique. The slaves stand in the order of the frame afterwards,
 /// where they did before; a project whose order is not what its wiring says keeps its order as far as it can. A slave
 /// goes with its branches (wiring_tree.h). Pure: what fails leaves the project as it was.
 namespace syncline {
+
+struct DeviceDescription;
+struct PreviousPort;
+struct Project;
 
 enum class WiringObstacle : std::uint8_t {
   kNoSuchSlave,

@@ -7,14 +7,6 @@
 namespace syncline {
 namespace {
 
-constexpr std::array<std::pair<RevisionCheck, std::string_view>, 5> kNames{{
-    {RevisionCheck::kNone, "NONE"},
-    {RevisionCheck::kEqual, "EQ"},
-    {RevisionCheck::kEqualOrGreater, "EQ_OR_G"},
-    {RevisionCheck::kLowWordEqual, "LW_EQ"},
-    {RevisionCheck::kLowWordEqualHighWordEqualOrGreater, "LW_EQ_HW_EQ_OR_G"},
-}};
-
 constexpr std::array<std::pair<SyncTypeChoice, std::string_view>, 4> kSyncTypes{{
     {SyncTypeChoice::kFreeRun, "free-run"},
     {SyncTypeChoice::kSmEvent, "sm-event"},
@@ -33,20 +25,6 @@ std::string_view sync_type_name(SyncTypeChoice type) {
 
 std::optional<SyncTypeChoice> sync_type_from_name(std::string_view name) {
   for (const auto& [value, known] : kSyncTypes) {
-    if (known == name) return value;
-  }
-  return std::nullopt;
-}
-
-std::string_view revision_check_name(RevisionCheck check) {
-  for (const auto& [value, name] : kNames) {
-    if (value == check) return name;
-  }
-  return {};
-}
-
-std::optional<RevisionCheck> revision_check_from_name(std::string_view name) {
-  for (const auto& [value, known] : kNames) {
     if (known == name) return value;
   }
   return std::nullopt;

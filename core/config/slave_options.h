@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/device_description.h"
+#include "config/identity.h"
 #include "support/types.h"
 
 /// What a user may set on one slave beside its process data and its clock. An empty optional follows the ESI.
@@ -29,10 +29,6 @@ struct PluggedModule {
   std::uint32_t ident = 0;
   bool operator==(const PluggedModule&) const = default;
 };
-
-/// ETG.2000 CheckRevisionNo: "NONE", "EQ", "EQ_OR_G", "LW_EQ", "LW_EQ_HW_EQ_OR_G".
-[[nodiscard]] std::string_view revision_check_name(RevisionCheck check);
-[[nodiscard]] std::optional<RevisionCheck> revision_check_from_name(std::string_view name);
 
 struct WatchdogSettings {
   std::optional<std::uint16_t> divider;       // 0x0400, in 40 ns, less 2

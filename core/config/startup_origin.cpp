@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
+
 namespace syncline {
 
 bool is_from_esi(const StartupCommand& command, const DeviceDescription& device) {

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "config/network_config.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline {

@@ -3,9 +3,11 @@
 
 #include <optional>
 
-#include "config/network_config.h"
+#include "support/types.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 /// Grid in which the SYNC signals of all slaves repeat together, ns: the least common multiple of the bus cycle, all
 /// SYNC cycles and the user's grid. SYNC0 of a slave lies at the base of the DC grid + n * this + its shift. Nothing

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "protocol/sync_manager.h"
+
 namespace syncline {
 namespace {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "protocol/sync_manager.h"
-
 namespace syncline {
+
+struct SyncManager;
 
 /// What a SyncManager is for, by the numbers of the SII's category SyncM (ETG.2010).
 enum class SyncManagerType : std::uint8_t { kUnused = 0, kMailboxOut = 1, kMailboxIn = 2, kOutputs = 3, kInputs = 4 };

@@ -15,13 +15,6 @@ struct TaskSettings {
   bool operator==(const TaskSettings&) const = default;
 };
 
-/// Slaves that are exchanged together, in datagrams of their own: one that fails spoils no other's working counter.
-struct SyncUnit {
-  std::string name;
-  std::string task;  // name of a TaskSettings; "" = the base task
-  bool operator==(const SyncUnit&) const = default;
-};
-
 struct ProcessImageSettings {
   /// Where the process data begin in the logical address space. Empty: as the dialect's tool.
   std::optional<std::uint32_t> logical_start;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "config/image_owners.h"
+#include "config/network_config.h"
 #include "protocol/coe_data_type.h"
 #include "reasons/because.h"
 

@@ -7,10 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "config/network_config.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 /// A variable of the process image as somebody watches it, in every cycle. Has all that is needed to read its bits
 /// without the configuration that it is of.

@@ -5,6 +5,9 @@
 #include <map>
 #include <numeric>
 
+#include "config/device_description.h"
+#include "config/slave_settings.h"
+
 namespace syncline {
 namespace {
 

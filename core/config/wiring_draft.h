@@ -11,6 +11,9 @@
 
 namespace syncline {
 
+struct DeviceDescription;
+struct SlaveSettings;
+
 /// The wiring of a project while it is changed. Slaves keep the numbers that they had, new ones get the next; only
 /// order() says where they stand in the end. The devices must outlive it.
 class WiringDraft {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/entry_ports.h"
+#include "config/slave_settings.h"
 #include "protocol/dl_status.h"
 
 namespace syncline {

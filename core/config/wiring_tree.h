@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "config/port_kind.h"
-#include "config/project.h"
+#include "config/previous_port.h"
 
 /// Slaves as they hang at each other. A slave has a line that goes on behind it (the next coupler, the next terminal)
 /// and branches (the terminals of a coupler, the cables of a junction): what belongs to it when somebody moves or
 /// removes it.
 namespace syncline {
+
+struct DeviceDescription;
+struct SlaveSettings;
 
 struct WiredSlave {
   const DeviceDescription* device = nullptr;

@@ -6,22 +6,6 @@
 
 namespace syncline::dc {
 
-std::uint64_t system_time_offset(Nanoseconds reference_time_at_latch, std::uint64_t local_time_at_latch,
-                                 std::uint32_t delay_ns, bool clock_is_64bit) {
-  // The slave latched delay_ns after the reference clock did.
-  const auto wanted = static_cast<std::uint64_t>(reference_time_at_latch) + delay_ns;
-  const auto offset = wanted - local_time_at_latch;
-  return clock_is_64bit ? offset : offset & 0xFFFF'FFFFU;
-}
-
-Nanoseconds start_time(const StartTimeInput& input) {
-  const auto earliest = input.now + input.safety;
-  const auto grid = input.grid > 0 ? input.grid : 1;
-  auto phase = (earliest - input.base) % grid;
-  if (phase < 0) phase += grid;
-  return earliest + (phase == 0 ? 0 : grid - phase) + input.shift;
-}
-
 std::uint16_t speed_counter_start(Nanoseconds cycle) {
   constexpr double kShare = 0.2, kSmallest = 0x0100, kLargest = 0x3FFF;
   const auto wanted = std::sqrt(static_cast<double>(std::max<Nanoseconds>(cycle, 0)) / (5 * kShare));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "protocol/dc_registers.h"
 #include "protocol/dl_status.h"
 
 namespace syncline::dc {

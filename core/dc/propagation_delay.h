@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "channels/values/delay_warning.h"
-#include "protocol/dc_registers.h"
 
 namespace syncline::dc {
 

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "protocol/sync_error_counter.h"
+
 namespace syncline::dc {
 namespace {
 
@@ -53,7 +55,7 @@ void SyncEventAccount::end_periods(std::int64_t ended, std::int64_t missed) {
   integrator_ -= counted_down;
   counted_down_ += counted_down;
   for (std::int64_t i = 0; i < std::min<std::int64_t>(missed, UINT16_MAX) && !at_limit(); ++i) {
-    integrator_ += kMiss;
+    integrator_ += kMissWeight;
     presume(1);
   }
   candidate_ = std::max(candidate_, integrator_);
@@ -122,8 +124,8 @@ std::uint32_t SyncEventAccount::explain_by_doubt(std::uint32_t debt) {
 void SyncEventAccount::correct(std::int64_t misses) {
   const auto back = std::clamp<std::int64_t>(misses, 0, counted_down_);
   counted_down_ -= static_cast<std::uint32_t>(back);
-  const auto value = std::int64_t{integrator_} + misses * kMiss + (misses < 0 ? misses : back);
-  const std::int64_t most = limit_ > 0 ? limit_ + kMiss - 1 : UINT16_MAX;
+  const auto value = std::int64_t{integrator_} + misses * kMissWeight + (misses < 0 ? misses : back);
+  const std::int64_t most = limit_ > 0 ? limit_ + kMissWeight - 1 : UINT16_MAX;
   integrator_ = static_cast<std::uint32_t>(std::clamp<std::int64_t>(value, 0, most));
 }
 
@@ -167,7 +169,7 @@ bool SyncEventAccount::in_doubt() const { return sum(presumed_) + sum(carried_) 
 /// The error counter has not been as high as it was thought to be while `misses` that were none counted: by three for
 /// each, and by what the good period that each of them was takes off.
 void SyncEventAccount::take_back_peaks(std::uint32_t misses) {
-  const auto lower = [&](std::uint32_t peak) { return peak - std::min(peak, misses * (kMiss + 1)); };
+  const auto lower = [&](std::uint32_t peak) { return peak - std::min(peak, misses * (kMissWeight + 1)); };
   const auto before = lower(earlier_);
   // What both readings have confirmed by now stays.
   highest_ = std::max(highest_, limit_ > 0 ? std::min(before, limit_ - 1) : before);
@@ -200,8 +202,8 @@ void SyncEventAccount::left_op() {
 
 void SyncEventAccount::gave_up_late() {
   if (integrator_ >= limit_) return;
-  const auto more = (limit_ - integrator_ + kMiss - 1) / kMiss;
-  integrator_ += more * kMiss;
+  const auto more = (limit_ - integrator_ + kMissWeight - 1) / kMissWeight;
+  integrator_ += more * kMissWeight;
   highest_ = std::max(highest_, integrator_);
   computed_ += more;
   at(by_cause_, MissCause::kFrameLate) += more;

@@ -76,7 +76,6 @@ class SyncEventAccount {
   [[nodiscard]] std::uint32_t integrator_highest() const;
 
  private:
-  static constexpr std::uint32_t kMiss = 3;
   void end_periods(std::int64_t ended, std::int64_t missed);
   void presume(std::uint32_t missed);
   std::uint32_t explain(std::uint32_t debt);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/frame_time.h"
+#include "config/network_config.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::dc {

@@ -5,9 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "config/network_config.h"
 #include "dc/sync0_arrival.h"
 #include "support/types.h"
+
+namespace syncline {
+struct NetworkConfig;
+}  // namespace syncline
 
 namespace syncline::dc {
 

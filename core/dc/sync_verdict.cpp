@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/dc_settings.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::dc {

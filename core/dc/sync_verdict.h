@@ -6,8 +6,11 @@
 #include <optional>
 #include <span>
 
-#include "config/project.h"
 #include "support/types.h"
+
+namespace syncline {
+struct SyncWindowSettings;
+}  // namespace syncline
 
 /// Whether the slaves are in sync with their reference clock: decided here and nowhere else, from values
 /// (docs/distributed-clocks.md, "How the verdict is made").

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "diagnosis/rules/rules.h"
+#include "trace/run_report.h"
 
 namespace syncline {
 

@@ -3,8 +3,12 @@
 
 #include <utility>
 
+#include "channels/background_master.h"
+#include "channels/master_channels.h"
+#include "engine/opened_link.h"
 #include "engine/virtual_pacer.h"
 #include "master/master_service.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "channels/background_master.h"
-#include "engine/opened_link.h"
-
 namespace syncline {
+
+class BackgroundMaster;
+struct OpenedLink;
 
 /// A master on the bus behind `link`, which it keeps with its clock. Nothing runs yet. When it goes, the slaves go to
 /// INIT.

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "capture/capture_tap.h"
+#include "engine/opened_link.h"
+
 namespace syncline {
 
 Result<std::shared_ptr<const CaptureState>> capture_to(const std::string& file, OpenedLink& opened) {

@@ -4,10 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "capture/capture_tap.h"
-#include "engine/opened_link.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class CaptureState;
+struct OpenedLink;
 
 /// From now on every frame of the link is written to this pcapng file, which is complete when the link is gone and the
 /// state has not failed. Null for "": no capture. kFileNotWritable when the file cannot be made.

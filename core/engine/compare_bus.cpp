@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/network_config.h"
 #include "engine/open_bus.h"
 #include "master/scan/bus_compare.h"
+#include "master/scan/bus_scanner.h"
 
 namespace syncline {
 

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "compare/compare_configs.h"
-#include "engine/opened_link.h"
 #include "master/scan/bus_scanner.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct NetworkConfig;
+struct OpenedLink;
 
 struct ComparedBus {
   std::vector<ConfigDifference> differences;  // left = configuration, right = bus

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
+#include "config/device_dictionary.h"
+#include "config/project.h"
 #include "engine/open_bus.h"
 #include "master/exchange/bus.h"
 #include "master/mailbox/device_dictionary_reader.h"

@@ -5,11 +5,12 @@
 #include <functional>
 #include <vector>
 
-#include "config/project.h"
-#include "engine/opened_link.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct OpenedLink;
+struct Project;
 
 class Bus;
 

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "engine/capture_file.h"
 #include "master/scan/bus_scanner.h"
 
 namespace syncline {

@@ -6,7 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/capture_file.h"
+#include "capture/capture_tap.h"
+#include "capture/replay_link.h"
 #include "engine/opened_link.h"
 #include "master/exchange/bus.h"
 #include "support/stop_signals.h"

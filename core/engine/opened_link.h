@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "capture/replay_link.h"
 #include "link/link.h"
 #include "support/clock.h"
-#include "support/result.h"
 
 namespace syncline {
+
+struct ReplayNotes;
 
 /// A link and the clock it runs on. The clock outlives the link. Who opens it decides which; what the engine does with
 /// it takes a Result, so that the errors of opening pass through.

@@ -5,8 +5,15 @@
 #include <optional>
 #include <utility>
 
+#include "capture/capture_tap.h"
+#include "channels/background_master.h"
+#include "channels/command.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
 #include "engine/background_master.h"
 #include "engine/capture_file.h"
+#include "engine/opened_link.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

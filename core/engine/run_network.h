@@ -7,13 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "channels/master_channels.h"
-#include "config/network_config.h"
-#include "engine/opened_link.h"
+#include "channels/cycle_sample.h"
+#include "channels/slave_request.h"
 #include "support/result.h"
 #include "trace/run_report.h"
 
 namespace syncline {
+
+struct Event;
+struct MasterChannels;
+struct NetworkConfig;
+struct OpenedLink;
+struct SlaveAnswer;
+struct Snapshot;
 
 struct RunRequest {
   AlState target = AlState::kOp;

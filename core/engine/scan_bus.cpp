@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/event.h"
 #include "engine/open_bus.h"
 #include "findings/scan_words.h"
 #include "findings/sentence.h"

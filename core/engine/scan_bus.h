@@ -5,13 +5,13 @@
 #include <functional>
 #include <string>
 
-#include "channels/event.h"
-#include "channels/values/bus_scan.h"
-#include "engine/opened_link.h"
 #include "master/scan/bus_scanner.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct Event;
+struct OpenedLink;
 
 struct ScanRequest {
   ScanOptions options;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/simulate_bus.h"
 
+#include "config/sim_config.h"
+#include "link/raw_port.h"
 #include "protocol/registers.h"
+#include "sim/sim_bus.h"
 #include "support/byte_order.h"
+#include "support/clock.h"
 #include "support/real_time.h"
 
 namespace syncline {

@@ -7,12 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "config/sim_config.h"
 #include "link/bus_responder.h"
-#include "link/pcap_link.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct AdapterInfo;
+struct SimConfig;
 
 struct SimulateRequest {
   std::string adapter;                    // "veth0"

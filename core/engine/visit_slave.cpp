@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "engine/open_bus.h"
+#include "master/startup/slave_visit.h"
+
 namespace syncline {
 
 Status visit_slave(Result<OpenedLink> link, const VisitRequest& request, const std::function<Status(SlaveVisit&)>& work,

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <functional>
 
-#include "engine/open_bus.h"
-#include "master/startup/slave_visit.h"
+#include "support/result.h"
 
 namespace syncline {
+
+struct OpenedLink;
+class SlaveVisit;
 
 /// A slave on a bus, for work that needs no configuration.
 struct VisitRequest {

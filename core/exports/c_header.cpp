@@ -6,6 +6,7 @@
 #include <cctype>
 #include <map>
 
+#include "config/network_config.h"
 #include "exports/exports.h"
 
 namespace syncline::exports {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "config/network_config.h"
 #include "exports/html_page.h"
 #include "exports/html_table.h"
 #include "exports/report_sections.h"

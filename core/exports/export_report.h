@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
-#include "config/project.h"
 #include "findings/finding.h"
+
+namespace syncline {
+struct NetworkConfig;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::exports {
 

@@ -3,7 +3,9 @@
 
 #include <string>
 
-#include "config/network_config.h"
+namespace syncline {
+struct NetworkConfig;
+}  // namespace syncline
 
 /// What programs and people need of a configuration beside the ENI. Pure text, the same bytes for the same
 /// configuration; CSV as RFC 4180 with a header row, comma, UTF-8 and CR LF.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/network_config.h"
 #include "exports/exports.h"
 
 namespace syncline::exports {

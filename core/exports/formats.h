@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "config/network_config.h"
+namespace syncline {
+struct NetworkConfig;
+}  // namespace syncline
 
 namespace syncline::exports {
 

@@ -2,10 +2,13 @@
 #include "exports/init_command_origin.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <span>
 
+#include "config/project.h"
 #include "config/startup_origin.h"
+#include "exports/init_commands.h"
 
 namespace syncline::exports {
 namespace {

@@ -3,10 +3,13 @@
 
 #include <cstdint>
 
-#include "config/project.h"
-#include "exports/init_commands.h"
+namespace syncline {
+struct Project;
+}  // namespace syncline
 
 namespace syncline::exports {
+
+struct InitCommandRow;
 
 /// What of a project an init command is there for, and so where it is changed.
 enum class InitCommandOrigin : std::uint8_t {

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "config/command_text.h"
+#include "config/init_cmd.h"
+#include "config/mailbox_config.h"
+#include "config/network_config.h"
 #include "exports/csv_row.h"
 #include "exports/exports.h"
 #include "protocol/object_value.h"

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
+namespace syncline {
+struct NetworkConfig;
+}  // namespace syncline
 
 namespace syncline::exports {
 

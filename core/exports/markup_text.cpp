@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exports/markup_text.h"
 
+#include "support/markup.h"
 #include "support/utf8.h"
 
 namespace syncline::exports {
@@ -11,21 +12,10 @@ std::string markup_text(std::string_view text) {
   out.reserve(text.size());
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += byte < 0x20 ? ' ' : byte >= 0x80 && !valid ? '?' : c;
+    if (const auto entity = markup_entity(c); !entity.empty()) {
+      out += entity;
+    } else {
+      out += byte < 0x20 ? ' ' : byte >= 0x80 && !valid ? '?' : c;
     }
   }
   return out;

@@ -6,7 +6,7 @@
 
 namespace syncline::exports {
 
-/// Somebody's text as content or quoted attribute of XML and HTML: the one place that escapes it. Control characters
+/// Somebody's text as content or quoted attribute of XML and HTML. Control characters
 /// become spaces; bytes that are no UTF-8 become question marks.
 [[nodiscard]] std::string markup_text(std::string_view text);
 

@@ -5,17 +5,17 @@
 #include <algorithm>
 
 #include "config/command_text.h"
+#include "config/cyclic_frame.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
 #include "exports/exports.h"
 #include "exports/html_table.h"
 #include "exports/report_sections.h"
 #include "findings/finding.h"
-#include "protocol/frame.h"
+#include "protocol/dc_registers.h"
 
 namespace syncline::exports {
 namespace {
-
-constexpr std::size_t kFrameCheckSequence = 4;
 
 std::string clock_of(const NetworkConfig& config) {
   const auto position = config.reference_clock();
@@ -25,15 +25,8 @@ std::string clock_of(const NetworkConfig& config) {
 std::string window_of(const SyncWindowSettings& window, bool set) {
   if (!window.enabled) return "not monitored";
   if (!set) return "monitored (BRD 0x092C)";
-  return fmt::format("{} (2^{} - 1), settle time {} ms", exact_time_text((Nanoseconds{1} << window.exponent) - 1),
+  return fmt::format("{} (2^{} - 1), settle time {} ms", exact_time_text(sync_window_limit_ns(window.exponent)),
                      window.exponent, window.settle_time_ms);
-}
-
-/// Header, padding and frame check sequence included.
-std::size_t frame_bytes(const CyclicFrame& frame) {
-  std::size_t bytes = kFrameOverhead;
-  for (const auto& cmd : frame.commands) bytes += kDatagramHeaderSize + cmd.length() + kWkcSize;
-  return std::max(bytes, kMinEthernetFrame) + kFrameCheckSequence;
 }
 
 std::string commands_of(const CyclicFrame& frame) {
@@ -70,7 +63,7 @@ std::string frames_section(const NetworkConfig& config) {
     for (std::size_t j = 0; j < task.frames.size(); ++j) {
       const auto& frame = task.frames[j];
       table.row({std::to_string(i), exact_time_text(task.cycle_time), std::to_string(j),
-                 std::to_string(frame.commands.size()), std::to_string(frame_bytes(frame)),
+                 std::to_string(frame.commands.size()), std::to_string(bytes_sent(frame)),
                  exact_time_text(wire_time(frame)), commands_of(frame)});
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "exports/export_report.h"
 #include "exports/html_table.h"
 #include "exports/report_sections.h"
 #include "findings/fold.h"

@@ -4,10 +4,16 @@
 #include <span>
 #include <string>
 
-#include "exports/export_report.h"
+namespace syncline {
+struct Finding;
+struct NetworkConfig;
+struct Project;
+}  // namespace syncline
 
 /// The sections of reports, HTML without their titles.
 namespace syncline::exports {
+
+struct ReportFacts;
 
 /// "2 errors, 1 warning, 3 notes", "none"
 [[nodiscard]] std::string finding_counts(std::span<const Finding> findings);

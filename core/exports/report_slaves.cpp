@@ -2,6 +2,9 @@
 // The slaves of the report: what they are, and when their SYNC signals come.
 #include <fmt/format.h>
 
+#include "config/network_config.h"
+#include "config/process_image.h"
+#include "config/project.h"
 #include "exports/html_table.h"
 #include "exports/report_sections.h"
 #include "findings/finding.h"

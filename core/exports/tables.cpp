@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "exports/csv_row.h"
 #include "exports/exports.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/entry_ports.h"
+#include "config/network_config.h"
 #include "exports/exports.h"
 #include "exports/markup_text.h"
 

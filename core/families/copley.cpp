@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
+#include "families/device_family.h"
 #include "families/family_tables.h"
 
 namespace syncline::families {

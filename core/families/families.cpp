@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <array>
 
+#include "config/device_description.h"
+#include "config/mailbox_config.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
 #include "families/family_tables.h"
 #include "support/byte_order.h"
 

@@ -9,13 +9,22 @@
 #include <string_view>
 #include <vector>
 
-#include "config/device_description.h"
-#include "config/network_config.h"
-#include "families/device_family.h"
+#include "support/types.h"
+
+namespace syncline {
+struct DeviceDescription;
+struct Identity;
+struct SlaveConfig;
+}  // namespace syncline
 
 /// Look-ups in the table of device families. Pure, from any thread; nothing here allocates but what returns a string or
 /// a list.
 namespace syncline::families {
+
+struct Alarm;
+struct Family;
+struct StatusObject;
+struct SyncCounters;
 
 /// All of them, the more special before the more general.
 [[nodiscard]] std::span<const Family* const> all();

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "config/object_description.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
 #include "findings/eni_devices_words.h"
 #include "findings/sentence.h"
 #include "protocol/dc_registers.h"

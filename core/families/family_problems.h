@@ -6,12 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
-#include "families/device_family.h"
 #include "findings/finding.h"
 #include "reasons/reason.h"
 
+namespace syncline {
+struct SlaveConfig;
+}  // namespace syncline
+
 namespace syncline::families {
+
+struct Family;
 
 /// What of a slave's configuration its family refuses or does not bear.
 struct Problem {

@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "families/device_family.h"
-
 /// The rows, a vendor a file.
 namespace syncline::families {
+
+struct Family;
 
 [[nodiscard]] std::span<const Family> yaskawa_families();
 [[nodiscard]] std::span<const Family> copley_families();

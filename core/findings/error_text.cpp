@@ -13,6 +13,7 @@
 #include "protocol/coe.h"
 #include "protocol/foe.h"
 #include "reasons/because.h"
+#include "reasons/placeholder.h"
 
 namespace syncline {
 namespace {

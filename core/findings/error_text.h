@@ -4,11 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include "findings/finding.h"
 #include "support/result.h"
 
 /// The words of errors: rows of the one table, which fields of an Error fill.
 namespace syncline {
+
+struct Finding;
 
 /// Code of its row, for programs: "file-not-found", "state-refused". Each ErrorCode has one.
 [[nodiscard]] std::string_view error_name(ErrorCode code);

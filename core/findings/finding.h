@@ -9,7 +9,6 @@
 
 #include "findings/figure.h"
 #include "findings/place.h"
-#include "reasons/placeholder.h"
 
 /// What is wrong, or worth knowing: in a file, a project, a difference, a run. Each with its place, the figures that
 /// prove it, why it matters and what to do.

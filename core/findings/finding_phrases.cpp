@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "findings/acceptance_words.h"
 #include "findings/finding.h"
 #include "protocol/al_state.h"
 #include "protocol/coe_abort_code.h"
@@ -138,6 +139,9 @@ std::span<const std::string_view> finding_phrases() {
     for (const auto text : coe::abort_code_texts()) add(text);
     for (std::uint32_t code = foe::error::kNotDefined; code <= kLastFoeError; ++code) add(foe::error_text(code));
     for (const auto text : words::kReasons) add(text);
+    for (const auto& criterion : words::kCriteria) add(criterion.name);
+    for (const auto text : words::kVerdicts) add(text);
+    for (const auto text : words::kAcceptancePhrases) add(text);
     return phrases;
   }();
   return all;

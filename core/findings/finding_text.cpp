@@ -7,6 +7,7 @@
 
 #include "findings/finding.h"
 #include "protocol/al_state.h"
+#include "reasons/placeholder.h"
 
 namespace syncline {
 namespace {

@@ -7,8 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "findings/figure.h"
+#include "findings/finding.h"
 #include "protocol/al_state.h"
 #include "reasons/because.h"
+#include "reasons/placeholder.h"
 
 namespace syncline {
 namespace {

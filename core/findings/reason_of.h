@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "findings/finding.h"
-#include "reasons/reason.h"
-
 namespace syncline {
+
+struct Finding;
+class Reason;
 
 /// What describe() says of a finding whose row begins with a capital letter or with somebody's own text, as errors'
 /// rows do, as a reason that stands in another one: the rows' words with what fills them. Figures that a language

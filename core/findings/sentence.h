@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "findings/finding.h"
+#include "reasons/placeholder.h"
 
 /// Findings whose words are looked up while compiling: a code without words, a placeholder that no figure fills and a
 /// figure that no sentence shows do not compile.

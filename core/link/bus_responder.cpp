@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "link/raw_port.h"
 #include "protocol/frame.h"
+#include "sim/sim_bus.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

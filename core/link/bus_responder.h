@@ -3,16 +3,22 @@
 
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <vector>
 
 #include "link/arrival_forecast.h"
-#include "link/raw_port.h"
-#include "sim/sim_bus.h"
-#include "support/clock.h"
+#include "support/result.h"
+
+namespace syncline::sim {
+class SimBus;
+}  // namespace syncline::sim
 
 namespace syncline {
+
+class Clock;
+class RawPort;
 
 /// What a simulated segment has served.
 struct ResponderCounters {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "support/clock.h"
 #include "support/random.h"
 
 namespace syncline {

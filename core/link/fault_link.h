@@ -5,9 +5,10 @@
 #include <memory>
 
 #include "link/link.h"
-#include "support/clock.h"
 
 namespace syncline {
+
+class Clock;
 
 /// What a bad line, a busy host or a wrong switch does to frames. Probabilities are per frame, 0 to 1.
 struct LinkFaults {

@@ -5,6 +5,7 @@
 
 #include "link/raw_port.h"
 #include "protocol/frame.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

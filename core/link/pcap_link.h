@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "link/link.h"
-#include "support/clock.h"
 
 namespace syncline {
+
+class Clock;
 
 struct AdapterInfo {
   std::string name;  // "eth0"

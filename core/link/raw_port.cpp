@@ -12,10 +12,12 @@
 #include <cstring>
 #include <filesystem>
 
+#include "link/pcap_link.h"
 #include "link/send_socket.h"
 #include "protocol/frame.h"
 #include "reasons/because.h"
 #include "support/calendar_stamp.h"
+#include "support/clock.h"
 
 namespace syncline {
 namespace {

@@ -7,11 +7,13 @@
 #include <span>
 #include <string>
 
-#include "link/pcap_link.h"
-#include "support/clock.h"
 #include "support/result.h"
+#include "support/types.h"
 
 namespace syncline {
+
+struct AdapterInfo;
+class Clock;
 
 /// A network adapter opened for EtherCAT frames and nothing else: immediate mode, a filter for EtherType
 /// 0x88A4, non-blocking. What a master's link and a simulated segment have in common. One thread at a time.

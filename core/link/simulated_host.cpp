@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "link/simulated_host.h"
 
+#include "config/sim_config.h"
+#include "link/simulated_link.h"
+#include "support/clock.h"
+
 namespace syncline {
 
 void add_standstills(VirtualClock& clock, const SimConfig& config) {

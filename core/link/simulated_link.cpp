@@ -7,11 +7,15 @@
 #include <optional>
 #include <vector>
 
+#include "link/link.h"
 #include "protocol/frame.h"
 #include "reasons/because.h"
+#include "sim/sim_bus.h"
 #include "support/byte_order.h"
 #include "support/calendar_stamp.h"
+#include "support/clock.h"
 #include "support/random.h"
+#include "support/result.h"
 
 namespace syncline {
 namespace {

@@ -5,11 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "link/link.h"
-#include "sim/sim_bus.h"
-#include "support/clock.h"
+#include "support/jitter_profile.h"
+#include "support/types.h"
+
+namespace syncline::sim {
+class SimBus;
+}  // namespace syncline::sim
 
 namespace syncline {
+
+class Clock;
+class Link;
 
 /// How the simulated host sends, and stamps what comes.
 struct SimulatedHost {

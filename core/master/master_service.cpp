@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
 #include "master/cyclic/acyclic_requests.h"
 #include "master/exchange/frame_tap.h"
 #include "master/operation.h"

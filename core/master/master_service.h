@@ -3,12 +3,14 @@
 
 #include <memory>
 
-#include "channels/master_channels.h"
-#include "link/link.h"
 #include "master/clocks/dc_start.h"
-#include "support/clock.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class Clock;
+class Link;
+struct MasterChannels;
 
 /// While no frames are to be sent.
 inline constexpr Nanoseconds kIdlePeriod = 1 * kMillisecond;

@@ -3,6 +3,9 @@
 #include <optional>
 #include <thread>
 
+#include "channels/event.h"
+#include "channels/master_channels.h"
+#include "master/exchange/bus.h"
 #include "master/master_service.h"
 #include "support/real_time.h"
 #include "support/stop_signals.h"

@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
 #include "compile/dcm_check.h"
 #include "master/scan/bus_scanner.h"
 #include "protocol/dc_registers.h"

@@ -18,6 +18,10 @@
 
 namespace syncline {
 
+struct ForceOutputCommand;
+struct MasterChannels;
+struct ReleaseOutputCommand;
+
 /// One time of being online with one configuration, from the first frame to the last.
 class Operation {
  public:

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "reasons/brief_reason.h"
+#include "support/brief_error.h"
 #include "support/byte_order.h"
 
 namespace syncline::coe {

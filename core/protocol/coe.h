@@ -2,14 +2,19 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "support/brief_error.h"
+#include "protocol/emergency.h"
 #include "support/result.h"
+
+namespace syncline {
+struct BriefError;
+}  // namespace syncline
 
 /// CANopen over EtherCAT (ETG.1000.6, 5.6): the bytes behind the mailbox header, both directions,
 /// for the master's client and the simulated devices' server.
@@ -87,14 +92,6 @@ struct UploadSegmentResponse {
   bool last = false;
   std::vector<std::uint8_t> data;
   bool operator==(const UploadSegmentResponse&) const = default;
-};
-
-/// Service 1.
-struct Emergency {
-  std::uint16_t error_code = 0;
-  std::uint8_t error_register = 0;
-  std::array<std::uint8_t, 5> data{};
-  bool operator==(const Emergency&) const = default;
 };
 
 using Request = std::variant<DownloadRequest, DownloadSegmentRequest, UploadRequest, UploadSegmentRequest, Abort>;

@@ -17,10 +17,14 @@ inline constexpr std::uint32_t kDcmErrorTimerNotRunning = 0x981201C6;
 inline constexpr std::uint32_t kDcmErrorWrongCpu = 0x981201C7;
 inline constexpr std::uint32_t kDcmErrorInvalidSyncPeriod = 0x981201C8;
 inline constexpr std::uint32_t kDcmErrorInvalidSetValue = 0x981201C9;
-inline constexpr std::uint32_t kDcmErrorDriftTooHigh = 0x981201CA;
+inline constexpr std::uint32_t kDcmErrorDriftTooHigh = 0x981201CA;  // more than kMostDriftPpm
 inline constexpr std::uint32_t kDcmErrorBusCycleWrong = 0x981201CB;
 inline constexpr std::uint32_t kDcxErrorNoExternalClock = 0x981201CC;
 inline constexpr std::uint32_t kDcmErrorInvalidData = 0x981201CD;
+
+/// Drift between host and reference clock that no controller is to balance, ppm: an ESC's loop reaches 763 ppm, and
+/// needs some of it itself.
+inline constexpr double kMostDriftPpm = 600;
 
 /// What EC-Master calls it, "DCM_E_INVALID_SETVAL"; empty when it is none of these.
 [[nodiscard]] std::string_view dcm_error_name(std::uint32_t code);

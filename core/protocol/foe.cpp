@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reasons/brief_reason.h"
+#include "support/brief_error.h"
 #include "support/byte_order.h"
 
 namespace syncline::foe {

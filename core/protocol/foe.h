@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -9,8 +10,11 @@
 #include <vector>
 
 #include "protocol/mailbox.h"
-#include "support/brief_error.h"
 #include "support/result.h"
+
+namespace syncline {
+struct BriefError;
+}  // namespace syncline
 
 /// File access over EtherCAT (ETG.1000.6, 5.8): the bytes behind the mailbox header, both directions. A transfer
 /// ends with a data packet that does not fill the mailbox; it may be empty.

@@ -3,17 +3,13 @@
 
 #include <algorithm>
 
+#include "protocol/datagram.h"
 #include "support/byte_order.h"
 
 namespace syncline {
 namespace {
 
-constexpr std::size_t kFirstDatagram = kEthernetHeaderSize + kEtherCatHeaderSize;
-constexpr std::size_t kLengthFieldOffset = 6;  // inside the datagram header
-constexpr std::size_t kIrqOffset = 8;
-constexpr std::uint16_t kLengthMask = 0x07FF;
-constexpr std::uint16_t kCirculatingBit = 0x4000;
-constexpr std::uint16_t kMoreBit = 0x8000;
+constexpr std::uint16_t kLengthMask = 0x07FF;  // of the EtherCAT header
 constexpr std::uint16_t kTypeCommands = 1;
 constexpr std::size_t kEtherTypeOffset = 12;
 constexpr std::uint16_t kVlanEtherType = 0x8100;
@@ -24,39 +20,7 @@ std::uint16_t load_be16(std::span<const std::uint8_t> bytes, std::size_t offset)
   return static_cast<std::uint16_t>((bytes[offset] << 8) | bytes[offset + 1]);
 }
 
-std::uint16_t length_field(const DatagramHeader& header) {
-  return static_cast<std::uint16_t>((header.length & kLengthMask) | (header.circulating ? kCirculatingBit : 0) |
-                                    (header.more ? kMoreBit : 0));
-}
-
-DatagramHeader read_header(std::span<const std::uint8_t, kDatagramHeaderSize> bytes) {
-  DatagramHeader header;
-  header.command = static_cast<Command>(bytes[0]);
-  header.index = bytes[1];
-  header.address = load_le<std::uint32_t>(bytes.subspan<2, 4>());
-  const auto field = load_le<std::uint16_t>(bytes.subspan<kLengthFieldOffset, 2>());
-  header.length = field & kLengthMask;
-  header.circulating = (field & kCirculatingBit) != 0;
-  header.more = (field & kMoreBit) != 0;
-  header.irq = load_le<std::uint16_t>(bytes.subspan<kIrqOffset, 2>());
-  return header;
-}
-
-void write_header(std::span<std::uint8_t, kDatagramHeaderSize> bytes, const DatagramHeader& header) {
-  bytes[0] = static_cast<std::uint8_t>(header.command);
-  bytes[1] = header.index;
-  store_le(bytes.subspan<2, 4>(), header.address);
-  store_le(bytes.subspan<kLengthFieldOffset, 2>(), length_field(header));
-  store_le(bytes.subspan<kIrqOffset, 2>(), header.irq);
-}
-
 }  // namespace
-
-void DatagramView::store_header() {
-  const auto bytes = header_bytes.first<kDatagramHeaderSize>();
-  header.length = load_le<std::uint16_t>(bytes.subspan<kLengthFieldOffset, 2>()) & kLengthMask;
-  write_header(bytes, header);
-}
 
 FrameBuilder::FrameBuilder() {
   std::fill_n(buffer_.begin(), 6, std::uint8_t{0xFF});
@@ -66,7 +30,7 @@ FrameBuilder::FrameBuilder() {
 }
 
 void FrameBuilder::reset() {
-  size_ = kFirstDatagram;
+  size_ = kFrameOverhead;
   count_ = 0;
   last_length_field_ = 0;
 }
@@ -77,28 +41,23 @@ void FrameBuilder::set_addresses(std::span<const std::uint8_t, 6> destination,
   std::copy(source.begin(), source.end(), buffer_.begin() + 6);
 }
 
-std::size_t FrameBuilder::free_data_bytes() const {
-  const std::size_t overhead = size_ + kDatagramHeaderSize + kWkcSize;
-  return overhead < kMaxEthernetFrame ? kMaxEthernetFrame - overhead : 0;
-}
-
 std::optional<std::span<std::uint8_t>> FrameBuilder::add_zeros(Command command, std::uint8_t index,
                                                                std::uint32_t address, std::uint16_t length) {
-  const std::size_t end = size_ + kDatagramHeaderSize + length + kWkcSize;
+  const std::size_t end = size_ + kDatagramOverhead + length;
   if (end > kMaxEthernetFrame) return std::nullopt;
   const std::span<std::uint8_t> all(buffer_);
-  if (count_ > 0) all[last_length_field_ + 1] |= static_cast<std::uint8_t>(kMoreBit >> 8);
+  if (count_ > 0) all[last_length_field_ + 1] |= static_cast<std::uint8_t>(DatagramHeader::kMoreBit >> 8);
 
   DatagramHeader header;
   header.command = command;
   header.index = index;
   header.address = address;
   header.length = length;
-  write_header(all.subspan(size_).first<kDatagramHeaderSize>(), header);
+  header.write(all.subspan(size_).first<kDatagramHeaderSize>());
   const auto data = all.subspan(size_ + kDatagramHeaderSize, length);
   std::fill_n(all.begin() + static_cast<std::ptrdiff_t>(size_ + kDatagramHeaderSize), length + kWkcSize,
               std::uint8_t{0});
-  last_length_field_ = size_ + kLengthFieldOffset;
+  last_length_field_ = size_ + DatagramHeader::kLengthFieldOffset;
   size_ = end;
   ++count_;
   return data;
@@ -114,7 +73,7 @@ std::optional<std::span<std::uint8_t>> FrameBuilder::add(Command command, std::u
 
 std::span<const std::uint8_t> FrameBuilder::finish() {
   const std::span<std::uint8_t> all(buffer_);
-  const auto length = static_cast<std::uint16_t>(size_ - kFirstDatagram);
+  const auto length = static_cast<std::uint16_t>(size_ - kFrameOverhead);
   store_le(all.subspan(kEthernetHeaderSize), static_cast<std::uint16_t>(length | (kTypeCommands << 12)));
   const std::size_t padded = std::max(size_, kMinEthernetFrame);
   std::fill(buffer_.begin() + static_cast<std::ptrdiff_t>(size_), buffer_.begin() + static_cast<std::ptrdiff_t>(padded),
@@ -154,17 +113,16 @@ std::optional<DatagramView> FrameReader::next() {
   const auto left = body_.subspan(position_);
   // Bytes behind the last datagram are padding: some masters round the frame's length field up.
   if (last_seen_ || (left.empty() && position_ == 0)) return std::nullopt;
-  constexpr auto kAround = kDatagramHeaderSize + kWkcSize;
-  if (left.size() < kAround) [[unlikely]] {
+  if (left.size() < kDatagramOverhead) [[unlikely]] {
     malformed_ = true;
     return std::nullopt;
   }
-  const auto header = read_header(left.first<kDatagramHeaderSize>());
-  if (left.size() < kAround + header.length) [[unlikely]] {
+  const auto header = DatagramHeader::read(left.first<kDatagramHeaderSize>());
+  if (left.size() < kDatagramOverhead + header.length) [[unlikely]] {
     malformed_ = true;
     return std::nullopt;
   }
-  position_ += kAround + header.length;
+  position_ += kDatagramOverhead + header.length;
   last_seen_ = !header.more;
   auto* const begin = left.data();
   return DatagramView{header,

@@ -2,60 +2,29 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
 #include "protocol/command.h"
-#include "support/byte_order.h"
-#include "support/result.h"
+#include "protocol/datagram.h"
 
 namespace syncline {
+
+struct DatagramView;
 
 inline constexpr std::size_t kEthernetHeaderSize = 14;
 inline constexpr std::size_t kEtherCatHeaderSize = 2;
 /// What a frame has before its first datagram.
 inline constexpr std::size_t kFrameOverhead = kEthernetHeaderSize + kEtherCatHeaderSize;
-inline constexpr std::size_t kDatagramHeaderSize = 10;
-inline constexpr std::size_t kWkcSize = 2;
 inline constexpr std::size_t kMaxEthernetFrame = 1514;  // without FCS
 inline constexpr std::size_t kMinEthernetFrame = 60;    // without FCS
-inline constexpr std::size_t kMaxDatagramData =
-    kMaxEthernetFrame - kEthernetHeaderSize - kEtherCatHeaderSize - kDatagramHeaderSize - kWkcSize;
+inline constexpr std::size_t kMaxDatagramData = kMaxEthernetFrame - kFrameOverhead - kDatagramOverhead;
+/// Bytes of all datagrams of one frame, at most.
+inline constexpr std::size_t kMaxDatagramBytes = kMaxEthernetFrame - kFrameOverhead;
+inline constexpr std::size_t kFrameCheckSequence = 4;
 inline constexpr std::uint16_t kEtherCatEtherType = 0x88A4;
-
-/// Datagram header (ETG.1000.4, 5.4). `address` is ADP in the low and ADO in the high word for
-/// device addressing, or the 32-bit logical address.
-struct DatagramHeader {
-  Command command = Command::kNop;
-  std::uint8_t index = 0;
-  std::uint32_t address = 0;
-  std::uint16_t length = 0;  // data bytes, 0..1486
-  bool circulating = false;
-  bool more = false;      // set by FrameBuilder
-  std::uint16_t irq = 0;  // ECAT event field, OR of the slaves
-
-  [[nodiscard]] constexpr std::uint16_t adp() const { return static_cast<std::uint16_t>(address); }
-  [[nodiscard]] constexpr std::uint16_t ado() const { return static_cast<std::uint16_t>(address >> 16); }
-  bool operator==(const DatagramHeader&) const = default;
-};
-
-[[nodiscard]] constexpr std::uint32_t device_address(std::uint16_t adp, std::uint16_t ado) {
-  return static_cast<std::uint32_t>(adp) | (static_cast<std::uint32_t>(ado) << 16);
-}
-
-/// One datagram inside a frame buffer; writes go into the frame.
-struct DatagramView {
-  DatagramHeader header;
-  std::span<std::uint8_t> header_bytes;  // 10
-  std::span<std::uint8_t> data;
-  std::span<std::uint8_t> wkc_bytes;  // 2
-
-  [[nodiscard]] std::uint16_t wkc() const { return load_le<std::uint16_t>(wkc_bytes); }
-  void set_wkc(std::uint16_t value) { store_le(wkc_bytes, value); }
-  /// Writes `header` back into header_bytes (the length stays as it is on the wire).
-  void store_header();
-};
 
 /// Assembles one EtherCAT frame in a buffer of its own; no allocation. Datagrams are added in wire
 /// order; add() gives nothing when the datagram does not fit any more.
@@ -73,7 +42,6 @@ class FrameBuilder {
   std::optional<std::span<std::uint8_t>> add_zeros(Command command, std::uint8_t index, std::uint32_t address,
                                                    std::uint16_t length);
   [[nodiscard]] std::size_t datagram_count() const { return count_; }
-  [[nodiscard]] std::size_t free_data_bytes() const;  // largest data length that add() still takes
   [[nodiscard]] bool empty() const { return count_ == 0; }
   /// Writes the EtherCAT header, clears the last "more" bit, pads to 60 bytes and returns the frame.
   /// The span is valid until the next reset().
@@ -115,7 +83,7 @@ inline constexpr std::int64_t kWireByteTime = 80;
 /// 100 Mbit/s with preamble, FCS and inter-frame gap, ns.
 [[nodiscard]] constexpr std::int64_t wire_time_ns(std::size_t frame_bytes) {
   const std::size_t padded = frame_bytes < kMinEthernetFrame ? kMinEthernetFrame : frame_bytes;
-  return static_cast<std::int64_t>(8 + padded + 4 + 12) * kWireByteTime;
+  return static_cast<std::int64_t>(8 + padded + kFrameCheckSequence + 12) * kWireByteTime;
 }
 
 }  // namespace syncline

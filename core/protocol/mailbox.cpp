@@ -7,6 +7,7 @@
 
 #include "reasons/because.h"
 #include "reasons/brief_reason.h"
+#include "support/brief_error.h"
 #include "support/byte_order.h"
 
 namespace syncline {

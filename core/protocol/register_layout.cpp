@@ -8,6 +8,7 @@
 
 #include "protocol/al_state.h"
 #include "protocol/registers.h"
+#include "support/bits.h"
 #include "support/le_number.h"
 
 namespace syncline::reg {
@@ -297,7 +298,7 @@ std::string register_text(const RegisterLayout& layout, std::span<const std::uin
 }
 
 std::string field_text(const RegisterField& field, std::span<const std::uint8_t> bytes) {
-  const auto value = (le_number(bytes) >> field.bit) & ((std::uint64_t{1} << field.width) - 1);
+  const auto value = (le_number(bytes) >> field.bit) & low_bits(field.width);
   if (field.words.empty()) return field.width > 1 ? fmt::format("{}", value) : value != 0 ? "yes" : "no";
   auto rest = field.words;
   for (std::uint64_t i = 0; i < value; ++i) {

@@ -9,6 +9,7 @@
 #include "protocol/mailbox.h"
 #include "reasons/because.h"
 #include "reasons/brief_reason.h"
+#include "support/brief_error.h"
 #include "support/byte_order.h"
 
 namespace syncline::coe {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,8 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "support/brief_error.h"
 #include "support/result.h"
+
+namespace syncline {
+struct BriefError;
+}  // namespace syncline
 
 /// SDO information services of CoE (ETG.1000.6, 5.6.3): a device tells which objects it has and what they are.
 /// Both directions, for the master's client and the simulated devices' server.

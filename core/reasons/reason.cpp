@@ -8,6 +8,7 @@
 
 #include "reasons/because.h"
 #include "reasons/brief_reason.h"
+#include "reasons/placeholder.h"
 #include "reasons/reason_words.h"
 
 namespace syncline {

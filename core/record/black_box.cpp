@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/frame_time.h"
+#include "config/network_config.h"
 #include "protocol/frame.h"
+#include "support/pcapng_block.h"
 
 namespace syncline {
 namespace {
@@ -194,9 +197,7 @@ Nanoseconds black_box_reach(const NetworkConfig& config, std::uint64_t bytes) {
   for (const auto& task : config.cyclic) {
     std::size_t of_cycle = 0;
     for (const auto& frame : task.frames) {
-      std::size_t size = kFrameOverhead;
-      for (const auto& command : frame.commands) size += kDatagramHeaderSize + command.length() + kWkcSize;
-      of_cycle += 2 * pcapng_packet_size(std::max(size, kMinEthernetFrame));  // out and back
+      of_cycle += 2 * pcapng_packet_size(std::max(frame_bytes(frame), kMinEthernetFrame));  // out and back
     }
     if (task.cycle_time > 0) per_second += static_cast<double>(of_cycle) * 1e9 / static_cast<double>(task.cycle_time);
   }

@@ -15,10 +15,11 @@
 #include <vector>
 
 #include "channels/frame_ring.h"
-#include "config/network_config.h"
 #include "record/frame_segments.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 /// Keeps the last frames of a run on disk, in a thread of its own: what stands in the ring goes into the files of
 /// FrameSegments in the order of time, with what happened as comments. Killed, or without power, they are whole but for

@@ -3,6 +3,7 @@
 
 #include "channels/event.h"
 #include "findings/value_bytes.h"
+#include "protocol/al_state.h"
 
 /// What of each kind of event is recorded: its number, which stays what it is, and its fields in their order; new ones
 /// go behind them. A kind of event without a line here does not compile.

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "record/column_codec.h"
+#include "record/recording_reader.h"
 #include "trace/signals.h"
 
 namespace syncline {

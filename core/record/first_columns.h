@@ -4,10 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "record/recording_reader.h"
-#include "trace/min_max_series.h"
+#include "support/result.h"
+#include "support/types.h"
+#include "trace/signals.h"
 
 namespace syncline {
+
+class RecordingReader;
+struct SeriesColumn;
 
 /// The first picture of a recording, long before its samples are read: what MinMaxSeries::columns() of its samples
 /// gives for [begin, end) with columns of `width` ns (host clock), of each of the signals. Smallest and largest values

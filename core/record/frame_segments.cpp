@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/frame_segments.h"
-#include "reasons/because.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -18,6 +17,9 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+
+#include "reasons/because.h"
+#include "support/pcapng_block.h"
 
 namespace syncline {
 namespace {

@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "support/pcapng_block.h"
 #include "support/result.h"
 #include "support/types.h"
 
 namespace syncline {
+
+struct PcapngPacket;
 
 /// The files of a black box: pcapng, one behind the other, under their names from the begin, so that they outlive a
 /// kill. NAME_00001_20260131235959.pcapng is the name of a file in a set to Wireshark (File Set): number, and UTC of

@@ -15,6 +15,7 @@
 #include "findings/sentence.h"
 #include "reasons/because.h"
 #include "record/recording_writer.h"
+#include "record/replay_run.h"
 #include "support/utf8.h"
 #include "trace/dcm_log.h"
 #include "trace/untold.h"

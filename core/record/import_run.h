@@ -6,13 +6,15 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "record/recording.h"
-#include "record/replay_run.h"
 #include "support/result.h"
 
 /// Runs out of files that are no recordings. What such a file does not hold has no value (core/trace/untold.h): nothing
 /// is zero because nobody knows it.
 namespace syncline {
+
+struct ReplayedRun;
 
 /// What the run is to be held against, which no such file tells.
 struct ImportLimits {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "record/run_record.h"
+#include "trace/trigger.h"
+
 namespace syncline {
 namespace {
 

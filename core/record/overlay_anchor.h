@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "record/run_record.h"
-#include "trace/trigger.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class RunRecord;
+struct Trigger;
 
 /// Which moments of two runs are laid over each other.
 enum class OverlayAlignment : std::uint8_t {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "record/recording.h"
-#include "record/run_record.h"
 
 /// The last stretch of a run, every cycle of it, in memory: what was not recorded can be kept afterwards.
 namespace syncline {

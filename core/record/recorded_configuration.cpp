@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "record/recording.h"
+
 namespace syncline {
 
 NetworkConfig recorded_configuration(const RecordingAbout& about, const ConfigurationParser& parse) {

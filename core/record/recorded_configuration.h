@@ -4,9 +4,12 @@
 #include <functional>
 #include <string>
 
-#include "record/recording.h"
+#include "config/network_config.h"
+#include "support/result.h"
 
 namespace syncline {
+
+struct RecordingAbout;
 
 /// Who knows ENI files reads one: its text, and the name of the file it came from.
 using ConfigurationParser = std::function<Result<NetworkConfig>(const std::string& text, const std::string& name)>;

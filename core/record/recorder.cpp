@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "reasons/because.h"
+#include "record/recording_schema.h"
 
 namespace syncline {
 namespace {

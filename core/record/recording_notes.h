@@ -4,10 +4,11 @@
 #include <span>
 #include <string>
 
-#include "record/run_note.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct RunNote;
 
 /// The notes of a recording that nobody writes any more, in place of those that it has; nothing else of it changes, and
 /// it has all of them or those from before. kFileNotWritable, also while another program writes it; the errors of

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "record/recording_schema.h"
+#include "sqlite/sqlite_database.h"
 
 namespace syncline {
 namespace {

@@ -7,10 +7,12 @@
 #include <string>
 #include <string_view>
 
-#include "sqlite/sqlite_database.h"
+#include "support/result.h"
 
 /// How rows of a recording are written with their check, and read with it (docs/recording.md): SQL texts.
 namespace syncline {
+
+class SqlDatabase;
 
 /// Names of the columns of a table, without its checks; of `data` without `levels`, which have a check of their own.
 [[nodiscard]] std::string_view columns_of(std::string_view table);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "reasons/because.h"
+#include "sqlite/sqlite_database.h"
 
 namespace syncline {
 namespace {

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <string>
 
-#include "sqlite/sqlite_database.h"
+#include "support/result.h"
 #include "trace/signals.h"
 
 /// The tables of a recording (docs/recording.md), and whose file it is.
 namespace syncline {
+
+class SqlDatabase;
 
 inline constexpr std::int64_t kRecordingId = 0x53594E52;  // "SYNR", SQLite's application_id
 inline constexpr std::int64_t kRecordingVersion = 5;      // user_version

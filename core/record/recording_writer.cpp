@@ -9,6 +9,7 @@
 
 #include "record/column_codec.h"
 #include "record/recording_rows.h"
+#include "record/recording_schema.h"
 #include "record/sample_columns.h"
 #include "record/watched_columns.h"
 

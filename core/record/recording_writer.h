@@ -12,7 +12,7 @@
 #include "channels/snapshot.h"
 #include "record/recording.h"
 #include "record/recording_rows.h"
-#include "record/recording_schema.h"
+#include "sqlite/sqlite_database.h"
 
 namespace syncline {
 

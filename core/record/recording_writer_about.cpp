@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "record/recording_rows.h"
+#include "record/recording_schema.h"
 #include "record/watched_columns.h"
 
 namespace syncline {

@@ -21,6 +21,8 @@
 
 namespace syncline {
 
+struct CycleSample;
+
 /// What the run is held against, out of the configuration that runs.
 struct RunLimits {
   Nanoseconds cycle_time = kMillisecond;

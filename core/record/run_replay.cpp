@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "record/replay_run.h"
+
 namespace syncline {
 
 Result<RunReplay> RunReplay::open(RecordingReader reader, ReplayedRun& run) {

@@ -9,9 +9,10 @@
 
 #include "record/overview_marks.h"
 #include "record/recording_reader.h"
-#include "record/replay_run.h"
 
 namespace syncline {
+
+struct ReplayedRun;
 
 /// A recorded run as it was at a moment of it: verdicts, figures and faults, events and samples are what somebody saw
 /// who looked at the running machine then. The run's record itself is what shows them (RunRecord::show_at()), so that

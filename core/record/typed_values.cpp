@@ -9,6 +9,8 @@
 #include <utility>
 #include <variant>
 
+#include "findings/finding.h"
+#include "reasons/placeholder.h"
 #include "record/event_fields.h"
 
 namespace syncline {

@@ -6,11 +6,12 @@
 #include <string_view>
 
 #include "channels/event.h"
-#include "findings/finding.h"
 
 /// Events and findings as values in a recording, beside their words: who opens it has what the run had, in every
 /// language. Nothing where the bytes are none, or those of a newer program.
 namespace syncline {
+
+struct Finding;
 
 [[nodiscard]] std::string encode_event(const EventDetails& what);
 [[nodiscard]] std::optional<EventDetails> decode_event(std::string_view bytes);

@@ -5,6 +5,10 @@
 #include <type_traits>
 #include <variant>
 
+#include "channels/cycle_sample.h"
+#include "support/bits.h"
+#include "trace/watch_lists.h"
+
 namespace syncline {
 namespace {
 
@@ -35,7 +39,7 @@ void put_watched_cells(const WatchLists& watched, std::size_t variable, std::spa
 bool take_watched_cells(const WatchLists& watched, std::size_t variable, const ColumnCells& cells,
                         std::span<CycleSample> samples) {
   const auto size = watched.variables()[variable].bit_size;
-  const auto mask = size >= kMostWatchedBits ? ~std::uint64_t{0} : (std::uint64_t{1} << size) - 1;
+  const auto mask = low_bits(size);
   for (std::size_t i = 0; i < cells.integers.size(); ++i) {
     if (!cells.there.empty() && cells.there[i] == 0) continue;
     const auto place = watched.place(samples[i].watch_list, variable);

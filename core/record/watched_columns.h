@@ -4,13 +4,14 @@
 #include <cstddef>
 #include <span>
 
-#include "channels/cycle_sample.h"
 #include "record/column_codec.h"
-#include "trace/watch_lists.h"
 
 /// How the values of watched variables lie in a recording: whole numbers as they are, those of 64 bits without a sign
 /// wrapped; of REAL and LREAL their bits. Nothing of them is lost.
 namespace syncline {
+
+struct CycleSample;
+class WatchLists;
 
 void put_watched_cells(const WatchLists& watched, std::size_t variable, std::span<const CycleSample> samples,
                        Cells& out);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "compile/finding_list.h"
 #include "recover/recovered_slave.h"
 #include "recover/recovered_tasks.h"
 

@@ -6,7 +6,6 @@
 
 #include "compare/network_compare.h"
 #include "compile/compile.h"
-#include "config/network_config.h"
 #include "config/project.h"
 
 namespace syncline {

@@ -3,7 +3,11 @@
 
 #include <span>
 
-#include "config/dc_times.h"
+#include "config/dc_description.h"
+#include "config/device_description.h"
+#include "config/init_cmd.h"
+#include "config/slave_config.h"
+#include "config/sync0_cycle.h"
 #include "protocol/registers.h"
 #include "recover/recovered_device.h"
 #include "support/byte_order.h"

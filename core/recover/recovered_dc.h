@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "config/network_config.h"
+#include "config/dc_description.h"
+#include "config/dc_settings.h"
+#include "config/device_description.h"
+
+namespace syncline {
+struct SlaveConfig;
+}  // namespace syncline
 
 namespace syncline::recover {
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "config/slave_config.h"
 #include "recover/recovered_dc.h"
 #include "recover/register_writes.h"
 #include "support/byte_order.h"

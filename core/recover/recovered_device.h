@@ -3,7 +3,14 @@
 
 #include <string>
 
-#include "config/network_config.h"
+#include "config/device_description.h"
+#include "config/pdo_description.h"
+#include "support/types.h"
+
+namespace syncline {
+struct SlaveConfig;
+struct SlaveDcConfig;
+}  // namespace syncline
 
 namespace syncline::recover {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compile/eoe_ip.h"
+#include "compile/finding_list.h"
 #include "config/module_slots.h"
 #include "recover/recovered_dc.h"
 #include "recover/recovered_device.h"

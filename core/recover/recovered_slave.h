@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "compile/finding_list.h"
 #include "recover/recover_project.h"
+
+namespace syncline::compiler {
+class FindingList;
+}  // namespace syncline::compiler
 
 namespace syncline::recover {
 

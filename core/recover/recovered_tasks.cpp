@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+#include "compile/finding_list.h"
+#include "config/cyclic_frame.h"
+#include "config/network_config.h"
+#include "config/project.h"
 #include "recover/register_writes.h"
 
 namespace syncline::recover {

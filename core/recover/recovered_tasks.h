@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "compile/finding_list.h"
-#include "config/network_config.h"
-#include "config/project.h"
+namespace syncline {
+struct NetworkConfig;
+struct Project;
+}  // namespace syncline
+
+namespace syncline::compiler {
+class FindingList;
+}  // namespace syncline::compiler
 
 namespace syncline::recover {
 

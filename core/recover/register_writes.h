@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "config/network_config.h"
+#include "config/init_cmd.h"
 #include "protocol/fmmu.h"
 #include "protocol/sync_manager.h"
 

@@ -5,7 +5,11 @@
 
 #include "compile/compile.h"
 #include "compile/effective_slave.h"
+#include "config/device_description.h"
 #include "config/entry_ports.h"
+#include "config/project.h"
+#include "config/sim_config.h"
+#include "families/device_family.h"
 #include "families/families.h"
 #include "recover/recovered_device.h"
 #include "recover/register_writes.h"

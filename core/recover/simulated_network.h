@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "config/network_config.h"
-#include "config/project.h"
-#include "config/sim_config.h"
-
 namespace syncline {
+
+struct NetworkConfig;
+struct Project;
+struct SimConfig;
 
 /// A simulated segment on which this configuration runs: a slave for each of the ENI, of the same identity, wired as
 /// the ENI says (in a line where it is silent), with SyncManagers, FMMUs, PDOs, mailbox and DC unit of the size that

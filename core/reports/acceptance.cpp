@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "findings/finding.h"
+#include "protocol/al_state.h"
+#include "record/run_record.h"
+#include "trace/sync_overview.h"
+
 namespace syncline::reports {
 namespace {
 

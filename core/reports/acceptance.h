@@ -8,7 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "record/run_record.h"
+#include "channels/cycle_sample.h"
+#include "support/types.h"
+
+namespace syncline {
+struct Finding;
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::reports {
 

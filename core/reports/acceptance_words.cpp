@@ -4,28 +4,18 @@
 
 #include <cmath>
 
+#include "findings/acceptance_words.h"
+#include "protocol/al_state.h"
 #include "reports/acceptance.h"
+#include "trace/signals.h"
 
 namespace syncline::reports {
 namespace {
 
 using Kind = Criterion::Kind;
 
-struct Words {
-  std::string_view key, name;
-};
-/// By the number of the kind.
-constexpr Words kWords[] = {{"watched_for", "Watched for"},
-                            {"state", "State of the master"},
-                            {"slaves_in_sync", "Slaves against their reference clock"},
-                            {"master_in_sync", "Reference clock against the master"},
-                            {"sm2_missed", "SM2 events missed"},
-                            {"lost_frames", "Frames lost"},
-                            {"wkc_errors", "Cycles with another working counter than expected"},
-                            {"left_out_cycles", "Cycles left out by the host"},
-                            {"faults", "Disturbances"},
-                            {"findings", "Findings"}};
-static_assert(std::size(kWords) == static_cast<std::size_t>(Kind::kFindings) + 1);
+static_assert(std::size(words::kCriteria) == static_cast<std::size_t>(Kind::kFindings) + 1);
+static_assert(std::size(words::kVerdicts) == static_cast<std::size_t>(Verdict::kNotJudged) + 1);
 
 std::string time_text(Nanoseconds time) { return fmt::format("{:.3f} s", static_cast<double>(time) / 1e9); }
 
@@ -46,18 +36,15 @@ std::string sync_found(const Criterion& criterion) {
 
 }  // namespace
 
-std::string_view criterion_key(Kind kind) { return kWords[static_cast<std::size_t>(kind)].key; }
-std::string_view criterion_text(Kind kind) { return kWords[static_cast<std::size_t>(kind)].name; }
+std::string_view criterion_key(Kind kind) { return words::kCriteria[static_cast<std::size_t>(kind)].key; }
+std::string_view criterion_text(Kind kind) { return words::kCriteria[static_cast<std::size_t>(kind)].name; }
 
 std::string_view verdict_key(Verdict verdict) {
   constexpr std::string_view kKeys[] = {"kept", "not_kept", "not_judged"};
   return kKeys[static_cast<std::size_t>(verdict)];
 }
 
-std::string_view verdict_text(Verdict verdict) {
-  constexpr std::string_view kTexts[] = {"kept", "NOT KEPT", "not judged"};
-  return kTexts[static_cast<std::size_t>(verdict)];
-}
+std::string_view verdict_text(Verdict verdict) { return words::kVerdicts[static_cast<std::size_t>(verdict)]; }
 
 std::string_view acceptance_text(Verdict verdict) {
   constexpr std::string_view kTexts[] = {"accepted", "NOT ACCEPTED", "NOT PROVEN"};
@@ -67,18 +54,18 @@ std::string_view acceptance_text(Verdict verdict) {
 std::string required_text(const Criterion& criterion) {
   switch (criterion.kind) {
     case Kind::kWatchedFor:
-      return criterion.required <= 0 ? "as long as it was" : time_text(criterion.required);
+      return criterion.required <= 0 ? std::string(words::kAsLongAsItWas) : time_text(criterion.required);
     case Kind::kState:
-      return "OP at the end";
+      return std::string(words::kOpAtTheEnd);
     case Kind::kSlavesInSync:
     case Kind::kMasterInSync: {
-      if (criterion.required <= 0) return "in sync throughout";
+      if (criterion.required <= 0) return std::string(words::kInSyncThroughout);
       auto text = fmt::format("in sync throughout, within ±{} ns", criterion.required);
       if (criterion.least_margin > 0) text += fmt::format(" with {:g} % to spare", criterion.least_margin * 100);
       return text;
     }
     case Kind::kFindings:
-      return "no error, no warning";
+      return std::string(words::kNoErrorNoWarning);
     default:
       return criterion.required == 0 ? "none" : fmt::format("{} at most", criterion.required);
   }
@@ -87,26 +74,25 @@ std::string required_text(const Criterion& criterion) {
 std::string found_text(const Criterion& criterion) {
   switch (criterion.kind) {
     case Kind::kWatchedFor:
-      return criterion.found ? time_text(*criterion.found) : "never: it was not in sync in OP";
+      return criterion.found ? time_text(*criterion.found) : std::string(words::kNeverInSync);
     case Kind::kState: {
       const auto state = static_cast<AlState>(*criterion.found);
-      return state == AlState::kNone ? "unknown: a slave does not answer, or it is not told"
-                                     : std::string(al_state_name(state));
+      return std::string(state == AlState::kNone ? words::kStateUnknown : al_state_name(state));
     }
     case Kind::kSlavesInSync:
     case Kind::kMasterInSync:
       return sync_found(criterion);
     case Kind::kFaults:
-      if (!criterion.found) return "not counted: it was never armed";
+      if (!criterion.found) return std::string(words::kNeverArmed);
       return *criterion.found == 0 ? "none" : counted(*criterion.found, "episode");
     case Kind::kFindings:
       if (criterion.verdict == Verdict::kKept) return "none";
       return counted(*criterion.found, "error") + ", " +
              counted(static_cast<std::int64_t>(criterion.warnings), "warning");
     case Kind::kMissedEvents:
-      return criterion.found ? fmt::format("{}", *criterion.found) : "no slave has a counter that is known";
+      return criterion.found ? fmt::format("{}", *criterion.found) : std::string(words::kNoCounterKnown);
     default:
-      return criterion.found ? fmt::format("{}", *criterion.found) : "not told";
+      return criterion.found ? fmt::format("{}", *criterion.found) : std::string(words::kNotTold);
   }
 }
 

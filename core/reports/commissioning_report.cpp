@@ -14,6 +14,8 @@
 #include "exports/html_page.h"
 #include "exports/html_table.h"
 #include "exports/report_sections.h"
+#include "record/replay_run.h"
+#include "reports/acceptance.h"
 #include "reports/run_pictures.h"
 #include "trace/slave_figures.h"
 

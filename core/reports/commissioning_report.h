@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "record/recording.h"
-#include "record/replay_run.h"
-#include "reports/acceptance.h"
+
+namespace syncline {
+struct ReplayedRun;
+}  // namespace syncline
 
 namespace syncline::reports {
+
+struct Acceptance;
 
 /// What the report knows beside the run. Texts are somebody's own and are escaped here.
 struct CommissioningFacts {

@@ -8,6 +8,9 @@
 #include <iterator>
 #include <vector>
 
+#include "trace/histogram.h"
+#include "trace/min_max_series.h"
+
 namespace syncline::reports {
 namespace {
 

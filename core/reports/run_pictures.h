@@ -3,8 +3,12 @@
 
 #include <string>
 
-#include "trace/histogram.h"
-#include "trace/min_max_series.h"
+#include "support/types.h"
+
+namespace syncline {
+class Histogram;
+class MinMaxSeries;
+}  // namespace syncline
 
 /// Drawings of a run as SVG without a head of a file of its own, light, for a page of A4.
 namespace syncline::reports {

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "config/dcm_settings.h"
+#include "config/network_config.h"
+#include "config/project.h"
 #include "reasons/because.h"
 #include "settings/predicates.h"
 #include "settings/settings_table.h"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "config/dcm_settings.h"
-#include "config/network_config.h"
 #include "support/result.h"
+#include "support/types.h"
 
 /// Numbers of a configuration, also of one that came from a file, against the ranges of the table of settings.
 namespace syncline {
+
+struct DcmSettings;
+struct NetworkConfig;
 
 /// Settings of the distributed clocks that cannot work, found before anything is sent: kBadValue with the setting's
 /// key, its value and the range, or with the reference clock that cannot be one. Those of the DCM:

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "config/project.h"
+#include "settings/setting.h"
+
 namespace syncline::settings {
 
 std::optional<Value> default_value(const Setting& setting, const Project& project, const Place& place) {

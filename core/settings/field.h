@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "config/project.h"
 #include "settings/setting.h"
 
 /// Makes a row from a field of the project: getter, setter and "auto" follow from the field's C++ type.

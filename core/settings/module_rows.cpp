@@ -5,10 +5,14 @@
 
 #include <algorithm>
 
+#include "config/dc_description.h"
+#include "config/project.h"
 #include "reasons/because.h"
 #include "settings/limits.h"
 #include "settings/number_text.h"
 #include "settings/pdo_places.h"
+#include "settings/setting.h"
+#include "settings/setting_type.h"
 #include "settings/tables.h"
 
 namespace syncline::settings {

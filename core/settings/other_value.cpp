@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "config/project.h"
+#include "settings/setting.h"
+
 namespace syncline::settings {
 namespace {
 

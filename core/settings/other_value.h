@@ -3,9 +3,16 @@
 
 #include <vector>
 
-#include "settings/setting.h"
+#include "settings/setting_type.h"
+
+namespace syncline {
+struct Project;
+}  // namespace syncline
 
 namespace syncline::settings {
+
+struct Place;
+struct Setting;
 
 /// Values that a setting could have instead, the nearest first: for whoever wants to see what depends on it. Legal by
 /// its type and options; `write` may still refuse one. Empty where nobody knows any.

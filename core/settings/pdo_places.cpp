@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "config/module_slots.h"
+#include "config/slave_settings.h"
+#include "settings/setting.h"
 
 namespace syncline::settings {
 namespace {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
-#include "settings/setting.h"
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::settings {
+
+struct Place;
 
 /// A place for each PDO of the slave and its modules: outputs, then inputs, each index once.
 [[nodiscard]] std::vector<Place> pdo_places(const SlaveSettings& settings, std::size_t slave);

@@ -4,9 +4,12 @@
 #include <algorithm>
 
 #include "config/module_slots.h"
+#include "config/project.h"
 #include "reasons/because.h"
 #include "settings/number_text.h"
 #include "settings/pdo_places.h"
+#include "settings/setting.h"
+#include "settings/setting_type.h"
 #include "settings/tables.h"
 
 namespace syncline::settings {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/predicates.h"
 
+#include "config/slave_settings.h"
+#include "families/device_family.h"
 #include "families/families.h"
+#include "settings/setting_type.h"
 
 #include <algorithm>
 #include <utility>

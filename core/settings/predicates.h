@@ -3,12 +3,16 @@
 
 #include <cstddef>
 
-#include "config/project.h"
-#include "settings/setting_type.h"
 #include "support/types.h"
+
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
 
 /// Rules about several settings, each by its name; whoever sets, checks or shows asks here.
 namespace syncline::settings {
+
+struct Range;
 
 /// The send phase must lie inside the cycle: SYNC0 comes after sending and before the next frame.
 [[nodiscard]] Range set_values(Nanoseconds cycle);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "config/project.h"
 #include "reasons/because.h"
 
 namespace syncline::settings {

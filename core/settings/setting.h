@@ -9,8 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "config/project.h"
 #include "settings/setting_type.h"
+
+namespace syncline {
+struct Project;
+struct SlaveSettings;
+}  // namespace syncline
 
 /// One row of the table of settings: what it is called, what it may be, where it goes, and how a project holds it.
 namespace syncline::settings {

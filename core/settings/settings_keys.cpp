@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/settings_keys.h"
 
+#include "config/project.h"
 #include "settings/settings_table.h"
 
 namespace syncline {

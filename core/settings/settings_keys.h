@@ -5,13 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "config/project.h"
 #include "support/result.h"
 
 /// Every setting of a project has a key ("master.cycle_time_us", "slave.3.dc.op_mode",
 /// "slave.3.pdo.rx") and a text form. The command line, the findings and the window's tool tips
 /// use the same keys.
 namespace syncline {
+
+struct Project;
 
 struct SettingValue {
   std::string key;

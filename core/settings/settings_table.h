@@ -7,6 +7,10 @@
 
 #include "settings/setting.h"
 
+namespace syncline {
+struct Project;
+}  // namespace syncline
+
 /// The one table of settings. Command line, checks, documentation and the window's fields are made from it.
 namespace syncline::settings {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 #include "protocol/dc_registers.h"
 #include "reasons/because.h"
 #include "settings/field.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/project.h"
 #include "reasons/because.h"
 #include "settings/predicates.h"
+#include "settings/setting.h"
 #include "settings/startup_text.h"
 #include "settings/tables.h"
 

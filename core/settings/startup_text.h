@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "config/slave_options.h"
+#include "config/mailbox_description.h"
+#include "protocol/al_state.h"
 #include "support/result.h"
 
 namespace syncline::settings {

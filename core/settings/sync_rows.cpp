@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "families/device_family.h"
 #include "families/families.h"
 #include "reasons/because.h"
 #include "settings/field.h"

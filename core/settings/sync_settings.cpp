@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "config/slave_settings.h"
+#include "families/device_family.h"
 #include "families/families.h"
 #include "reasons/because.h"
 #include "settings/limits.h"

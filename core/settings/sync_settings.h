@@ -3,10 +3,13 @@
 
 #include <cstdint>
 
-#include "config/project.h"
+#include "config/pdo_description.h"
+#include "config/slave_options.h"
 #include "support/result.h"
 
 namespace syncline {
+
+struct SlaveSettings;
 
 /// Synchronisation settings that the slave's device cannot take: kBadValue, the subject is the key behind "slave.N."
 /// ("sync.error_limit"), the detail says what the device takes.

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "settings/setting.h"
-
 /// The parts of the table of settings, one file each.
 namespace syncline::settings {
+
+struct Setting;
 
 [[nodiscard]] std::vector<Setting> master_rows();        // general, recovery, real time
 [[nodiscard]] std::vector<Setting> dc_rows();            // clocks of the bus

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "config/project.h"
 #include "settings/pdo_places.h"
+#include "settings/setting.h"
 #include "settings/tables.h"
 
 namespace syncline::settings {

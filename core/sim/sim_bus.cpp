@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
 #include "sim/dc/rate_changes.h"
@@ -16,6 +17,7 @@
 #include "sim/faults/fault_schedule.h"
 #include "sim/faults/line_faults.h"
 #include "sim/segment/address_table.h"
+#include "sim/segment/pin_trace.h"
 #include "sim/segment/segment.h"
 
 namespace syncline::sim {

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "config/sim_config.h"
-#include "sim/segment/pin_trace.h"
 #include "support/result.h"
 #include "support/types.h"
 
+namespace syncline {
+struct SimConfig;
+}  // namespace syncline
+
 namespace syncline::sim {
+
+struct PinEdge;
 
 /// A segment of simulated ESCs. Frames are executed byte by byte in wire order; time is true time
 /// (the host clock's) given by the caller and must not step back. Single-threaded, deterministic.

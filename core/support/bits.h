@@ -7,6 +7,11 @@
 
 namespace syncline {
 
+/// A number whose `count` lowest bits are set; all from 64 on.
+[[nodiscard]] constexpr std::uint64_t low_bits(std::size_t count) {
+  return count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
+}
+
 /// Copies `bits` bits between bit offsets of byte arrays, the lowest bit of a byte first; the bits around them stay.
 /// Both arrays have room for them.
 inline void copy_bits(std::span<std::uint8_t> to, std::size_t to_bit, std::span<const std::uint8_t> from,

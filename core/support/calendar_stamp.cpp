@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "support/clock.h"
+
 namespace syncline {
 namespace {
 

@@ -5,9 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include "support/clock.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class Clock;
 
 /// CLOCK_REALTIME, ns since 1970.
 [[nodiscard]] Nanoseconds calendar_now();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "support/jitter_profile.h"
 #include "support/random.h"
 #include "support/shared_epoch.h"
 

@@ -5,11 +5,12 @@
 #include <memory>
 #include <optional>
 
-#include "support/jitter_profile.h"
 #include "support/processor_wait.h"
 #include "support/types.h"
 
 namespace syncline {
+
+struct JitterProfile;
 
 /// Where the master, the simulator and the controllers get their time from. Implementations are
 /// used by one thread at a time except now(), which any thread may call.

@@ -18,12 +18,6 @@ inline constexpr Nanoseconds kSecond = 1'000'000'000;
 /// Seconds between the Unix epoch and the distributed-clocks epoch.
 inline constexpr std::int64_t kDcEpochUnixSeconds = 946'684'800;
 
-/// Configured station address (register 0x0010), assigned by the master, typically 1001 onwards.
-struct StationAddress {
-  std::uint16_t value = 0;
-  constexpr auto operator<=>(const StationAddress&) const = default;
-};
-
 /// Place of a slave in frame order, 0 = first slave behind the master.
 struct Position {
   std::uint16_t value = 0;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "trace/min_max_series.h"
+
 namespace syncline {
 namespace {
 

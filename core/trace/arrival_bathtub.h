@@ -5,9 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "trace/min_max_series.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class MinMaxSeries;
 
 /// How much room outputs keep to the two SYNC0 about them, and how sure that is: two walls, each the distance that is
 /// kept in all but a part of the periods, down to one in a thousand million. Times in ns.

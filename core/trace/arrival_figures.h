@@ -6,9 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "trace/min_max_series.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class MinMaxSeries;
 
 /// Where in a SYNC0 period outputs came over a stretch of time: all arrivals of it, exactly. Times in ns.
 struct ArrivalFigures {

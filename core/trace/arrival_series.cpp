@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "channels/cycle_sample.h"
 #include "dc/sync0_arrival.h"
 
 namespace syncline {

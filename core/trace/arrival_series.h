@@ -6,11 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "channels/cycle_sample.h"
 #include "trace/min_max_series.h"
 #include "trace/sync0_slaves.h"
 
 namespace syncline {
+
+struct CycleSample;
 
 /// When the frame of each cycle passed the reference clock, in the SYNC grid and for the whole bus once; where that
 /// lies in the SYNC0 period of a slave is made of it when somebody looks. Whole nanoseconds up to a cycle of 16 ms,

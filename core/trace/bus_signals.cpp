@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "channels/snapshot.h"
 #include "trace/untold.h"
 
 namespace syncline {

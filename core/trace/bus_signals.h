@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "channels/cycle_sample.h"
 #include "trace/signals.h"
 
 namespace syncline {

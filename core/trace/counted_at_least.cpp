@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/counted_at_least.h"
 
+#include "channels/snapshot.h"
+
 namespace syncline {
 
 bool counted_at_least(const Snapshot& snapshot, Signal signal, std::size_t slave) {

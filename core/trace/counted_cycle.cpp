@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "trace/counted_cycle.h"
 
+#include "protocol/al_state.h"
 #include "trace/untold.h"
 
 namespace syncline {

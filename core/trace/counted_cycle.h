@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "channels/cycle_sample.h"
-
 namespace syncline {
+
+struct CycleSample;
 
 /// The master is in OP, or nothing says in which state it is.
 [[nodiscard]] bool is_run_in_op(const CycleSample& sample);

@@ -6,8 +6,10 @@
 #include <array>
 #include <iterator>
 
+#include "channels/cycle_sample.h"
 #include "support/csv_field.h"
 #include "trace/signals.h"
+#include "trace/watch_lists.h"
 
 namespace syncline {
 namespace {

@@ -4,10 +4,11 @@
 #include <span>
 #include <string>
 
-#include "channels/cycle_sample.h"
 #include "trace/watch_lists.h"
 
 namespace syncline {
+
+struct CycleSample;
 
 /// Header line of the sample table: names with units, comma separated; behind them the variables that were watched.
 [[nodiscard]] std::string sample_csv_header(const WatchLists& watched = {});

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "channels/cycle_sample.h"
 #include "reasons/because.h"
 #include "support/utf8.h"
 

@@ -8,10 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "channels/cycle_sample.h"
 #include "support/result.h"
+#include "support/types.h"
 
 namespace syncline {
+
+struct CycleSample;
 
 /// One line of the DCM log: a controller execution, in the units and with the signs of the EC-Master manual (2.1.4).
 /// Its controller error is positive when the reference clock must run faster, its drift when the host's clock is the

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trace/min_max_series.h"
+
 namespace syncline {
 namespace {
 

@@ -5,9 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "trace/min_max_series.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class MinMaxSeries;
 
 /// Samples of a signal at equal distances, as stretches between its gaps. Nothing is filled in: what lies about a gap
 /// stands in stretches of its own, and how much was left out is counted.

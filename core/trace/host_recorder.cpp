@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "channels/cycle_sample.h"
+#include "protocol/al_state.h"
+#include "support/jitter_profile.h"
+
 namespace syncline {
 namespace {
 

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "channels/cycle_sample.h"
-#include "support/jitter_profile.h"
+#include "support/types.h"
 #include "trace/histogram.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct JitterProfile;
 
 /// Learns from the cycles of a run in OP what its host does to times; feed every sample that is drained.
 class HostRecorder {

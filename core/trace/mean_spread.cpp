@@ -6,6 +6,8 @@
 #include <numbers>
 #include <span>
 
+#include "support/confidence.h"
+
 namespace syncline {
 namespace {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "support/confidence.h"
-
 namespace syncline {
+
+struct Interval;
 
 /// How sure the mean of a row of readings is, whose neighbours may resemble each other: kept are the sums of at most
 /// kMost batches of as many readings each, however many there are. Fixed size, allocates nothing.

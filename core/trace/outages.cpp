@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "trace/sample_store.h"
 #include "trace/untold.h"
 
 namespace syncline {

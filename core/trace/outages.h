@@ -3,9 +3,11 @@
 
 #include <vector>
 
-#include "trace/sample_store.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class SampleStore;
 
 /// No frame came back, or no cycle is known.
 struct Outage {

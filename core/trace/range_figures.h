@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "channels/cycle_sample.h"
 #include "trace/histogram.h"
 #include "trace/lasting_magnitude.h"
 #include "trace/signals.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "channels/cycle_sample.h"
+
 namespace syncline {
 
 void ReferenceTimes::add(std::span<const CycleSample> samples) {

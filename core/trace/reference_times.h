@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <optional>
 #include <span>
 
-#include "channels/cycle_sample.h"
+#include "support/types.h"
 
 namespace syncline {
+
+struct CycleSample;
 
 /// The system time of the reference clock at moments of the host's clock, as frames have read it. Kept are readings
 /// that lie apart: what is between two of them is interpolated, which is off by no more than the host's jitter.

@@ -6,6 +6,11 @@
 #include <utility>
 #include <variant>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/slave_evidence.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
 #include "dc/clock_registers.h"
 #include "dc/sync0_arrival.h"
 #include "protocol/dc_registers.h"

@@ -2,20 +2,25 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "channels/cycle_sample.h"
-#include "channels/event.h"
-#include "channels/snapshot.h"
-#include "config/network_config.h"
+#include "channels/values/sync_obstacle.h"
+#include "protocol/al_state.h"
+#include "support/types.h"
 #include "trace/histogram.h"
 
 /// When what happened in a run: spells of disturbances, and what each slave went through. Host times.
 namespace syncline {
+
+struct CycleSample;
+struct Event;
+struct NetworkConfig;
+struct Snapshot;
 
 struct Spell {
   Nanoseconds from = 0, to = 0;

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
 #include "dc/sync0_arrival.h"
 #include "protocol/dc_registers.h"
 

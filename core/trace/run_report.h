@@ -7,15 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "channels/cycle_sample.h"
-#include "channels/event.h"
+#include "channels/host_status.h"
+#include "channels/slave_evidence.h"
+#include "channels/slave_status.h"
 #include "channels/snapshot.h"
-#include "config/network_config.h"
+#include "config/identity.h"
+#include "protocol/al_state.h"
 #include "trace/histogram.h"
 #include "trace/run_history.h"
 #include "trace/statistics.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct Event;
+struct NetworkConfig;
+struct Snapshot;
 
 /// What a run showed, as `synclinectl run` reports it. Times in ms from the first cyclic frame,
 /// deviations and errors in ns.

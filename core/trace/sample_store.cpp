@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "channels/snapshot.h"
 #include "trace/bus_signals.h"
 #include "trace/cycle_gap.h"
 

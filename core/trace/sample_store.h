@@ -7,9 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "channels/cycle_sample.h"
-#include "channels/event.h"
-#include "channels/snapshot.h"
 #include "trace/arrival_series.h"
 #include "trace/held_series.h"
 #include "trace/min_max_series.h"
@@ -18,6 +15,10 @@
 #include "trace/watch_lists.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct Event;
+struct Snapshot;
 
 /// The AL status of its slave that an event tells; nothing where it tells none.
 [[nodiscard]] std::optional<std::uint16_t> told_al_status(const Event& event);

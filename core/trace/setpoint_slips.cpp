@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 #include "protocol/al_state.h"
 
 namespace syncline {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "channels/cycle_sample.h"
-#include "channels/snapshot.h"
 #include "dc/sync0_arrival.h"
 #include "trace/sync0_slaves.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct Snapshot;
 
 /// Setpoint slips: SYNC0 periods of a slave in OP into which no frame brought its outputs, or more than are due (two,
 /// where SYNC0 comes with every bus cycle). Driven by samples and snapshots in their order; what is not known for sure

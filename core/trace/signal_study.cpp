@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "trace/min_max_series.h"
+
 namespace syncline {
 namespace {
 

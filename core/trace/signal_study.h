@@ -5,11 +5,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "support/types.h"
 #include "trace/even_samples.h"
 #include "trace/spectrum.h"
 #include "trace/stability.h"
 
 namespace syncline {
+
+class MinMaxSeries;
 
 /// What a stretch of a signal says of its stability, and on how much that rests.
 struct SignalStudy {

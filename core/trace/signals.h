@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
 
-#include "channels/cycle_sample.h"
-#include "channels/snapshot.h"
+#include "support/types.h"
 
 /// The one table of signals: whatever of a run has a value over time. Plots, CSV, statistics and recordings take names,
 /// units and values from here.
 namespace syncline {
+
+struct CycleSample;
+struct SlaveStatus;
+struct Snapshot;
 
 enum class Signal : std::uint8_t {
   // of the bus, in every cycle

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "trace/sample_store.h"
+
 namespace syncline {
 namespace {
 

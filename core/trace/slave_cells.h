@@ -5,10 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "support/types.h"
+#include "trace/min_max_series.h"
 #include "trace/outages.h"
-#include "trace/sample_store.h"
 
 namespace syncline {
+
+class SampleStore;
 
 /// Deviations of all slaves over time as cells, slaves x columns, for a heat map. Slaves are read in turn, so this rule
 /// says what a cell shows:

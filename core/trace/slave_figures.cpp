@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/network_config.h"
+#include "trace/sample_store.h"
+
 namespace syncline {
 namespace {
 

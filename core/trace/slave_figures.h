@@ -5,11 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "config/network_config.h"
-#include "trace/sample_store.h"
+#include "trace/min_max_series.h"
 #include "trace/statistics.h"
 
 namespace syncline {
+
+struct NetworkConfig;
+class SampleStore;
 
 /// What the clock of a slave has to do with deviations.
 enum class ClockRole : std::uint8_t {

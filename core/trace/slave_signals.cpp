@@ -4,7 +4,11 @@
 #include <array>
 #include <vector>
 
+#include "channels/slave_evidence.h"
+#include "channels/slave_status.h"
+#include "channels/snapshot.h"
 #include "protocol/dc_registers.h"
+#include "trace/signals.h"
 
 namespace syncline {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "trace/signals.h"
-
 namespace syncline {
+
+struct SignalInfo;
 
 /// The rows of each slave in the table of signals.
 [[nodiscard]] std::span<const SignalInfo> slave_signals();

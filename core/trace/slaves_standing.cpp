@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "config/network_config.h"
 #include "protocol/al_state.h"
+#include "trace/sample_store.h"
+#include "trace/sync_overview.h"
 
 namespace syncline {
 

@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "config/network_config.h"
-#include "trace/sample_store.h"
-#include "trace/sync_overview.h"
-
 namespace syncline {
+
+struct NetworkConfig;
+class SampleStore;
+struct SyncOverview;
 
 /// Who of the slaves works: beside a verdict that speaks only of those who answer.
 struct SlavesStanding {

@@ -8,6 +8,7 @@
 #include <kissfft/kissfft.hh>
 #include <numbers>
 
+#include "config/network_config.h"
 #include "dc/dcm/dcm_controller.h"
 
 namespace syncline {

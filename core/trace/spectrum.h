@@ -6,10 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "config/network_config.h"
+#include "support/types.h"
 #include "trace/stability.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 struct SpectrumLine {
   double frequency = 0;  // Hz

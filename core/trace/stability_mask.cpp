@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "trace/stability.h"
+
 namespace syncline {
 namespace {
 

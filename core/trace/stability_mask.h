@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "support/result.h"
-#include "trace/stability.h"
 
 namespace syncline {
+
+struct StabilityPoint;
 
 /// The figures that a mask can be held against.
 enum class StabilityFigure : std::uint8_t { kAdev, kTdev, kMtie };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "trace/min_max_series.h"
+
 namespace syncline {
 
 void StretchFigures::aim(const MinMaxSeries* series, Nanoseconds begin, Nanoseconds end) {

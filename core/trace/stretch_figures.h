@@ -3,11 +3,13 @@
 
 #include <cstddef>
 
+#include "support/types.h"
 #include "trace/histogram.h"
-#include "trace/min_max_series.h"
 #include "trace/statistics.h"
 
 namespace syncline {
+
+class MinMaxSeries;
 
 /// Mean, root mean square, quantiles and the largest of a series over a stretch: every sample of it counts, whole
 /// numbers exactly. Made some samples at a time. Lives in the thread of the series.

@@ -2,6 +2,7 @@
 #include "trace/sync0_slaves.h"
 
 #include "config/frame_time.h"
+#include "config/network_config.h"
 #include "config/sync_grid.h"
 #include "protocol/dc_registers.h"
 

@@ -3,9 +3,11 @@
 
 #include <vector>
 
-#include "config/network_config.h"
+#include "support/types.h"
 
 namespace syncline {
+
+struct NetworkConfig;
 
 /// What a configuration says of the SYNC0 of a slave and of the way of its outputs. Times in ns.
 struct Sync0Slave {

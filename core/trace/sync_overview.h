@@ -16,6 +16,8 @@
 /// run. Made of samples and events alone, so that a recording gives the same.
 namespace syncline {
 
+struct CycleSample;
+
 /// One of the two verdicts over time.
 struct SyncLamp {
   SyncState state = SyncState::kNotReady;

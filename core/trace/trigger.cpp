@@ -5,7 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "channels/event.h"
 #include "channels/event_finding.h"
+#include "findings/finding.h"
+#include "trace/sample_store.h"
 
 namespace syncline {
 namespace {

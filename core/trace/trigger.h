@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -10,13 +11,16 @@
 #include <utility>
 #include <vector>
 
-#include "channels/event.h"
-#include "findings/finding.h"
-#include "trace/sample_store.h"
+#include "support/types.h"
+#include "trace/signals.h"
 
 /// Triggers, as an oscilloscope has them: moments of a run at which a signal, an event or a finding does what was asked
 /// for, each with the time before and after it.
 namespace syncline {
+
+struct Event;
+struct Finding;
+class SampleStore;
 
 struct Trigger {
   enum class Kind : std::uint8_t {

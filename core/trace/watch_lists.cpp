@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "channels/cycle_sample.h"
+
 namespace syncline {
 
 bool WatchLists::add(std::span<const WatchedVariable> variables) {

@@ -8,10 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "channels/cycle_sample.h"
 #include "config/watched_variable.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct WatchCommand;
 
 /// Which variables a run's samples tell, one list after the other: whoever changes what is watched adds a list, and
 /// each sample says of which one it is, so that no value is ever taken for another variable's.

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "config/device_description.h"
+#include "config/identity.h"
 
 /// What a catalogue of ESI files answers with.
 namespace syncline::eni {

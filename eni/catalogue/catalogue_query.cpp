@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "eni/catalogue/catalogue_entry.h"
+#include "eni/catalogue/catalogue_store.h"
 #include "eni/catalogue/esi_cards.h"
 #include "eni/catalogue/revision_words.h"
 #include "eni/xml/xml_text.h"

@@ -5,11 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "eni/catalogue/catalogue_entry.h"
-#include "eni/catalogue/catalogue_store.h"
+#include "support/result.h"
 
 /// Questions to the index; only chosen files answer.
 namespace syncline::eni {
+
+struct CatalogueEntry;
+struct CatalogueSearch;
+class CatalogueStore;
+struct DuplicateDevice;
 
 /// All revisions of a product, each in the order in which its files were chosen, compared where one occurs twice.
 [[nodiscard]] Result<std::vector<CatalogueEntry>> entries_of(CatalogueStore& store, std::uint32_t vendor_id,

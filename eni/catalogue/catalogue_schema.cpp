@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reasons/because.h"
+#include "sqlite/sqlite_database.h"
 
 namespace syncline::eni {
 namespace {

@@ -3,8 +3,11 @@
 
 #include <string>
 
-#include "reasons/reason.h"
-#include "sqlite/sqlite_database.h"
+#include "support/result.h"
+
+namespace syncline {
+class SqlDatabase;
+}  // namespace syncline
 
 namespace syncline::eni {
 

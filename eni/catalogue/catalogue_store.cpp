@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "eni/catalogue/catalogue_schema.h"
+#include "eni/catalogue/esi_cards.h"
 #include "eni/xml/xml_text.h"
 #include "findings/value_bytes.h"
 

@@ -7,12 +7,14 @@
 #include <string_view>
 #include <vector>
 
-#include "eni/catalogue/catalogue_entry.h"
-#include "eni/catalogue/esi_cards.h"
 #include "sqlite/sqlite_database.h"
 
 /// The tables behind the catalogue: a cache that can be made again from the ESI files at any time.
 namespace syncline::eni {
+
+struct EsiCard;
+struct EsiCards;
+struct FileWarning;
 
 struct IndexedFile {
   std::int64_t id = 0;

@@ -9,6 +9,7 @@
 #include <map>
 #include <string_view>
 
+#include "eni/catalogue/catalogue_store.h"
 #include "eni/catalogue/content_hash.h"
 #include "eni/catalogue/esi_cards.h"
 #include "eni/xml/xml_text.h"

@@ -4,10 +4,12 @@
 #include <string>
 
 #include "eni/catalogue/catalogue_entry.h"
-#include "eni/catalogue/catalogue_store.h"
+#include "support/result.h"
 
 /// Brings the index up to date with the files: only what changed is read again.
 namespace syncline::eni {
+
+class CatalogueStore;
 
 /// Every *.xml below the folder, in the order of their paths; all are chosen for searching. Size and modification time
 /// say whether a file may have changed, its content whether it did. A file that cannot be read becomes a problem in the

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "config/device_description.h"
-#include "eni/esi/esi_reader.h"
+#include "config/identity.h"
+#include "eni/xml/file_warning.h"
 #include "support/result.h"
 
 /// What the catalogue keeps of an ESI file: enough to find a device, far less than describes it.

@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <map>
 
+#include "config/device_description.h"
 #include "eni/catalogue/catalogue_query.h"
 #include "eni/catalogue/catalogue_store.h"
 #include "eni/catalogue/catalogue_update.h"
+#include "eni/esi/esi_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 #include "reasons/because.h"

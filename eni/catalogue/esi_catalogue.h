@@ -7,13 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "config/device_description.h"
 #include "eni/catalogue/catalogue_entry.h"
 #include "eni/catalogue/catalogue_match.h"
-#include "eni/esi/esi_reader.h"
 #include "support/result.h"
 
+namespace syncline {
+struct DeviceDescription;
+}  // namespace syncline
+
 namespace syncline::eni {
+
+struct FileWarning;
 
 struct DeviceMatch {
   const DeviceDescription* device = nullptr;  // lives as long as the catalogue

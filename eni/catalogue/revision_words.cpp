@@ -5,6 +5,8 @@
 #include <charconv>
 #include <utility>
 
+#include "config/identity.h"
+
 namespace syncline::eni {
 namespace {
 

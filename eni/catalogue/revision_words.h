@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "config/device_description.h"
+namespace syncline {
+struct Identity;
+}  // namespace syncline
 
 namespace syncline::eni {
 

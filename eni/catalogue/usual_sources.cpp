@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "eni/catalogue/esi_catalogue.h"
 #include "reasons/because.h"
 
 namespace syncline::eni {

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "eni/catalogue/esi_catalogue.h"
+#include "eni/catalogue/catalogue_entry.h"
+#include "support/result.h"
 
 namespace syncline::eni {
+
+class EsiCatalogue;
 
 /// What the catalogue looks into when nobody names anything: folders and files that the user had it remember, as far as
 /// they are still there, and behind them `own`.

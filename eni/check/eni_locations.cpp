@@ -6,6 +6,8 @@
 #include <initializer_list>
 
 #include "eni/format/eni_end_cap.h"
+#include "eni/xml/xml_pieces.h"
+#include "findings/finding.h"
 
 namespace syncline::eni {
 namespace {

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <tinyxml2.h>
+#include <cstddef>
 
 #include <string>
 #include <vector>
 
-#include "check/check_network.h"
-#include "eni/xml/xml_pieces.h"
+namespace syncline {
+struct ConfigPlace;
+}  // namespace syncline
 
 namespace syncline::eni {
+
+class XmlPieces;
 
 struct EniLocation {
   int line = 0;

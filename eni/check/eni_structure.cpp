@@ -10,10 +10,12 @@
 #include "eni/check/eni_schema.h"
 #include "eni/check/eni_value_check.h"
 #include "eni/format/eni_end_cap.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/eni_structure_words.h"
 #include "findings/sentence.h"
+#include "protocol/station_address.h"
 
 namespace syncline::eni {
 namespace {
@@ -239,8 +241,7 @@ std::int64_t number_in(const Element* element) { return element ? parse_number(t
 void PreviousPorts::add(const Element& slave) {
   const Element* info = slave.FirstChildElement("Info");
   const Element* own = info ? info->FirstChildElement("PhysAddr") : nullptr;
-  // Without an address a slave gets the one that tools count from 1001 on.
-  addresses_.insert(own ? number_in(own) : 1001 + static_cast<std::int64_t>(slaves_));
+  addresses_.insert(own ? number_in(own) : usual_station_address(slaves_));
   std::size_t index = 0;
   for (const auto* p = slave.FirstChildElement("PreviousPort"); p != nullptr;
        p = p->NextSiblingElement("PreviousPort")) {

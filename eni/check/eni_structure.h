@@ -3,10 +3,13 @@
 
 #include <vector>
 
-#include "eni/xml/xml_pieces.h"
-#include "findings/finding.h"
+namespace syncline {
+struct Finding;
+}  // namespace syncline
 
 namespace syncline::eni {
+
+class XmlPieces;
 
 /// Findings of the families ENI-XML and ENI-REF-01: element order, counts and types against eni_schema(), and previous
 /// ports that lead nowhere, which a NetworkConfig cannot hold.

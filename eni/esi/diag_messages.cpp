@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "eni/esi/esi_device.h"
+#include "eni/esi/esi_reader.h"
 #include "eni/esi/esi_side_files.h"
 #include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_text.h"

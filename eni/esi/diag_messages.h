@@ -6,9 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "config/device_description.h"
 #include "eni/esi/esi_reader.h"
 #include "support/result.h"
+
+namespace syncline {
+struct Identity;
+}  // namespace syncline
 
 namespace syncline::eni {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "config/device_description.h"
+#include "config/identity.h"
 
 namespace syncline::eni {
 

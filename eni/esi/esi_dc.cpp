@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/dc_description.h"
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
 #include "reasons/because.h"

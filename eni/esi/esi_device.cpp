@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
 #include "eni/xml/xml_text.h"
+#include "protocol/sync_manager.h"
 #include "reasons/because.h"
 
 namespace syncline::eni {

@@ -6,13 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "config/device_description.h"
-#include "eni/esi/esi_reader.h"
-#include "eni/xml/xml_pieces.h"
+#include "config/esi_text.h"
+#include "config/module_description.h"
+#include "config/object_description.h"
+#include "eni/esi/esi_side_files.h"
 #include "eni/xml/xml_reader.h"
+
+namespace syncline {
+struct DcDescription;
+struct DeviceDescription;
+struct EepromDescription;
+}  // namespace syncline
 
 /// The parts of an ESI Device element, one function each. Errors and warnings go to the node's Reading.
 namespace syncline::eni {
+
+class XmlPieces;
 
 struct EsiVendor {
   std::uint32_t id = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/device_description.h"
 #include "eni/esi/esi_check_words.h"
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_words.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
 #include "support/byte_order.h"

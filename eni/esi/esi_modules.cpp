@@ -3,6 +3,7 @@
 
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_words.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 #include "reasons/because.h"

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "config/identity.h"
 #include "eni/esi/esi_device.h"
 #include "eni/xml/xml_text.h"
 #include "protocol/coe_data_type.h"

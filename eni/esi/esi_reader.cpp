@@ -8,6 +8,7 @@
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_side_files.h"
 #include "eni/xml/text_encoding.h"
+#include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/esi/esi_words.h"
-#include "reasons/because.h"
 
 #include <algorithm>
+
+#include "config/esi_text.h"
+#include "eni/xml/xml_reader.h"
+#include "eni/xml/xml_writer.h"
+#include "reasons/because.h"
 
 namespace syncline::eni {
 

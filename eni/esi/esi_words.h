@@ -5,12 +5,16 @@
 #include <string_view>
 #include <vector>
 
-#include "config/esi_text.h"
-#include "eni/xml/xml_reader.h"
-#include "eni/xml/xml_writer.h"
+namespace syncline {
+struct EsiImage;
+struct LocalizedText;
+}  // namespace syncline
 
 /// Names in several languages and pictures, as devices, groups, modules and slots carry them.
 namespace syncline::eni {
+
+class Node;
+class XmlWriter;
 
 /// All children `name`; empty when there is but one and it is English, which the plain name says as well.
 [[nodiscard]] std::vector<LocalizedText> read_texts(const Node& parent, const char* name);

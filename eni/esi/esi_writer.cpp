@@ -2,7 +2,10 @@
 #include "eni/esi/esi_writer.h"
 
 #include <algorithm>
+#include <cstddef>
 
+#include "config/device_description.h"
+#include "config/object_description.h"
 #include "eni/esi/esi_attributes.h"
 #include "eni/esi/esi_check_words.h"
 #include "eni/esi/esi_words.h"

@@ -2,11 +2,26 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "config/device_description.h"
-#include "eni/xml/xml_writer.h"
+namespace syncline {
+struct ChannelProfile;
+struct CoeDescription;
+struct DcDescription;
+struct DeviceDescription;
+struct EnumDescription;
+struct MailboxDescription;
+struct ModuleDescription;
+struct ObjectDescription;
+struct Pdo;
+struct SlotsDescription;
+struct StartupCommand;
+}  // namespace syncline
 
 namespace syncline::eni {
+
+class XmlWriter;
 
 /// Device element (ETG.2000) of one description. Reading it gives the same description; vendor and source stand around
 /// it and are the caller's.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "config/dc_description.h"
 #include "eni/esi/esi_attributes.h"
 #include "eni/esi/esi_writer.h"
 

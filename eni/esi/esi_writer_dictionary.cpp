@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "config/object_description.h"
 #include "eni/esi/esi_attributes.h"
 #include "eni/esi/esi_writer.h"
 

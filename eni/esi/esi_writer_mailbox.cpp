@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/mailbox_description.h"
 #include "eni/esi/esi_attributes.h"
 #include "eni/esi/esi_writer.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/module_description.h"
 #include "eni/esi/esi_attributes.h"
 #include "eni/esi/esi_words.h"
 #include "eni/esi/esi_writer.h"

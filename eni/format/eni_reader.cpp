@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "eni/format/eni_element.h"
 #include "eni/format/eni_end_cap.h"
 #include "eni/format/eni_file.h"
 #include "eni/xml/xml_pieces.h"

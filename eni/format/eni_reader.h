@@ -3,12 +3,23 @@
 
 #include <vector>
 
-#include "config/network_config.h"
-#include "eni/format/eni_element.h"
+#include "protocol/al_state.h"
+
+namespace syncline {
+struct CyclicTask;
+struct InitCmd;
+struct MailboxConfig;
+struct MasterConfig;
+struct NetworkConfig;
+struct ProcessImage;
+struct SlaveConfig;
+}  // namespace syncline
 
 /// The parts of the ENI reader; read_eni() of eni_file.h puts them together. Missing elements give defaults, bad ones
 /// leave an error in the context.
 namespace syncline::eni {
+
+class EniElement;
 
 /// Slave, Cyclic and ProcessImage, each of which can be read by itself.
 [[nodiscard]] bool is_eni_piece(std::string_view element, std::string_view parent);

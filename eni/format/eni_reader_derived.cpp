@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "config/cyclic_frame.h"
+#include "config/dcm_settings.h"
+#include "config/init_cmd.h"
+#include "config/network_config.h"
 #include "eni/format/eni_reader.h"
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -45,8 +50,6 @@ void derive_assign_activate(SlaveConfig& slave) {
 
 /// Frames whose offsets advance like datagram headers on the wire come from a tool that counts headers.
 bool counts_headers(const NetworkConfig& config) {
-  constexpr std::uint32_t kFirstHeader = 16;
-  constexpr std::uint32_t kDatagramOverhead = 12;
   bool any = false;
   for (const auto& task : config.cyclic) {
     for (const auto& frame : task.frames) {
@@ -57,7 +60,7 @@ bool counts_headers(const NetworkConfig& config) {
       for (const CyclicCmd& cmd : frame.commands) {
         const bool follows = previous
                                  ? cmd.input_offset == previous->input_offset + kDatagramOverhead + previous->length()
-                                 : cmd.input_offset >= kFirstHeader;
+                                 : cmd.input_offset >= kFrameOverhead;
         if (!follows) {
           return false;
         }

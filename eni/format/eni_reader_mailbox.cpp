@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/mailbox_config.h"
+#include "eni/format/eni_element.h"
 #include "eni/format/eni_reader.h"
 
 namespace syncline::eni {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "config/slave_config.h"
+#include "eni/format/eni_element.h"
 #include "eni/format/eni_reader.h"
 #include "protocol/registers.h"
+#include "protocol/station_address.h"
 #include "support/types.h"
 
 namespace syncline::eni {
 namespace {
-
-constexpr std::uint16_t kFirstStationAddress = 1001;
 
 void read_identification(const EniElement& element, SlaveConfig& slave) {
   if (!element) {
@@ -25,8 +26,7 @@ void read_identification(const EniElement& element, SlaveConfig& slave) {
 
 void read_info(const EniElement& info, SlaveConfig& slave, std::uint16_t position) {
   slave.name = info.text_of("Name");
-  slave.station_address =
-      info.number_of<std::uint16_t>("PhysAddr", static_cast<std::uint16_t>(kFirstStationAddress + position));
+  slave.station_address = info.number_of<std::uint16_t>("PhysAddr", usual_station_address(position));
   slave.auto_increment_address =
       info.number_of<std::uint16_t>("AutoIncAddr", Position{position}.auto_increment_address());
   read_identification(info.child("Identification"), slave);

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "eni/format/eni_file.h"
+#include "eni/format/eni_style.h"
+#include "eni/format/eni_text.h"
 #include "eni/xml/xml_text.h"
 #include "protocol/registers.h"
 

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "config/network_config.h"
-#include "eni/format/eni_text.h"
+#include "config/init_cmd.h"
+
+namespace syncline {
+struct CyclicTask;
+struct MailboxConfig;
+struct MasterConfig;
+struct ProcessImage;
+struct SlaveConfig;
+}  // namespace syncline
 
 /// The parts of the ENI writer; write_eni() of eni_file.h puts them together. Element order is that of the schema.
 namespace syncline::eni {
+
+class EniText;
 
 /// ENI Validate@Type.
 [[nodiscard]] std::string_view validate_name(ValidateType type);

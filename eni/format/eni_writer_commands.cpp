@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/cyclic_frame.h"
+#include "config/process_image.h"
+#include "eni/format/eni_text.h"
 #include "eni/format/eni_writer.h"
 #include "support/types.h"
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <functional>
 
+#include "config/mailbox_config.h"
+#include "config/object_description.h"
+#include "eni/format/eni_text.h"
 #include "eni/format/eni_writer.h"
 
 namespace syncline::eni {

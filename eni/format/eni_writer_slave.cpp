@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/slave_config.h"
 #include "eni/format/eni_element.h"
+#include "eni/format/eni_text.h"
 #include "eni/format/eni_writer.h"
 
 namespace syncline::eni {

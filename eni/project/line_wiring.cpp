@@ -4,6 +4,8 @@
 #include <array>
 
 #include "config/port_kind.h"
+#include "config/previous_port.h"
+#include "config/slave_settings.h"
 
 namespace syncline::eni {
 namespace {

@@ -3,7 +3,9 @@
 
 #include <vector>
 
-#include "config/project.h"
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::eni {
 

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "channels/values/bus_scan.h"
 #include "config/device_from_sii.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/project/line_wiring.h"
+#include "eni/xml/file_warning.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 #include "findings/scan_words.h"

@@ -4,13 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "channels/values/bus_scan.h"
 #include "config/project.h"
-#include "eni/catalogue/esi_catalogue.h"
 #include "findings/finding.h"
 #include "support/result.h"
 
+namespace syncline {
+struct BusScan;
+}  // namespace syncline
+
 namespace syncline::eni {
+
+class EsiCatalogue;
 
 struct BuiltProject {
   Project project;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "config/master_settings.h"
+#include "config/slave_settings.h"
 #include "eni/xml/xml_text.h"
 #include "reasons/because.h"
 

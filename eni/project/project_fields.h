@@ -10,13 +10,21 @@
 #include <string>
 #include <vector>
 
-#include "config/project.h"
+#include "config/dcm_settings.h"
+#include "config/identity.h"
+#include "config/monitor_view.h"
+#include "config/slave_options.h"
 #include "eni/esi/esi_device.h"
 #include "eni/esi/esi_writer.h"
 #include "eni/xml/xml_number.h"
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_writer.h"
 #include "reasons/because.h"
+
+namespace syncline {
+struct MasterSettings;
+struct SlaveSettings;
+}  // namespace syncline
 
 /// The fields of the project file, named once: the same function writes and reads them.
 namespace syncline::eni {

@@ -5,6 +5,8 @@
 #include <map>
 #include <span>
 
+#include "config/device_description.h"
+#include "config/project.h"
 #include "eni/format/eni_reader.h"
 #include "eni/project/project_fields.h"
 #include "eni/project/view_fields.h"

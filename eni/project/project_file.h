@@ -4,8 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include "config/project.h"
 #include "support/result.h"
+
+namespace syncline {
+struct Machine;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::eni {
 

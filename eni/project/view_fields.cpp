@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/project/view_fields.h"
 
+#include "eni/project/project_fields.h"
+
 namespace syncline::eni {
 namespace {
 

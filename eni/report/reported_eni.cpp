@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "compare/compare_run_time.h"
+#include "config/project.h"
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"
 #include "exports/export_report.h"

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "compile/compile.h"
-#include "config/network_config.h"
-#include "config/project.h"
 #include "findings/finding.h"
 #include "support/result.h"
+
+namespace syncline {
+struct Project;
+}  // namespace syncline
 
 namespace syncline::eni {
 

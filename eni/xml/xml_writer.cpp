@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "eni/xml/xml_text.h"
+#include "support/markup.h"
 #include "support/utf8.h"
 
 namespace syncline::eni {
@@ -16,27 +17,18 @@ constexpr std::string_view kSpace = " \t\n\r";
 /// Bytes that may stand as they are, in attributes and in texts; beyond ASCII somebody must look closer.
 constexpr std::array<bool, 256> kPlain = [] {
   std::array<bool, 256> plain{};
-  for (int c = 0x20; c < 0x80; ++c) plain[static_cast<std::size_t>(c)] = true;
-  for (const char c : std::string_view("&<>\"")) plain[static_cast<std::size_t>(c)] = false;
+  for (int c = 0x20; c < 0x80; ++c) plain[static_cast<std::size_t>(c)] = markup_entity(static_cast<char>(c)).empty();
   return plain;
 }();
 
 bool is_plain(char c) { return kPlain[static_cast<std::uint8_t>(c)]; }
 
 void append_character(std::string& out, char c, bool in_attribute, bool only_space) {
+  if (const auto entity = markup_entity(c); !entity.empty() && (c != '"' || in_attribute)) {
+    out += entity;
+    return;
+  }
   switch (c) {
-    case '&':
-      out += "&amp;";
-      break;
-    case '<':
-      out += "&lt;";
-      break;
-    case '>':
-      out += "&gt;";
-      break;
-    case '"':
-      out += in_attribute ? "&quot;" : "\"";
-      break;
     case '\r':
       out += "&#13;";
       break;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "config/object_description.h"
+#include "config/project.h"
 #include "eni/project/project_file.h"
 #include "tests/app/cli_runner.h"
 

@@ -9,8 +9,13 @@
 
 #include "bench/plain_dcm.h"
 #include "bench/ratio_report.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 #include "core/dc/dcm_plant.h"
+#include "master/clocks/dc_setup.h"
+#include "master/clocks/ored_deviation.h"
 #include "master/clocks/sync_watch.h"
+#include "support/jitter_profile.h"
 #include "support/simulated_network.h"
 
 /// The master synchronisation against no control and against plain PI controllers: same clocks, same host, same seeds.

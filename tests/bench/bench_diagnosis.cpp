@@ -10,6 +10,7 @@
 
 #include "bench/ratio_report.h"
 #include "master/cyclic/evidence_reader.h"
+#include "master/exchange/run_state.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/small_machines.h"

@@ -22,6 +22,7 @@
 #include "record/run_record.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
+#include "ui/plots/band_item.h"
 #include "ui/plots/series_item.h"
 #include "ui/theme/theme.h"
 

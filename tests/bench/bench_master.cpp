@@ -7,7 +7,11 @@
 #include <vector>
 
 #include "bench/ratio_report.h"
+#include "channels/command.h"
+#include "channels/events/service_events.h"
 #include "channels/frame_ring.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "findings/error_text.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"

@@ -10,6 +10,7 @@
 #include "bench/long_recording.h"
 #include "bench/ratio_report.h"
 #include "findings/error_text.h"
+#include "record/import_run.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/opening_picture.h"

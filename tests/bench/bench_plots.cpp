@@ -17,6 +17,7 @@
 #include "bench/rival_plots.h"
 #include "trace/min_max_series.h"
 #include "ui/panels/live_strip.h"
+#include "ui/plots/band_item.h"
 #include "ui/plots/series_item.h"
 #include "ui/theme/theme.h"
 

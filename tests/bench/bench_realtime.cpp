@@ -10,6 +10,9 @@
 #include <string>
 #include <thread>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"
 #include "trace/histogram.h"

@@ -10,7 +10,10 @@
 #include "findings/error_text.h"
 #include "link/bus_responder.h"
 #include "link/pcap_link.h"
+#include "link/raw_port.h"
+#include "master/exchange/bus.h"
 #include "master/scan/bus_scanner.h"
+#include "sim/sim_bus.h"
 #include "support/net_namespace.h"
 #include "support/scan_bed.h"
 

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "bench/ratio_report.h"
+#include "channels/cycle_sample.h"
 #include "trace/distribution.h"
 #include "trace/even_samples.h"
+#include "trace/sample_store.h"
 #include "trace/signal_study.h"
 #include "trace/slave_cells.h"
 #include "trace/slave_figures.h"

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "config/dcm_settings.h"
 #include "dc/dcm/dcm_controller.h"
 
 namespace syncline::bench {

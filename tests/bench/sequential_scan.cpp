@@ -2,6 +2,7 @@
 #include "bench/sequential_scan.h"
 
 #include <array>
+#include <tl/expected.hpp>
 
 #include "protocol/registers.h"
 #include "support/byte_order.h"

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/cli.h"
 #include "app/cli/event_text.h"
 #include "bench/soak_fault_kinds.h"
 #include "eni/esi/esi_reader.h"

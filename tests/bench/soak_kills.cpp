@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "capture/pcapng_writer.h"
+#include "channels/cycle_sample.h"
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"

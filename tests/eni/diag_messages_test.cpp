@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "config/esi_text.h"
 #include "eni/esi/diag_messages.h"
 
 namespace syncline::eni {

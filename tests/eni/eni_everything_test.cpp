@@ -4,6 +4,7 @@
 
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
+#include "eni/format/eni_style.h"
 #include "eni/schema_check.h"
 #include "findings/error_text.h"
 #include "tests/support/sample_devices.h"

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "compile/compile.h"
+#include "config/sim_config.h"
 #include "eni/format/eni_file.h"
 #include "exports/export_report.h"
 #include "exports/exports.h"

@@ -9,6 +9,7 @@
 
 #include "compile/compile.h"
 #include "eni/format/eni_file.h"
+#include "eni/format/eni_style.h"
 #include "eni/schema_check.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/source_dir.h"

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi/esi_reader.h"
 #include "eni/esi/esi_writer.h"

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "config/project.h"
 #include "eni/project/project_file.h"
 #include "support/random_project.h"
 

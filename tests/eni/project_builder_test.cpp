@@ -7,8 +7,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include "channels/values/bus_scan.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi/esi_writer.h"
 #include "eni/project/line_wiring.h"
+#include "eni/xml/file_warning.h"
 #include "eni/xml/xml_text.h"
 
 namespace syncline::eni {

@@ -12,6 +12,7 @@
 #include "eni/esi/esi_writer.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
+#include "findings/finding.h"
 #include "support/random_project.h"
 #include "tests/support/sample_devices.h"
 

@@ -6,6 +6,8 @@
 
 #include <filesystem>
 
+#include "channels/values/bus_scan.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi/esi_reader.h"
 #include "eni/project/project_builder.h"
 #include "eni/project/project_file.h"

@@ -2,8 +2,10 @@
 #include <array>
 #include <memory>
 
+#include "config/sim_config.h"
 #include "fuzz/bus_targets.h"
 #include "fuzz/script.h"
+#include "protocol/datagram.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/sim_bus.h"

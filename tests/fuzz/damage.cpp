@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fuzz/xml_damage.h"
+#include "protocol/datagram.h"
 #include "protocol/frame.h"
 
 namespace syncline::fuzz {

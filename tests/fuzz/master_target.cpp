@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
 #include "fuzz/bus_targets.h"
 #include "fuzz/lying_link.h"
+#include "master/exchange/bus.h"
 #include "master/master_service.h"
 #include "master/scan/bus_scanner.h"
 #include "tests/support/simulated_network.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/text_targets.h"
 
+#include "config/sim_config.h"
+#include "protocol/datagram.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/scenario/scenario_loader.h"

@@ -256,19 +256,100 @@ TEST(House, OtherRoomsIncludeOnlyPublicHeaders) {
   }
 }
 
-/// The table of docs/architecture.md names files that are there.
-TEST(House, AStrangerFindsWhatTheEtgNames) {
+/// The rows of a table of docs/architecture.md below a title, without those of its head; each the text of its cells.
+std::vector<std::vector<std::string>> table_below(const std::string& title) {
   const auto text = text_of("docs/architecture.md");
-  const auto begin = text.find("## Where a stranger looks");
-  ASSERT_NE(begin, std::string::npos);
-  const auto table = text.substr(begin, text.find("\n## ", begin + 1) - begin);
+  const auto begin = text.find("\n## " + title);
+  if (begin == std::string::npos) return {};
+  std::istringstream lines(text.substr(begin + 1, text.find("\n## ", begin + 1) - begin));
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("| ")) continue;
+    std::istringstream cells(line.substr(1));
+    auto& row = rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, '|');) row.push_back(cell);
+  }
+  if (!rows.empty()) rows.erase(rows.begin());
+  return rows;
+}
+
+/// The table names files that are there.
+TEST(House, AStrangerFindsWhatTheEtgNames) {
   static const std::regex pattern("`([a-z0-9_]+(/[a-z0-9_]+)+)`");
   std::size_t named = 0;
-  for (std::sregex_iterator it(table.begin(), table.end(), pattern), none; it != none; ++it, ++named) {
-    const auto file = fs::path(test::source_dir()) / "core" / (*it)[1].str();
-    EXPECT_TRUE(fs::exists(file.string() + ".h") || fs::exists(file.string() + ".cpp")) << file;
+  for (const auto& row : table_below("Where a stranger looks")) {
+    std::size_t in_row = 0;
+    for (const auto& cell : row) {
+      for (std::sregex_iterator it(cell.begin(), cell.end(), pattern), none; it != none; ++it, ++in_row) {
+        const auto file = fs::path(test::source_dir()) / "core" / (*it)[1].str();
+        EXPECT_TRUE(fs::exists(file.string() + ".h") || fs::exists(file.string() + ".cpp")) << file;
+      }
+    }
+    EXPECT_GT(in_row, 0U) << row.front() << "names no file";
+    named += in_row;
   }
-  EXPECT_GE(named, 60U);
+  EXPECT_GE(named, 80U);
+}
+
+/// Who searches by the name of a concept gets a file of that name, and the table has it, too.
+TEST(House, ConceptsOfTheEtgAreFilesOfTheirNames) {
+  std::string table;
+  for (const auto& row : table_below("Where a stranger looks")) {
+    for (const auto& cell : row) table += cell;
+  }
+  for (const char* name : {"al_state",
+                           "aoe",
+                           "coe",
+                           "datagram",
+                           "device_id",
+                           "diagnosis_message",
+                           "dl_status",
+                           "drift_compensation",
+                           "emergency",
+                           "eoe",
+                           "fmmu",
+                           "foe",
+                           "frame",
+                           "hot_connect",
+                           "init_cmd",
+                           "mailbox",
+                           "pdo_mapping",
+                           "process_image",
+                           "propagation_delay",
+                           "sdo_information",
+                           "sii",
+                           "soe",
+                           "station_address",
+                           "station_alias",
+                           "start_time",
+                           "sync0_cycle",
+                           "sync_manager",
+                           "sync_unit",
+                           "system_time_offset",
+                           "topology",
+                           "working_counter"}) {
+    EXPECT_NE(table.find(std::string("/") + name + "`"), std::string::npos) << name;
+  }
+}
+
+/// The table of rooms has each room once, in the order in which they may include each other, and none that is not
+/// there.
+TEST(House, TheTableOfRoomsIsTrue) {
+  std::vector<std::string> said;
+  for (const auto& row : table_below("Layers")) {
+    std::istringstream names(row.front());
+    std::string name;
+    for (bool first = true; std::getline(names, name, ','); first = false) {
+      const auto begin = name.find_first_not_of(' ');
+      name = name.substr(begin, name.find_last_not_of(' ') + 1 - begin);
+      said.push_back(first ? name : "core/" + name);
+    }
+  }
+  for (const auto& name : said) EXPECT_TRUE(fs::is_directory(fs::path(test::source_dir()) / name)) << name;
+  std::vector<std::string> known{"eni", "ui", "app"};
+  for (const auto& room : rooms()) known.push_back(room.folder);
+  for (const auto& folder : known) EXPECT_EQ(std::ranges::count(said, folder), 1) << folder;
+  EXPECT_EQ(said.size(), known.size());
 }
 
 TEST(House, EachRoomSaysWhatLivesInIt) {

@@ -5,13 +5,18 @@
 #include <utility>
 
 #include "app/composition/open_link.h"
+#include "channels/command.h"
+#include "channels/master_channels.h"
 #include "compile/compile.h"
+#include "engine/opened_link.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/format/eni_file.h"
 #include "eni/project/project_builder.h"
 #include "master/master_service.h"
+#include "support/clock.h"
+#include "support/jitter_profile.h"
 #include "tests/support/event_match.h"
 #include "tests/support/source_dir.h"
 

@@ -3,11 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
+#include "channels/slave_status.h"
+#include "channels/snapshot.h"
+#include "config/sim_config.h"
 #include "families/families.h"
 #include "link/simulated_link.h"
 #include "master/master_service.h"
 #include "settings/settings_keys.h"
 #include "sim/sim_bus.h"
+#include "support/clock.h"
 #include "support/simulated_network.h"
 #include "tests/support/sample_devices.h"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/cli/cli.h"
 #include "tests/scenario/machine_run.h"
 #include "tests/support/event_match.h"
 

@@ -6,6 +6,10 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "channels/command.h"
+#include "channels/cyclic_application.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "eni/esi/esi_reader.h"
 #include "master/master_service.h"
 #include "support/byte_order.h"

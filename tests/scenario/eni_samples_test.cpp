@@ -8,7 +8,9 @@
 #include <map>
 
 #include "app/composition/open_link.h"
+#include "channels/event.h"
 #include "compare/network_compare.h"
+#include "engine/opened_link.h"
 #include "engine/run_network.h"
 #include "eni/format/eni_file.h"
 #include "findings/error_text.h"

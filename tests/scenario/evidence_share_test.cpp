@@ -6,6 +6,9 @@
 #include <map>
 #include <set>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"

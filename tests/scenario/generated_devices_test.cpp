@@ -9,6 +9,7 @@
 
 #include "app/composition/open_link.h"
 #include "compile/compile.h"
+#include "engine/opened_link.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"

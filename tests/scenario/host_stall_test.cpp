@@ -5,6 +5,10 @@
 #include <array>
 #include <vector>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "link/simulated_host.h"
 #include "link/simulated_link.h"
 #include "master/master_service.h"

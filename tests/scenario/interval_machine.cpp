@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 #include "master/master_service.h"
 #include "support/random.h"
 #include "tests/support/simulated_network.h"

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-#include "app/composition/eeprom_journal.h"
+#include "engine/eeprom_journal.h"
 #include "protocol/al_state.h"
 #include "support/random.h"
 #include "support/whole_file.h"

@@ -10,7 +10,13 @@
 #include <vector>
 
 #include "app/cli/event_text.h"
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
+#include "link/link.h"
 #include "master/master_service.h"
+#include "support/clock.h"
 #include "tests/support/simulated_network.h"
 #include "trace/run_report.h"
 

@@ -6,10 +6,18 @@
 #include <algorithm>
 #include <set>
 
+#include "app/cli/cli.h"
 #include "app/cli/event_text.h"
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/events/slave_events.h"
+#include "channels/master_channels.h"
 #include "link/fault_link.h"
 #include "master/cyclic/mailbox_bits.h"
+#include "master/exchange/mailbox_handshake.h"
 #include "master/master_service.h"
+#include "protocol/diagnosis_message.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "tests/support/simulated_network.h"

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "app/composition/load_scenario.h"
+#include "config/sim_config.h"
 #include "findings/error_text.h"
 #include "link/fault_link.h"
 #include "link/simulated_link.h"
@@ -15,6 +16,7 @@
 #include "master/mailbox/foe_client.h"
 #include "master/mailbox/mailbox_client.h"
 #include "master/mailbox/sdo_info_client.h"
+#include "protocol/emergency.h"
 #include "protocol/registers.h"
 #include "sim/sim_bus.h"
 #include "tests/support/source_dir.h"

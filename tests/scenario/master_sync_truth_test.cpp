@@ -6,7 +6,11 @@
 #include <cmath>
 #include <functional>
 
+#include "app/cli/cli.h"
 #include "app/cli/event_text.h"
+#include "channels/command.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "dc/master_verdict.h"
 #include "master/master_service.h"
 #include "protocol/dcm_error.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/composition/open_link.h"
+#include "engine/opened_link.h"
 #include "engine/run_network.h"
 #include "eni/check/eni_check.h"
 #include "eni/format/eni_file.h"

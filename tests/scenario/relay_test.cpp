@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/event_text.h"
+#include "channels/command.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "link/fault_link.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"

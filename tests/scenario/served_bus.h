@@ -6,7 +6,9 @@
 #include <thread>
 
 #include "app/composition/load_scenario.h"
+#include "config/sim_config.h"
 #include "engine/simulate_bus.h"
+#include "link/pcap_link.h"
 #include "support/net_namespace.h"
 
 namespace syncline::test {

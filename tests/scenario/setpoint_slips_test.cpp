@@ -5,6 +5,10 @@
 
 #include <array>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "tests/support/small_machines.h"
 #include "trace/sample_store.h"

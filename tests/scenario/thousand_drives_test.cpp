@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "channels/command.h"
+#include "channels/events/service_events.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "findings/error_text.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"

@@ -4,6 +4,11 @@
 
 #include <algorithm>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/events/state_events.h"
+#include "channels/master_channels.h"
 #include "diagnosis/run_diagnosis.h"
 #include "findings/run_codes.h"
 #include "master/master_service.h"

@@ -10,7 +10,10 @@
 #include <memory>
 
 #include "app/composition/open_link.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
 #include "compile/compile.h"
+#include "engine/opened_link.h"
 #include "engine/run_network.h"
 #include "engine/scan_bus.h"
 #include "eni/catalogue/esi_catalogue.h"

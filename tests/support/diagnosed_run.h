@@ -10,6 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
 #include "diagnosis/run_diagnosis.h"
 #include "findings/run_codes.h"
 #include "master/master_service.h"

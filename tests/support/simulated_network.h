@@ -9,9 +9,11 @@
 #include "compile/compile.h"
 #include "config/project.h"
 #include "config/sim_config.h"
+#include "link/link.h"
 #include "link/simulated_host.h"
 #include "link/simulated_link.h"
 #include "sim/sim_bus.h"
+#include "support/clock.h"
 
 namespace syncline::test {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>
@@ -14,6 +15,7 @@
 #include "link/link.h"
 #include "protocol/al_state.h"
 #include "protocol/coe.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/dl_status.h"
 #include "protocol/fmmu.h"

@@ -13,8 +13,12 @@
 #include <memory>
 #include <span>
 
+#include "trace/arrival_bathtub.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"
+#include "ui/plots/bathtub_plot.h"
+#include "ui/plots/cycle_plot.h"
+#include "ui/plots/histogram_plot.h"
 
 namespace syncline::ui {
 namespace {

@@ -15,6 +15,7 @@
 #include <memory>
 
 #include "ui/panels/live_strip.h"
+#include "ui/plots/histogram_plot.h"
 
 namespace syncline::ui {
 namespace {

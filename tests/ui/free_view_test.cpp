@@ -35,6 +35,8 @@
 #include "ui/panels/free_plot.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/picture_file.h"
+#include "ui/plots/band_item.h"
+#include "ui/plots/series_csv.h"
 #include "ui/plots/signal_source.h"
 
 namespace syncline::ui {

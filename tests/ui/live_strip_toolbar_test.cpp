@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "support/ui_test_support.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/time_view.h"
 
 namespace syncline::ui {
 namespace {

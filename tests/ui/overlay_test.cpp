@@ -15,6 +15,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "record/overlay_anchor.h"
 #include "sqlite/sqlite_database.h"
 #include "support/running_window.h"
 #include "ui/dialogs/file_commands.h"
@@ -22,6 +23,7 @@
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overlay_figures.h"
 #include "ui/panels/recording_picture.h"
+#include "ui/plots/histogram_plot.h"
 #include "ui/session/recording_overlay.h"
 #include "ui/text/units.h"
 #include "ui/window_overlay.h"

@@ -26,6 +26,8 @@
 #include <memory>
 #include <utility>
 
+#include "ui/plots/limit_band_item.h"
+
 namespace syncline::ui {
 namespace {
 

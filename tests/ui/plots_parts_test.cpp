@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trace/min_max_series.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/series_csv.h"
 #include "ui/plots/slave_slots.h"

@@ -9,6 +9,7 @@
 #include "channels/event.h"
 #include "channels/event_finding.h"
 #include "findings/error_text.h"
+#include "findings/finding.h"
 #include "reasons/because.h"
 #include "settings/setting_type.h"
 #include "support/result.h"

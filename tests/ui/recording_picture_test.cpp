@@ -24,9 +24,11 @@
 
 #include "app/cli/cli.h"
 #include "eni/project/project_file.h"
+#include "record/replay_run.h"
 #include "support/ui_test_support.h"
 #include "tests/app/cli_runner.h"
 #include "ui/panels/overview_panel.h"
+#include "ui/panels/picture_file.h"
 #include "ui/plots/heat_legend.h"
 #include "ui/theme/theme.h"
 

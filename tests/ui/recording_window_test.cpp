@@ -21,6 +21,7 @@
 
 #include "eni/project/project_file.h"
 #include "findings/run_codes.h"
+#include "link/link.h"
 #include "record/typed_values.h"
 #include "settings/settings_table.h"
 #include "support/ui_test_support.h"

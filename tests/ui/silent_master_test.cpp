@@ -16,6 +16,8 @@
 
 #include "compile/compile.h"
 #include "engine/background_master.h"
+#include "link/link.h"
+#include "support/clock.h"
 #include "support/ui_test_support.h"
 #include "ui/main_window.h"
 #include "ui/models/message_model.h"

@@ -19,6 +19,7 @@
 
 #include "support/speak.h"
 #include "support/ui_test_support.h"
+#include "ui/models/slave_figures_model.h"
 #include "ui/panels/live_strip.h"
 #include "ui/plots/heat_legend.h"
 #include "ui/theme/theme.h"

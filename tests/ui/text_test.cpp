@@ -6,10 +6,14 @@
 #include <QTranslator>
 #include <string>
 
+#include "channels/snapshot.h"
+#include "config/dcm_settings.h"
+#include "config/project.h"
 #include "tests/support/every_event.h"
 #include "ui/panels/status_panel.h"
 #include "ui/text/error_text.h"
 #include "ui/text/event_text.h"
+#include "ui/text/message.h"
 #include "ui/text/sync_text.h"
 #include "ui/text/translations.h"
 #include "ui/text/units.h"

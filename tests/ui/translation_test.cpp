@@ -11,6 +11,7 @@
 #include <QXmlStreamReader>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "support/speak.h"
 #include "tests/support/source_dir.h"

@@ -25,6 +25,7 @@
 #include "ui/panels/live_strip.h"
 #include "ui/panels/stability_view.h"
 #include "ui/panels/variables_row.h"
+#include "ui/plots/histogram_plot.h"
 #include "ui/session/variable_watch.h"
 
 namespace syncline::ui {

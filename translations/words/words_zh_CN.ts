@@ -9164,5 +9164,93 @@
         <source>{code} ({meaning})</source>
         <translation>{code}（{meaning}）</translation>
     </message>
+    <message>
+        <source>Watched for</source>
+        <translation>观察时长</translation>
+    </message>
+    <message>
+        <source>State of the master</source>
+        <translation>主站状态</translation>
+    </message>
+    <message>
+        <source>Slaves against their reference clock</source>
+        <translation>从站相对参考时钟</translation>
+    </message>
+    <message>
+        <source>Reference clock against the master</source>
+        <translation>参考时钟相对主站</translation>
+    </message>
+    <message>
+        <source>SM2 events missed</source>
+        <translation>错过的 SM2 事件</translation>
+    </message>
+    <message>
+        <source>Frames lost</source>
+        <translation>丢失的帧</translation>
+    </message>
+    <message>
+        <source>Cycles with another working counter than expected</source>
+        <translation>工作计数器与预期不符的周期</translation>
+    </message>
+    <message>
+        <source>Cycles left out by the host</source>
+        <translation>主机跳过的周期</translation>
+    </message>
+    <message>
+        <source>Disturbances</source>
+        <translation>干扰</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>发现</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>满足</translation>
+    </message>
+    <message>
+        <source>NOT KEPT</source>
+        <translation>不满足</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>未评判</translation>
+    </message>
+    <message>
+        <source>as long as it was</source>
+        <translation>实际时长</translation>
+    </message>
+    <message>
+        <source>OP at the end</source>
+        <translation>结束时为 OP</translation>
+    </message>
+    <message>
+        <source>in sync throughout</source>
+        <translation>始终同步</translation>
+    </message>
+    <message>
+        <source>no error, no warning</source>
+        <translation>无错误、无警告</translation>
+    </message>
+    <message>
+        <source>never: it was not in sync in OP</source>
+        <translation>从未：在 OP 中未曾同步</translation>
+    </message>
+    <message>
+        <source>unknown: a slave does not answer, or it is not told</source>
+        <translation>未知：有从站无应答，或没有记录</translation>
+    </message>
+    <message>
+        <source>not counted: it was never armed</source>
+        <translation>未计数：从未启用统计</translation>
+    </message>
+    <message>
+        <source>no slave has a counter that is known</source>
+        <translation>没有从站具有已知的计数器</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>没有记录</translation>
+    </message>
 </context>
 </TS>

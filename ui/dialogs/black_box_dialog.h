@@ -3,8 +3,6 @@
 
 #include <QDialog>
 
-#include "ui/session/frame_keeper.h"
-
 class QCheckBox;
 class QLabel;
 class QLineEdit;
@@ -12,6 +10,8 @@ class QPushButton;
 class QSpinBox;
 
 namespace syncline::ui {
+
+struct BlackBoxWish;
 
 class Workspace;
 

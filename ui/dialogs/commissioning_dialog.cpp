@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "eni/report/reported_eni.h"
+#include "reports/commissioning_report.h"
 #include "support/output_file.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/files/save_name.h"

@@ -3,13 +3,17 @@
 
 #include <QDialog>
 
-#include "reports/commissioning_report.h"
-
 class QDoubleSpinBox;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
 class QTableWidget;
+
+namespace syncline::reports {
+struct Acceptance;
+struct AcceptanceLimits;
+struct CommissioningFacts;
+}  // namespace syncline::reports
 
 namespace syncline::ui {
 

@@ -6,6 +6,7 @@
 
 #include "settings/settings_table.h"
 #include "ui/editors/number_text.h"
+#include "ui/session/comparison.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/setting_text.h"

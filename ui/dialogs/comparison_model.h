@@ -2,12 +2,22 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QObject>
+#include <QString>
 #include <QStringList>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "ui/session/comparison.h"
+namespace syncline {
+struct ConfigDifference;
+struct SettingDifference;
+}  // namespace syncline
 
 namespace syncline::ui {
+
+struct Compared;
 
 /// What two machines have otherwise: the network and its slaves, and below each what differs.
 class ComparisonModel final : public QAbstractItemModel {

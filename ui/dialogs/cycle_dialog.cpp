@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "advice/cycle_time_help.h"
+#include "config/project.h"
 #include "ui/editors/cycle_table.h"
 #include "ui/text/finding_text.h"
 #include "ui/widgets/named.h"

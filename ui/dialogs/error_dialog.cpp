@@ -3,6 +3,7 @@
 
 #include <QMessageBox>
 
+#include "support/result.h"
 #include "ui/text/error_text.h"
 
 namespace syncline::ui {

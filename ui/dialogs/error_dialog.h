@@ -3,9 +3,11 @@
 
 #include <QString>
 
-#include "support/result.h"
-
 class QWidget;
+
+namespace syncline {
+struct Error;
+}  // namespace syncline
 
 namespace syncline::ui {
 

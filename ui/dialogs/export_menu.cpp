@@ -9,6 +9,7 @@
 #include <array>
 #include <utility>
 
+#include "exports/formats.h"
 #include "support/whole_file.h"
 #include "ui/dialogs/error_dialog.h"
 #include "ui/dialogs/file_commands.h"

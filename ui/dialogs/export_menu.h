@@ -4,7 +4,9 @@
 #include <QMenu>
 #include <functional>
 
-#include "exports/formats.h"
+namespace syncline::exports {
+struct Format;
+}  // namespace syncline::exports
 
 namespace syncline::ui {
 

@@ -5,9 +5,11 @@
 #include <QString>
 #include <functional>
 
-#include "config/project.h"
-
 class QWidget;
+
+namespace syncline {
+struct Machine;
+}  // namespace syncline
 
 namespace syncline::ui {
 

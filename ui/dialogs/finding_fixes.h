@@ -2,13 +2,18 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <functional>
-
-#include "ui/text/message.h"
 
 class QMenu;
 
+namespace syncline {
+struct Finding;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+struct Message;
 
 class Workspace;
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/project.h"
 #include "settings/settings_table.h"
 #include "ui/text/menu_key.h"
 #include "ui/text/setting_text.h"

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "config/project.h"
 #include "ui/dialogs/go_to_search.h"
 
 class QAction;
@@ -14,6 +13,10 @@ class QLineEdit;
 class QListWidget;
 class QMenu;
 class QMenuBar;
+
+namespace syncline {
+struct Project;
+}  // namespace syncline
 
 namespace syncline::ui {
 

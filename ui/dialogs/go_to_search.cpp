@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/module_slots.h"
+#include "config/project.h"
 #include "settings/settings_table.h"
 #include "ui/models/dictionary.h"
 #include "ui/text/setting_text.h"

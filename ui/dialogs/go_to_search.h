@@ -7,9 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "config/project.h"
 #include "protocol/coe.h"
-#include "settings/setting.h"
+
+namespace syncline {
+struct Project;
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::ui {
 

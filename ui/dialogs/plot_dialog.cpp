@@ -17,11 +17,14 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/models/signal_tree.h"
 #include "ui/models/word_filter.h"
+#include "ui/plots/trace_plot.h"
 #include "ui/plots/view_signals.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/limit_fields.h"

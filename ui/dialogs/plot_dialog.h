@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "config/monitor_view.h"
-#include "record/run_record.h"
 
 class QButtonGroup;
 class QCheckBox;
@@ -16,6 +15,10 @@ class QLineEdit;
 class QPushButton;
 class QTableWidget;
 class QTreeView;
+
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "record/black_box.h"
-#include "support/result.h"
 #include "support/types.h"
 #include "ui/dialogs/reading_progress.h"
 #include "ui/session/opened_recording.h"

@@ -3,17 +3,24 @@
 
 #include <QAction>
 #include <QObject>
+#include <QString>
 #include <functional>
 #include <optional>
 
+#include "config/device_description.h"
+#include "config/project.h"
 #include "config/slave_edits.h"
-#include "eni/catalogue/catalogue_entry.h"
-#include "ui/models/drop_place.h"
-#include "ui/session/project_document.h"
 
 class QWidget;
 
+namespace syncline::eni {
+struct CatalogueEntry;
+}  // namespace syncline::eni
+
 namespace syncline::ui {
+
+struct DropPlace;
+struct SlaveMark;
 
 class DeviceCatalogue;
 class Workspace;

@@ -10,13 +10,17 @@
 #include <span>
 #include <vector>
 
-#include "findings/finding.h"
+#include "config/project.h"
 #include "settings/settings_table.h"
 
 class QButtonGroup;
 class QCheckBox;
 class QLabel;
 class QMenu;
+
+namespace syncline {
+struct Finding;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "settings/number_text.h"
+#include "settings/setting_type.h"
 
 namespace syncline::ui {
 

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "settings/setting_type.h"
+namespace syncline::settings {
+struct Number;
+}  // namespace syncline::settings
 
 namespace syncline::ui {
 

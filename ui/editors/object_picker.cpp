@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "config/device_description.h"
 #include "ui/models/record_model.h"
 #include "ui/models/word_filter.h"
 #include "ui/text/units.h"

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "config/project.h"
-
 class QSortFilterProxyModel;
 class QTableView;
+
+namespace syncline {
+struct DeviceDescription;
+}  // namespace syncline
 
 namespace syncline::ui {
 

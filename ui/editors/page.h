@@ -3,13 +3,21 @@
 
 #include <QScrollArea>
 #include <QString>
+#include <vector>
 
-#include "channels/cycle_sample.h"
-#include "channels/event.h"
-#include "channels/snapshot.h"
-#include "ui/session/project_document.h"
+namespace syncline {
+struct Project;
+struct Snapshot;
+}  // namespace syncline
+
+namespace syncline::settings {
+struct Place;
+struct Setting;
+}  // namespace syncline::settings
 
 namespace syncline::ui {
+
+struct SettingEdit;
 
 class FieldBinder;
 class Workspace;

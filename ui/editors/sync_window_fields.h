@@ -20,7 +20,6 @@ class SyncWindowFields {
   SyncWindowFields(Page& page, Card& card);
   /// Says what the exponent gives, and switches off what is not in use.
   void show(const DcMasterSettings& dc);
-  [[nodiscard]] QCheckBox* monitoring() const { return monitoring_; }
 
  private:
   QCheckBox* monitoring_;

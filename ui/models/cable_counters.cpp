@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/snapshot.h"
+#include "config/project.h"
 #include "config/wiring_tree.h"
 #include "protocol/port_damage.h"
 #include "ui/text/units.h"

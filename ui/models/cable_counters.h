@@ -7,9 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include "channels/snapshot.h"
-#include "config/project.h"
+#include "channels/slave_evidence.h"
 #include "ui/models/count_history.h"
+
+namespace syncline {
+struct Project;
+struct Snapshot;
+}  // namespace syncline
 
 namespace syncline::ui {
 

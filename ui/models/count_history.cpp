@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/slave_evidence.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {

@@ -7,8 +7,11 @@
 #include <deque>
 #include <vector>
 
-#include "channels/slave_evidence.h"
 #include "support/types.h"
+
+namespace syncline {
+struct PortErrors;
+}  // namespace syncline
 
 namespace syncline::ui {
 

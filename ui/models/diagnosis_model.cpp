@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/coe.h"
 #include "protocol/diagnosis_text.h"
 #include "protocol/object_value.h"
 #include "support/csv_field.h"

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "config/device_description.h"
 #include "config/module_slots.h"
+#include "config/slave_settings.h"
+#include "protocol/coe.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
 #include "support/le_number.h"

@@ -8,9 +8,15 @@
 #include <vector>
 
 #include "config/object_description.h"
-#include "config/project.h"
-#include "protocol/coe.h"
 #include "protocol/sdo_information.h"
+
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
+
+namespace syncline::coe {
+struct ObjectAddress;
+}  // namespace syncline::coe
 
 /// The object dictionary of a slave as the window shows it, from the ESI or from the slave itself.
 namespace syncline::ui {

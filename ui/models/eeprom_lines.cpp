@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "protocol/sii.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
 #include <span>
 
-#include "protocol/sii.h"
 #include "ui/models/record_model.h"
+
+namespace syncline::sii {
+struct Image;
+}  // namespace syncline::sii
 
 namespace syncline::ui {
 

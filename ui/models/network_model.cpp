@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "config/project.h"
 #include "ui/text/glossary.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"

@@ -5,12 +5,15 @@
 #include <QStringList>
 #include <vector>
 
-#include "channels/snapshot.h"
 #include "config/network_config.h"
-#include "config/project.h"
 #include "ui/models/dragged.h"
 #include "ui/models/drop_place.h"
 #include "ui/models/node_tree.h"
+
+namespace syncline {
+struct Project;
+struct Snapshot;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/slave_status.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
+#include "config/project.h"
 #include "config/wiring_tree.h"
 
 namespace syncline::ui {

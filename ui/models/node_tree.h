@@ -2,12 +2,15 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "channels/snapshot.h"
-#include "config/network_config.h"
-#include "config/project.h"
+namespace syncline {
+struct NetworkConfig;
+struct Project;
+struct Snapshot;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "protocol/coe.h"
 #include "support/types.h"
 #include "ui/models/dictionary.h"
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "config/module_slots.h"
+#include "config/slave_settings.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 

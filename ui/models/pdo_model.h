@@ -4,7 +4,11 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "config/project.h"
+#include "config/pdo_description.h"
+
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::ui {
 

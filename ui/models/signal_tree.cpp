@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/signal_tree.h"
 
+#include <QObject>
+
+#include "record/run_record.h"
+#include "ui/plots/signal_source.h"
 #include "ui/plots/view_signals.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/quality_text.h"

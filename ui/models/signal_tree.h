@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "config/monitor_view.h"
-#include "record/run_record.h"
+
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
 

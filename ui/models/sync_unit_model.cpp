@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/project.h"
 #include "ui/models/dragged.h"
 #include "ui/text/glossary.h"
 

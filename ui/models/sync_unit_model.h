@@ -5,7 +5,9 @@
 #include <QString>
 #include <vector>
 
-#include "config/project.h"
+namespace syncline {
+struct Project;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "config/image_owners.h"
+#include "config/network_config.h"
 #include "protocol/coe_data_type.h"
 #include "support/bits.h"
 #include "ui/text/units.h"

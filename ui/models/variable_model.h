@@ -9,8 +9,11 @@
 #include <vector>
 
 #include "channels/image_contents.h"
-#include "config/network_config.h"
 #include "ui/models/dictionary.h"
+
+namespace syncline {
+struct NetworkConfig;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "support/types.h"
-#include "ui/session/slave_requests.h"
 
 namespace syncline::ui {
+
+struct RequestOutcome;
 
 class Workspace;
 

@@ -5,12 +5,14 @@
 #include <QString>
 #include <QWidget>
 
-#include "protocol/coe.h"
-
 class QAction;
 class QLabel;
 class QMenu;
 class QTabWidget;
+
+namespace syncline::coe {
+struct ObjectAddress;
+}  // namespace syncline::coe
 
 namespace syncline::ui {
 

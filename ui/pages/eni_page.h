@@ -12,6 +12,10 @@ class QMenu;
 class QTableView;
 class QToolButton;
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class EniFindingModel;

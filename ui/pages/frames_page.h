@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QStringList>
+
 #include "ui/editors/page.h"
 
 class QLabel;
@@ -8,6 +10,9 @@ class QTableView;
 class QVBoxLayout;
 
 namespace syncline {
+
+struct Snapshot;
+
 struct ImageReport;
 struct NetworkConfig;
 }  // namespace syncline

@@ -7,6 +7,10 @@ class QLabel;
 class QLineEdit;
 class QTableView;
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class RecordModel;

@@ -3,6 +3,10 @@
 
 #include "ui/editors/page.h"
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 /// What of distributed clocks few machines need: measurements, burst, start times, control loops, the controller.

@@ -9,6 +9,10 @@ class QButtonGroup;
 class QCheckBox;
 class QLabel;
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class Card;

@@ -6,6 +6,11 @@
 class QLabel;
 class QPushButton;
 
+namespace syncline {
+struct NetworkConfig;
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class Card;

@@ -4,6 +4,10 @@
 #include "ui/editors/page.h"
 #include "ui/editors/record_part.h"
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class RecordEditor;

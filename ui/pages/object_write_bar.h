@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "protocol/coe.h"
 #include "ui/models/dictionary.h"
 
 class QComboBox;

@@ -3,12 +3,18 @@
 
 #include <optional>
 
+#include "config/identity.h"
 #include "ui/editors/page.h"
 #include "ui/session/running_slave.h"
 #include "ui/session/slave_requests.h"
 
 class QLabel;
 class QVBoxLayout;
+
+namespace syncline {
+struct SlaveSettings;
+struct Snapshot;
+}  // namespace syncline
 
 namespace syncline::ui {
 

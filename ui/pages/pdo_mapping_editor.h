@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QString>
 #include <QWidget>
 #include <cstdint>
 #include <functional>
-
-#include "config/project.h"
-#include "ui/editors/record_part.h"
+#include <vector>
 
 class QLabel;
 class QTableView;
 
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+struct RecordList;
+struct RecordPart;
 
 class Card;
 class Page;

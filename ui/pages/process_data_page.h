@@ -3,11 +3,19 @@
 
 #include <optional>
 
-#include "settings/setting.h"
 #include "ui/editors/page.h"
 
 class QLabel;
 class QTableView;
+
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
+namespace syncline::settings {
+struct Place;
+struct Setting;
+}  // namespace syncline::settings
 
 namespace syncline::ui {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "channels/slave_evidence.h"
 #include "ui/models/count_history.h"
 #include "ui/pages/online_page.h"
 

@@ -3,6 +3,10 @@
 
 #include "ui/editors/page.h"
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 /// What of its process data a device leaves open beside the PDOs: modules in its slots, oversampling, Sync Units.

@@ -3,7 +3,7 @@
 
 #include <QLabel>
 
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 #include "dc/sync_timeline.h"
 #include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"

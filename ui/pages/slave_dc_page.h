@@ -7,6 +7,11 @@
 
 class QLabel;
 
+namespace syncline {
+struct Sm2MissedStatus;
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class Card;

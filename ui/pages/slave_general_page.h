@@ -5,6 +5,10 @@
 
 class QLabel;
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class Card;

@@ -3,6 +3,10 @@
 
 #include "ui/editors/page.h"
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 /// Mailbox of a slave, and what its Ethernet (EoE) and ADS (AoE) protocols get at start-up.

@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 
 #include "ui/editors/page.h"
-#include "ui/editors/record_part.h"
 
 class QComboBox;
 
+namespace syncline {
+struct SlaveSettings;
+struct Snapshot;
+struct StartupCommand;
+}  // namespace syncline
+
+namespace syncline::settings {
+struct Place;
+struct Setting;
+}  // namespace syncline::settings
+
 namespace syncline::ui {
+
+struct RecordList;
 
 class RecordEditor;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/slave_sync_page.h"
 
+#include <algorithm>
+
 #include "settings/predicates.h"
 #include "ui/editors/field_binder.h"
 #include "ui/pages/sync_settings_editor.h"

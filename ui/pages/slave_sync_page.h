@@ -3,6 +3,10 @@
 
 #include "ui/editors/page.h"
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class SyncSettingsEditor;

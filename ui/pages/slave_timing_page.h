@@ -3,6 +3,10 @@
 
 #include "ui/editors/page.h"
 
+namespace syncline {
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 /// Watchdogs of a slave and the times that it is given to change its state and to answer.

@@ -4,9 +4,11 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "config/device_description.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
 #include "settings/startup_text.h"
+#include "ui/editors/record_part.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {

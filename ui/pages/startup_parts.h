@@ -4,10 +4,15 @@
 #include <cstdint>
 #include <functional>
 
-#include "config/project.h"
-#include "ui/editors/record_part.h"
+#include "config/mailbox_description.h"
+
+namespace syncline {
+struct DeviceDescription;
+}  // namespace syncline
 
 namespace syncline::ui {
+
+struct RecordPart;
 
 /// As which data type the value of a start-up command is written, a code of CoE; kBytesType: bytes.
 using ValueType = std::function<std::uint16_t(const StartupCommand&)>;

@@ -4,7 +4,9 @@
 #include <QLabel>
 #include <algorithm>
 
+#include "families/device_family.h"
 #include "families/families.h"
+#include "protocol/sync_error_counter.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/page.h"
@@ -17,8 +19,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kMissWeight = 3;  // of a missed event; a good one takes 1 away
-constexpr int kMostMisses = 10;
+constexpr int kMostMisses = 10, kWeight = kMissWeight;
 constexpr const char* kErrorLimit = "slave.N.sync.error_limit";
 
 /// Shows `value`, also one that the list does not offer.
@@ -79,9 +80,9 @@ void SyncSettingsEditor::showLimit(const SlaveSettings& slave) {
   limit_->clear();
   limit_->addItem(known != nullptr ? tr("As device (%1)").arg(known->usual) : tr("As device"), QVariant());
   limit_->addItem(tr("0 (never gives up)"), 0);
-  const int most = known != nullptr ? std::min(known->largest / kMissWeight, kMostMisses) : kMostMisses;
+  const int most = known != nullptr ? std::min(known->largest / kWeight, kMostMisses) : kMostMisses;
   for (int misses = 1; misses <= most; ++misses) {
-    limit_->addItem(tr("%1 (%n miss(es) in a row)", "", misses).arg(misses * kMissWeight), misses * kMissWeight);
+    limit_->addItem(tr("%1 (%n miss(es) in a row)", "", misses).arg(misses * kWeight), misses * kWeight);
   }
   choose(*limit_, slave.sync.error_limit ? QVariant(*slave.sync.error_limit) : QVariant());
   limit_->setEnabled(slave.device.mailbox && slave.device.mailbox->coe);

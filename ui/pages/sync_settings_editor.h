@@ -3,9 +3,11 @@
 
 #include <QObject>
 
-#include "config/project.h"
-
 class QLabel;
+
+namespace syncline {
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/sync_unit_editor.h"
 
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 #include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"

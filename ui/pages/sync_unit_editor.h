@@ -3,7 +3,12 @@
 
 #include <QObject>
 
-#include "config/project.h"
+#include "support/types.h"
+
+namespace syncline {
+struct DcOpMode;
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -11,6 +11,7 @@
 #include "settings/settings_table.h"
 #include "ui/editors/page.h"
 #include "ui/models/sync_unit_model.h"
+#include "ui/session/project_document.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/tables.h"

@@ -13,6 +13,7 @@
 
 #include "support/le_number.h"
 #include "ui/dialogs/questions.h"
+#include "ui/models/variable_model.h"
 #include "ui/models/word_filter.h"
 #include "ui/session/workspace.h"
 #include "ui/text/units.h"

@@ -3,9 +3,8 @@
 
 #include <optional>
 
-#include "channels/image_contents.h"
+#include "support/types.h"
 #include "ui/editors/page.h"
-#include "ui/models/variable_model.h"
 
 class QAction;
 class QLabel;
@@ -13,7 +12,15 @@ class QLineEdit;
 class QPushButton;
 class QTableView;
 
+namespace syncline {
+class ImageContents;
+struct NetworkConfig;
+struct Snapshot;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class VariableModel;
 
 class Segments;
 class ValueLabel;

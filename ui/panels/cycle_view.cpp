@@ -13,8 +13,13 @@
 #include <iterator>
 #include <utility>
 
+#include "record/run_record.h"
+#include "trace/arrival_bathtub.h"
 #include "ui/editors/choice_edit.h"
+#include "ui/plots/bathtub_plot.h"
+#include "ui/plots/cycle_plot.h"
 #include "ui/plots/signal_source.h"
+#include "ui/plots/time_view.h"
 #include "ui/session/calc_and_copy.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"

@@ -5,14 +5,19 @@
 #include <optional>
 #include <string>
 
-#include "record/run_record.h"
-#include "ui/plots/bathtub_plot.h"
-#include "ui/plots/cycle_plot.h"
-#include "ui/plots/time_view.h"
+#include "findings/finding.h"
 
 class QComboBox;
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class BathtubPlot;
+class CyclePlot;
+class TimeView;
 
 class ChoiceEdit;
 class ValueLabel;

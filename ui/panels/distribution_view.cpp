@@ -15,7 +15,11 @@
 #include <iterator>
 #include <utility>
 
+#include "record/run_record.h"
 #include "support/csv_field.h"
+#include "ui/panels/sample_range.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/histogram_plot.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"

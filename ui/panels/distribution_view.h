@@ -2,24 +2,30 @@
 #pragma once
 
 #include <QColor>
+#include <QComboBox>
 #include <QWidget>
 #include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "record/run_record.h"
 #include "trace/distribution.h"
-#include "ui/panels/sample_range.h"
 #include "ui/panels/signal_chooser.h"
-#include "ui/plots/histogram_plot.h"
 #include "ui/plots/trace_panel.h"
 
 class QComboBox;
 class QLabel;
 class QTableWidget;
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class CursorSet;
+class HistogramPlot;
+class SampleRange;
 
 /// How often which value came: histograms of up to four signals over the range that the plots show, between the
 /// cursors, or since the figures were armed. Every sample counts. It counts a portion a tick, so that the window never

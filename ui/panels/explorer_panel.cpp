@@ -15,6 +15,7 @@
 #include "ui/panels/run_state.h"
 #include "ui/panels/topology_view.h"
 #include "ui/session/workspace.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/segments.h"
 

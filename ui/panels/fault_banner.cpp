@@ -7,6 +7,9 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "findings/finding.h"
+#include "record/run_record.h"
+#include "trace/fault_log.h"
 #include "ui/text/overview_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"

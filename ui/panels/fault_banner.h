@@ -2,15 +2,20 @@
 #pragma once
 
 #include <QFrame>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "record/run_record.h"
-
 class QHBoxLayout;
 class QLabel;
 class QToolButton;
+
+namespace syncline {
+class FaultLog;
+struct Finding;
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
 

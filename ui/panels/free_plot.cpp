@@ -11,9 +11,13 @@
 #include <utility>
 
 #include "trace/counted_at_least.h"
+#include "ui/plots/band_item.h"
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/plot_colors.h"
+#include "ui/plots/series_csv.h"
 #include "ui/plots/view_signals.h"
 #include "ui/text/state_text.h"
+#include "ui/text/sync_text.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "config/monitor_view.h"
+#include "record/run_record.h"
 #include "trace/rate_series.h"
-#include "ui/plots/series_csv.h"
 #include "ui/plots/signal_source.h"
 #include "ui/plots/trace_panel.h"
 
@@ -14,6 +14,10 @@ class QMenu;
 class QToolButton;
 
 namespace syncline::ui {
+
+class BandItem;
+struct CsvColumn;
+class CursorSet;
 
 /// A plot of the free view: any signals of the run, as the view says. Changes nothing by itself: it asks for another
 /// plot in its place.

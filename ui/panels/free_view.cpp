@@ -18,6 +18,7 @@
 #include "ui/dialogs/plot_dialog.h"
 #include "ui/panels/free_plot.h"
 #include "ui/panels/usual_views.h"
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/series_csv.h"
 #include "ui/plots/view_signals.h"
 #include "ui/theme/theme.h"

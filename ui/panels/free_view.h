@@ -2,22 +2,27 @@
 #pragma once
 
 #include <QWidget>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "config/monitor_view.h"
-#include "record/run_record.h"
-#include "ui/plots/cursor_item.h"
 #include "ui/plots/event_marks_item.h"
-#include "ui/plots/series_csv.h"
-#include "ui/plots/time_view.h"
 
 class QMenu;
 class QScrollArea;
 class QSplitter;
 class QToolButton;
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class CsvTable;
+class CursorSet;
+class TimeView;
 
 class FreePlot;
 class ValueLabel;

@@ -23,6 +23,9 @@
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/panels/variables_row.h"
+#include "ui/plots/cycle_plot.h"
+#include "ui/plots/histogram_plot.h"
+#include "ui/plots/trigger_level_item.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 

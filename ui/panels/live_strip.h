@@ -12,7 +12,8 @@
 
 #include "record/run_record.h"
 #include "ui/panels/picture_file.h"
-#include "ui/plots/series_csv.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/event_marks_item.h"
 #include "ui/plots/trace_panel.h"
 
 class QLabel;
@@ -20,6 +21,8 @@ class QMenu;
 class QStackedLayout;
 
 namespace syncline::ui {
+
+class CsvTable;
 
 class CsvExport;
 class CycleView;
@@ -96,10 +99,8 @@ class LiveStrip : public QWidget {
   [[nodiscard]] std::string csv() const;
   /// The same of a stretch of the plots over time, or of the user's own.
   [[nodiscard]] CsvTable table(Nanoseconds from, Nanoseconds to) const;
-  /// Writes it, with progress and Cancel; who waits looks at csvExport().
+  /// Writes it, with progress and Cancel.
   void exportTable(const QString& path, CsvTable table);
-  /// Null before the first one.
-  [[nodiscard]] CsvExport* csvExport() const { return csv_export_; }
   /// What is shown, with a caption, in light colours whatever the theme is. To be drawn at once.
   [[nodiscard]] Picture picture();
   /// The figures of the plots that are shown, a line a curve, for a spreadsheet.

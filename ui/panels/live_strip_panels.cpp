@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/text/step_text.h"
 #include "ui/text/units.h"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "record/run_record.h"
 #include "ui/plots/slave_slots.h"
 #include "ui/plots/trace_panel.h"
 
 namespace syncline::ui {
+
+class CursorSet;
 
 /// Wire-ored 0x092C of every cycle (an upper estimate of the largest deviation: magnitudes are ored, not
 /// compared) and the signed readings of the worst slaves, with the sync window.

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/time_view.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"

@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "ui/plots/cursor_item.h"
-#include "ui/plots/time_view.h"
+#include "support/types.h"
 
 class QHBoxLayout;
 class QToolButton;
 
 namespace syncline::ui {
+
+class CursorSet;
+class TimeView;
 
 class ValueLabel;
 

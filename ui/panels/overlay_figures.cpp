@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/run_record.h"
 #include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 

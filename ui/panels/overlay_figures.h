@@ -7,6 +7,10 @@
 #include "trace/stretch_figures.h"
 #include "ui/plots/trace_panel.h"
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 /// Mean, rms, p99.99 and the largest of deviation and DCM error over the range shown, of the recording and of the one

@@ -19,8 +19,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/recording.h"
+#include "record/run_record.h"
+#include "trace/slaves_standing.h"
+#include "trace/sync_overview.h"
 #include "ui/panels/fault_banner.h"
 #include "ui/panels/figure_card.h"
+#include "ui/panels/picture_file.h"
 #include "ui/text/glossary.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/overview_text.h"

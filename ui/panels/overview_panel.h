@@ -5,16 +5,24 @@
 #include <QWidget>
 #include <vector>
 
-#include "record/run_record.h"
-#include "trace/slaves_standing.h"
-#include "ui/panels/picture_file.h"
+#include "findings/finding.h"
+#include "trace/signals.h"
 #include "ui/theme/theme.h"
 
 class QLabel;
 class QPushButton;
 class QToolButton;
 
+namespace syncline {
+struct OverviewFigure;
+class RunRecord;
+struct SlavesStanding;
+struct SyncLamp;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+struct Picture;
 
 class FaultBanner;
 class FigureCard;

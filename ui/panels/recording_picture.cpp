@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "reasons/because.h"
+#include "record/replay_run.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/free_plot.h"
@@ -23,6 +24,8 @@
 #include "ui/panels/picture_file.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/usual_views.h"
+#include "ui/plots/cycle_plot.h"
+#include "ui/plots/histogram_plot.h"
 #include "ui/session/recorded_views.h"
 #include "ui/text/signal_text.h"
 

@@ -7,11 +7,17 @@
 #include <optional>
 #include <vector>
 
+#include "findings/finding.h"
 #include "record/replay_run.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/plots/signal_source.h"
 #include "ui/plots/trace_panel.h"
+
+namespace syncline {
+struct ReplayedRun;
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -9,6 +9,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "ui/session/recording_replay.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {

@@ -3,9 +3,11 @@
 
 #include <QSlider>
 
-#include "ui/session/recording_replay.h"
+#include "support/types.h"
 
 namespace syncline::ui {
+
+class RecordingReplay;
 
 /// Where in the recording the moment is, with the events and notes as ticks below. A click goes there at once; the
 /// wheel moves it only where it has the focus.

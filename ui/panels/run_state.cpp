@@ -6,6 +6,7 @@
 
 #include "ui/session/network_run.h"
 #include "ui/text/glossary.h"
+#include "ui/text/sync_text.h"
 
 namespace syncline::ui {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <QString>
 
-#include "ui/text/sync_text.h"
-
 namespace syncline::ui {
+
+struct StateText;
 
 class NetworkRun;
 

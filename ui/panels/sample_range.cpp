@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "record/run_record.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/time_view.h"
+
 namespace syncline::ui {
 
 SampleRange::SampleRange(const TimeView* view, const CursorSet* cursors, QWidget* parent)

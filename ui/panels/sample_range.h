@@ -3,11 +3,16 @@
 
 #include <QComboBox>
 
-#include "record/run_record.h"
-#include "ui/plots/cursor_item.h"
-#include "ui/plots/time_view.h"
+#include "support/types.h"
+
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
+
+class CursorSet;
+class TimeView;
 
 /// Which samples count: those of the range that the plots show, between the cursors, or since the figures were armed.
 class SampleRange final : public QComboBox {

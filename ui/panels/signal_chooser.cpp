@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/text/signal_text.h"
 
 namespace syncline::ui {

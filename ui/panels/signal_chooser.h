@@ -4,9 +4,14 @@
 #include <QToolButton>
 #include <vector>
 
+#include "config/watched_variable.h"
 #include "ui/plots/signal_source.h"
 
 class QMenu;
+
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -4,7 +4,6 @@
 #include <QHash>
 #include <QWidget>
 
-#include "protocol/al_state.h"
 #include "support/types.h"
 
 class QPushButton;

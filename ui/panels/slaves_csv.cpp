@@ -3,10 +3,12 @@
 
 #include <iterator>
 
+#include "record/run_record.h"
 #include "support/csv_field.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/plots/series_csv.h"
 #include "ui/plots/signal_source.h"
+#include "ui/plots/time_view.h"
 
 namespace syncline::ui {
 

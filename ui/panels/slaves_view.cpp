@@ -12,12 +12,17 @@
 #include <cstdlib>
 #include <utility>
 
+#include "record/run_record.h"
 #include "trace/fault_log.h"
+#include "ui/models/slave_figures_model.h"
 #include "ui/panels/course_delegate.h"
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/heat_legend.h"
 #include "ui/plots/signal_source.h"
+#include "ui/plots/time_view.h"
 #include "ui/text/event_text.h"
 #include "ui/text/joined_text.h"
+#include "ui/text/message.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/spoken_value.h"

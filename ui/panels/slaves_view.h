@@ -5,15 +5,21 @@
 #include <string>
 #include <vector>
 
-#include "record/run_record.h"
 #include "trace/slave_figures.h"
-#include "ui/models/slave_figures_model.h"
 #include "ui/plots/heat_map_plot.h"
 
 class QSortFilterProxyModel;
 class QTableView;
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class CursorSet;
+class SlaveFiguresModel;
+class TimeView;
 
 class HeatLegend;
 class ValueLabel;

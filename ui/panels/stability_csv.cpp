@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "record/run_record.h"
 #include "support/csv_field.h"
 #include "ui/panels/stability_view.h"
 

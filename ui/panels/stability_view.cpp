@@ -13,8 +13,12 @@
 #include <cmath>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/panels/mask_chooser.h"
+#include "ui/panels/signal_chooser.h"
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/plot_colors.h"
+#include "ui/plots/time_view.h"
 #include "ui/text/stability_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"

@@ -7,18 +7,26 @@
 #include <string>
 #include <vector>
 
-#include "record/run_record.h"
+#include "findings/finding.h"
 #include "trace/signal_study.h"
 #include "trace/stability_mask.h"
 #include "ui/panels/sample_range.h"
 #include "ui/panels/signal_chooser.h"
 #include "ui/plots/log_log_plot.h"
+#include "ui/plots/signal_source.h"
 #include "ui/session/study_worker.h"
 
 class QComboBox;
 class QTextBrowser;
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class CursorSet;
+class TimeView;
 
 class MaskChooser;
 class ValueLabel;

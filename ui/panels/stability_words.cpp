@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <algorithm>
 
+#include "record/run_record.h"
 #include "trace/stability.h"
 #include "ui/panels/mask_chooser.h"
 #include "ui/panels/stability_view.h"

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <optional>
-
-#include "ui/text/sync_text.h"
 
 class QLabel;
 class QStatusBar;
 
+namespace syncline {
+struct SlavesStanding;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+struct StateText;
 
 class Pill;
 class Workspace;

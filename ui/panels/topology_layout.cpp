@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/wiring_tree.h"
+
 namespace syncline::ui {
 namespace {
 

@@ -6,7 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "config/wiring_tree.h"
+#include "config/previous_port.h"
+
+namespace syncline {
+class WiringTree;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QStringList>
 
+#include "ui/models/cable_counters.h"
 #include "ui/panels/node_delegate.h"
 #include "ui/theme/theme.h"
 

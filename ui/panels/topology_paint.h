@@ -6,10 +6,13 @@
 #include <QPen>
 #include <QRectF>
 
-#include "ui/models/cable_counters.h"
 #include "ui/models/network_model.h"
 
 class QPainter;
+
+namespace syncline::ui {
+struct CableBadge;
+}  // namespace syncline::ui
 
 /// The parts of the drawn topology in the colours of the palette.
 namespace syncline::ui::topology {

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <utility>
 
+#include "config/device_description.h"
+#include "config/project.h"
 #include "config/slave_edits.h"
 #include "ui/models/cable_counters.h"
 #include "ui/models/network_model.h"

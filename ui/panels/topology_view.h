@@ -3,11 +3,17 @@
 
 #include <QAbstractItemView>
 
-#include "ui/models/dragged.h"
+#include "config/wiring_tree.h"
 #include "ui/models/drop_place.h"
 #include "ui/panels/topology_layout.h"
 
+namespace syncline {
+struct Project;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+struct DraggedDevice;
 
 class CableCounters;
 class NetworkModel;

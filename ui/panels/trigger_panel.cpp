@@ -20,9 +20,12 @@
 #include <cmath>
 #include <span>
 
+#include "config/network_config.h"
 #include "findings/event_words.h"
 #include "findings/run_bus_words.h"
 #include "findings/run_slaves_words.h"
+#include "record/run_record.h"
+#include "ui/session/trigger_monitor.h"
 #include "ui/text/signal_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"

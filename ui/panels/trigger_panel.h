@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QObject>
+#include <QString>
 #include <QWidget>
 
-#include "ui/session/trigger_monitor.h"
+#include "support/types.h"
+#include "trace/trigger.h"
 
 class QCheckBox;
 class QComboBox;
@@ -14,6 +17,8 @@ class QTableWidget;
 class QToolButton;
 
 namespace syncline::ui {
+
+class TriggerMonitor;
 
 class ValueLabel;
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/plots/signal_source.h"
 #include "ui/plots/view_signals.h"
 

@@ -3,11 +3,14 @@
 
 #include <vector>
 
-#include "config/monitor_view.h"
-#include "record/run_record.h"
-#include "ui/plots/signal_source.h"
+namespace syncline {
+struct MonitorView;
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
+
+struct SignalSource;
 
 /// Signals that are alike, states and those of one unit, in a plot each.
 [[nodiscard]] MonitorView viewOf(const RunRecord& record, const std::vector<SignalSource>& sources);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "record/run_record.h"
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/text/units.h"
 

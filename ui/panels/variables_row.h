@@ -6,7 +6,13 @@
 
 #include "ui/plots/trace_panel.h"
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class CursorSet;
 
 /// Variables of the process image that are alike, each cycle of them, over one value axis.
 class VariablePanel final : public TracePanel {

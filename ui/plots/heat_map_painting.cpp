@@ -8,12 +8,14 @@
 #include <map>
 #include <utility>
 
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/hatch.h"
 #include "ui/plots/heat_map_plot.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/round_step.h"
 #include "ui/plots/small_font.h"
 #include "ui/plots/time_axis.h"
+#include "ui/plots/time_view.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {

@@ -11,9 +11,12 @@
 #include <cstdlib>
 #include <utility>
 
+#include "record/run_record.h"
+#include "ui/plots/cursor_item.h"
 #include "ui/plots/round_step.h"
 #include "ui/plots/signal_source.h"
 #include "ui/plots/small_font.h"
+#include "ui/plots/time_view.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/spoken_value.h"
 

@@ -7,14 +7,18 @@
 #include <optional>
 #include <vector>
 
-#include "record/run_record.h"
 #include "trace/slave_cells.h"
-#include "ui/plots/cursor_item.h"
 #include "ui/plots/event_marks_item.h"
 #include "ui/plots/heat_scale.h"
-#include "ui/plots/time_view.h"
+
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
+
+class CursorSet;
+class TimeView;
 
 /// Deviations of all slaves as a heat map, one row a slave, over the time that the plots show (trace/slave_cells.h says
 /// what a cell shows). What has no reading is hatched. Where rows are lower than a pixel, neighbours share a line and

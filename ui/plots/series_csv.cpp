@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "support/csv_field.h"
+#include "trace/min_max_series.h"
 
 namespace syncline::ui {
 namespace {

@@ -7,7 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "trace/min_max_series.h"
+#include "support/types.h"
+
+namespace syncline {
+class MinMaxSeries;
+}  // namespace syncline
 
 namespace syncline::ui {
 

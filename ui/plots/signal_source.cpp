@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "config/monitor_view.h"
+#include "record/run_record.h"
+#include "trace/min_max_series.h"
 #include "ui/text/signal_text.h"
 
 namespace syncline::ui {

@@ -6,8 +6,14 @@
 #include <optional>
 #include <string>
 
-#include "config/monitor_view.h"
-#include "record/run_record.h"
+#include "trace/signals.h"
+
+namespace syncline {
+class MinMaxSeries;
+struct RunLimits;
+class RunRecord;
+struct ViewSignal;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -10,6 +10,7 @@
 
 #include "support/types.h"
 #include "ui/plots/round_step.h"
+#include "ui/plots/time_view.h"
 #include "ui/plots/trace_plot.h"
 
 namespace syncline::ui {

@@ -4,10 +4,11 @@
 #include <QString>
 #include <vector>
 
-#include "ui/plots/time_view.h"
 #include "ui/plots/unit_scale_draw.h"
 
 namespace syncline::ui {
+
+class TimeView;
 
 /// How the stretch that is shown is counted, as the view wants it. Only differences of times are floating-point.
 struct TimeAxis {

@@ -11,7 +11,10 @@
 #include <cmath>
 #include <set>
 
+#include "record/run_record.h"
 #include "trace/untold.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/gap_item.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/signal_source.h"
 #include "ui/text/joined_text.h"

@@ -6,16 +6,24 @@
 #include <optional>
 #include <vector>
 
-#include "record/run_record.h"
 #include "trace/histogram.h"
+#include "trace/sample_store.h"
 #include "trace/statistics.h"
 #include "ui/plots/legend_bar.h"
+#include "ui/plots/time_view.h"
 #include "ui/plots/trace_plot.h"
 
 class QHBoxLayout;
 class QLabel;
 
+namespace syncline {
+struct RunLimits;
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
+
+class CursorSet;
 
 /// A plot with its heading, legend and read-out. Subclasses say which series it shows.
 class TracePanel : public QWidget {

@@ -15,9 +15,16 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/plots/band_item.h"
+#include "ui/plots/cursor_item.h"
+#include "ui/plots/event_marks_item.h"
+#include "ui/plots/gap_item.h"
+#include "ui/plots/limit_band_item.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/small_font.h"
 #include "ui/plots/time_axis.h"
+#include "ui/plots/time_view.h"
+#include "ui/plots/trigger_level_item.h"
 #include "ui/plots/unit_scale_draw.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
@@ -280,11 +287,6 @@ void TracePlot::updateValueAxes() {
 
 void TracePlot::fitValues() {
   for (const auto& axis : axes_) axis->fit();
-  markDirty();
-}
-
-void TracePlot::fixValues(double low, double high) {
-  axes_[kLeft]->fix({low, high});
   markDirty();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <qwt_plot.h>
+#include <QObject>
 
 #include <QString>
 #include <array>
@@ -10,13 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/plots/band_item.h"
-#include "ui/plots/cursor_item.h"
-#include "ui/plots/event_marks_item.h"
-#include "ui/plots/gap_item.h"
 #include "ui/plots/limit_band_item.h"
 #include "ui/plots/series_item.h"
-#include "ui/plots/time_view.h"
 #include "ui/plots/trigger_level_item.h"
 #include "ui/plots/value_axis.h"
 
@@ -24,6 +20,14 @@ class QWheelEvent;
 class QwtPlotGrid;
 
 namespace syncline::ui {
+
+class BandItem;
+class CursorItem;
+class CursorSet;
+class EventMarksItem;
+class GapItem;
+class LimitWordsItem;
+class TimeView;
 
 class UnitScaleDraw;
 
@@ -50,7 +54,6 @@ class TracePlot final : public QwtPlot {
   void setRightReserved(bool reserved);
   void setLimit(double limit, const QString& label, Side side = kLeft);
   [[nodiscard]] double limit() const { return band_->limit(); }
-  [[nodiscard]] Side limitSide() const { return limit_side_; }
   /// It can be dragged: limitDragged() tells where to; it stays where it is.
   void setLimitMovable(bool movable) { limit_movable_ = movable; }
   [[nodiscard]] bool limitMovable() const { return limit_movable_ && band_->limit() > 0; }
@@ -75,7 +78,6 @@ class TracePlot final : public QwtPlot {
   /// Redraws whatever can be seen of it, for pictures.
   void redraw();
   void fitValues();
-  void fixValues(double low, double high);
   [[nodiscard]] ValueAxis& axis(Side side) { return *axes_[side]; }
   [[nodiscard]] const ValueAxis& axis(Side side) const { return *axes_[side]; }
 

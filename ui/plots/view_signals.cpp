@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "record/run_record.h"
+#include "ui/plots/signal_source.h"
 #include "ui/text/signal_text.h"
 #include "ui/text/units.h"
 

@@ -3,9 +3,12 @@
 
 #include <QString>
 
-#include "config/monitor_view.h"
-#include "ui/plots/signal_source.h"
-#include "ui/plots/trace_plot.h"
+#include "ui/plots/value_axis.h"
+
+namespace syncline {
+class RunRecord;
+struct SignalInfo;
+}  // namespace syncline
 
 /// What plots need to know of the signals of a view, whether the run at hand has them or not.
 namespace syncline::ui {

@@ -11,6 +11,7 @@
 #include "reasons/because.h"
 #include "ui/session/post.h"
 #include "ui/session/project_document.h"
+#include "ui/session/recovery_file.h"
 
 namespace syncline::ui {
 namespace {

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "support/result.h"
-#include "ui/session/recovery_file.h"
 
 class QLockFile;
 
 namespace syncline::ui {
+
+struct LostWork;
 
 class ProjectDocument;
 

@@ -19,7 +19,6 @@
 #include "record/recording.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"
-#include "ui/text/link_text.h"
 
 namespace syncline::ui {
 

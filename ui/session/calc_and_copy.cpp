@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/calc_and_copy.h"
 
+#include "channels/slave_evidence.h"
+#include "config/identity.h"
+#include "families/device_family.h"
 #include "families/families.h"
 
 namespace syncline::ui {

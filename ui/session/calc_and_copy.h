@@ -3,8 +3,12 @@
 
 #include <optional>
 
-#include "channels/slave_evidence.h"
-#include "config/device_description.h"
+#include "support/types.h"
+
+namespace syncline {
+struct Identity;
+struct SlaveEvidence;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -12,6 +12,7 @@
 #include "compare/compare_configs.h"
 #include "compare/compare_settings.h"
 #include "config/project.h"
+#include "protocol/coe.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
 

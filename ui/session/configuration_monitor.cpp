@@ -29,8 +29,6 @@ const Result<CompileResult>& ConfigurationMonitor::current() {
   return result_;
 }
 
-bool ConfigurationMonitor::hasErrors() const { return !result_ || has_errors(result_->findings); }
-
 void ConfigurationMonitor::compileNow() {
   debounce_.stop();
   if (const auto updated = compiler_.update(document_.project())) {

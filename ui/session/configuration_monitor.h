@@ -25,7 +25,6 @@ class ConfigurationMonitor final : public QObject {
   /// The last compiled configuration, empty when the project cannot be compiled.
   [[nodiscard]] const NetworkConfig* config() const { return result_ ? &result_->config : nullptr; }
   [[nodiscard]] const Result<CompileResult>& result() const { return result_; }
-  [[nodiscard]] bool hasErrors() const;
 
  Q_SIGNALS:
   void compiled();

@@ -9,9 +9,12 @@
 #include <thread>
 #include <vector>
 
-#include "channels/cycle_sample.h"
 #include "support/result.h"
 #include "trace/dcm_log.h"
+
+namespace syncline {
+struct CycleSample;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/device_description.h"
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/catalogue/usual_sources.h"
 #include "ui/session/post.h"
 

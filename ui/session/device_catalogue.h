@@ -18,6 +18,10 @@
 #include "eni/xml/file_warning.h"
 #include "support/result.h"
 
+namespace syncline {
+struct DeviceDescription;
+}  // namespace syncline
+
 namespace syncline::eni {
 class EsiCatalogue;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/esi_text.h"
 #include "ui/session/device_catalogue.h"
 
 namespace syncline::ui {

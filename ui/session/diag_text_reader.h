@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "config/identity.h"
 #include "eni/esi/diag_messages.h"
 
 namespace syncline::ui {

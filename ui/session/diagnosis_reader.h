@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "channels/slave_request.h"
 #include "protocol/diagnosis_log.h"
 
 namespace syncline::ui {

@@ -10,6 +10,7 @@
 #include "eni/project/project_file.h"
 #include "reasons/because.h"
 #include "record/trigger_document.h"
+#include "ui/files/held_file.h"
 #include "ui/session/network_run.h"
 #include "ui/session/post.h"
 #include "ui/session/run_findings.h"

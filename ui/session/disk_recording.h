@@ -8,14 +8,16 @@
 #include <optional>
 #include <thread>
 
+#include "config/monitor_view.h"
 #include "reasons/because.h"
 #include "record/recent_run.h"
 #include "record/recorder.h"
 #include "support/result.h"
 #include "ui/files/held_file.h"
-#include "ui/session/bus_connection.h"
 
 namespace syncline::ui {
+
+struct Environment;
 
 class NetworkRun;
 class RunFindings;

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "config/device_description.h"
 #include "eni/format/eni_file.h"
+#include "recover/recover_project.h"
 #include "ui/session/device_catalogue.h"
 
 namespace syncline::ui {

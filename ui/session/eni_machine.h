@@ -5,8 +5,11 @@
 #include <QString>
 #include <functional>
 
-#include "recover/recover_project.h"
 #include "support/result.h"
+
+namespace syncline {
+struct RecoveredProject;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -110,7 +110,6 @@ void EniPreview::setWatched(bool watched) {
 
 void EniPreview::setDialect(EniDialect dialect) {
   if (dialect == std::exchange(dialect_, dialect)) return;
-  Q_EMIT dialectChanged();
   request();
 }
 

@@ -48,8 +48,6 @@ class EniPreview final : public QObject {
   void showDependents(const std::string& key);
   /// The setting that was asked for last; "": changes are shown.
   [[nodiscard]] const std::string& dependentsOf() const { return key_; }
-  /// There is something to compare with: the project was saved, exported ...
-  [[nodiscard]] bool hasBefore() const { return before() != nullptr; }
   /// The project as it is now was exported.
   void noteExport();
 
@@ -70,7 +68,6 @@ class EniPreview final : public QObject {
   void changed();
   /// isComputing() or check() is another.
   void progressed();
-  void dialectChanged();
   void reportedChanged();
 
  private:

@@ -4,8 +4,11 @@
 #include <QString>
 #include <vector>
 
-#include "findings/finding.h"
 #include "support/result.h"
+
+namespace syncline {
+struct Finding;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "record/import_run.h"
+#include "record/recording_reader.h"
 
 namespace syncline::ui {
 namespace {

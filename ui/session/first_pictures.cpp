@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "record/first_columns.h"
+
 namespace syncline::ui {
 
 void FirstPictures::ask(std::vector<FirstPicture> pictures) {

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "record/first_columns.h"
+#include "record/recording_reader.h"
+#include "support/types.h"
 
 namespace syncline::ui {
 

@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "record/black_box.h"
-#include "support/result.h"
-#include "ui/session/bus_connection.h"
 
 namespace syncline::ui {
+
+struct Environment;
 
 class NetworkRun;
 

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <vector>
 
+#include "channels/request_desk.h"
 #include "ui/session/network_run.h"
 
 namespace syncline::ui {

@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "channels/background_master.h"
+
 namespace syncline::ui {
 
 bool endMaster(std::unique_ptr<BackgroundMaster> master, std::chrono::milliseconds patience) {

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <memory>
 
-#include "channels/background_master.h"
+namespace syncline {
+class BackgroundMaster;
+}  // namespace syncline
 
 namespace syncline::ui {
 

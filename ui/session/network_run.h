@@ -13,6 +13,7 @@
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
 #include "channels/image_contents.h"
+#include "channels/master_channels.h"
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "config/project.h"
@@ -20,6 +21,11 @@
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
 #include "ui/session/variable_watch.h"
+
+namespace syncline {
+class FrameRing;
+class RequestDesk;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "reasons/because.h"
-#include "record/import_run.h"
 #include "record/replay_run.h"
 #include "record/run_replay.h"
 #include "support/result.h"
@@ -22,6 +21,10 @@
 #include "ui/session/bus_connection.h"
 #include "ui/session/first_pictures.h"
 #include "ui/text/message.h"
+
+namespace syncline {
+struct ImportedRun;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/project.h"
+
 namespace syncline::ui {
 
 std::shared_ptr<const ProjectCopy> ProjectCopy::of(const Project& project, const ProjectCopy* like) {

@@ -5,7 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "config/project.h"
+#include "config/master_settings.h"
+
+namespace syncline {
+struct Project;
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::ui {
 

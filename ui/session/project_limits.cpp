@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/run_record.h"
 #include "settings/settings_table.h"
 #include "ui/session/project_document.h"
 

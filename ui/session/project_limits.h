@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "config/project.h"
-#include "record/run_record.h"
 #include "support/result.h"
+#include "trace/signals.h"
+
+namespace syncline {
+struct Project;
+struct RunLimits;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -3,7 +3,10 @@
 
 #include <utility>
 
+#include "config/monitor_view.h"
+#include "config/project.h"
 #include "eni/project/project_file.h"
+#include "record/recording.h"
 
 namespace syncline::ui {
 

@@ -3,8 +3,10 @@
 
 #include <vector>
 
-#include "config/monitor_view.h"
-#include "record/recording.h"
+namespace syncline {
+struct MonitorView;
+struct RecordingAbout;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -5,6 +5,9 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "record/overlay_anchor.h"
+#include "trace/trigger.h"
+
 namespace syncline::ui {
 
 RecordingOverlay::RecordingOverlay(OpenedRecording& shown, QObject* parent) : QObject(parent), shown_(shown) {

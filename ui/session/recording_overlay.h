@@ -5,8 +5,11 @@
 #include <QString>
 #include <optional>
 
-#include "record/overlay_anchor.h"
 #include "ui/session/opened_recording.h"
+
+namespace syncline {
+struct Trigger;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -3,6 +3,7 @@
 
 #include <QStringList>
 
+#include "config/project.h"
 #include "eni/project/project_file.h"
 #include "reasons/because.h"
 #include "support/whole_file.h"

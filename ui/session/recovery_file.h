@@ -5,8 +5,11 @@
 #include <QString>
 #include <vector>
 
-#include "config/project.h"
 #include "support/result.h"
+
+namespace syncline {
+struct Machine;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compare/compare_run_time.h"
+#include "compare/compare_settings.h"
 #include "ui/session/configuration_monitor.h"
 #include "ui/session/live_session.h"
 #include "ui/session/project_document.h"

@@ -6,7 +6,10 @@
 
 #include "compare/compare_configs.h"
 #include "compare/compare_settings.h"
-#include "config/project.h"
+
+namespace syncline {
+struct Project;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -5,7 +5,11 @@
 #include <optional>
 
 #include "channels/slave_status.h"
-#include "config/network_config.h"
+#include "protocol/al_state.h"
+
+namespace syncline {
+struct SlaveConfig;
+}  // namespace syncline
 
 namespace syncline::ui {
 

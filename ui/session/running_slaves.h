@@ -4,8 +4,10 @@
 #include <QObject>
 #include <vector>
 
-#include "config/network_config.h"
-#include "config/project.h"
+namespace syncline {
+struct NetworkConfig;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::ui {
 

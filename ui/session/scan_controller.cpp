@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "eni/catalogue/esi_catalogue.h"
 #include "eni/catalogue/usual_sources.h"
+#include "eni/xml/file_warning.h"
 #include "findings/error_text.h"
 #include "ui/session/post.h"
 

@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "channels/event.h"
-#include "channels/values/bus_scan.h"
 #include "eni/project/project_builder.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"

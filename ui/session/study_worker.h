@@ -6,7 +6,6 @@
 #include <memory>
 #include <thread>
 
-#include "trace/even_samples.h"
 #include "trace/signal_study.h"
 
 namespace syncline::ui {

@@ -6,6 +6,7 @@
 #include <QUrl>
 #include <utility>
 
+#include "config/project.h"
 #include "eni/project/project_file.h"
 
 namespace syncline::ui {

@@ -5,8 +5,11 @@
 #include <QObject>
 #include <QString>
 
-#include "config/project.h"
 #include "support/result.h"
+
+namespace syncline {
+struct Machine;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/session/window_memory.h"
 
 namespace syncline::ui {

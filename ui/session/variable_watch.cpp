@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "channels/watch_command.h"
+#include "config/network_config.h"
+#include "config/watched_variable.h"
 #include "ui/session/project_document.h"
 
 namespace syncline::ui {

@@ -6,8 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "config/watched_variable.h"
 #include "ui/session/remembered_lines.h"
+
+namespace syncline {
+struct NetworkConfig;
+struct WatchedVariable;
+}  // namespace syncline
 
 namespace syncline::ui {
 

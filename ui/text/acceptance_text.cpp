@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <cmath>
 
+#include "findings/acceptance_words.h"
+#include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
 
@@ -35,43 +37,8 @@ QString syncText(const Criterion& criterion) {
 
 }  // namespace
 
-QString criterionText(Kind kind) {
-  switch (kind) {
-    case Kind::kWatchedFor:
-      return AcceptanceText::tr("Watched for");
-    case Kind::kState:
-      return AcceptanceText::tr("State of the master");
-    case Kind::kSlavesInSync:
-      return AcceptanceText::tr("Slaves against their reference clock");
-    case Kind::kMasterInSync:
-      return AcceptanceText::tr("Reference clock against the master");
-    case Kind::kMissedEvents:
-      return AcceptanceText::tr("SM2 events missed");
-    case Kind::kLostFrames:
-      return AcceptanceText::tr("Frames lost");
-    case Kind::kWkcErrors:
-      return AcceptanceText::tr("Cycles with another working counter than expected");
-    case Kind::kLeftOutCycles:
-      return AcceptanceText::tr("Cycles left out by the host");
-    case Kind::kFaults:
-      return AcceptanceText::tr("Disturbances");
-    case Kind::kFindings:
-      return AcceptanceText::tr("Findings");
-  }
-  return {};
-}
-
-QString verdictText(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kKept:
-      return AcceptanceText::tr("kept");
-    case Verdict::kNotKept:
-      return AcceptanceText::tr("NOT KEPT");
-    case Verdict::kNotJudged:
-      return AcceptanceText::tr("not judged");
-  }
-  return {};
-}
+QString criterionText(Kind kind) { return phraseText(reports::criterion_text(kind)); }
+QString verdictText(Verdict verdict) { return phraseText(reports::verdict_text(verdict)); }
 
 QString acceptanceText(Verdict verdict) {
   switch (verdict) {
@@ -88,12 +55,12 @@ QString acceptanceText(Verdict verdict) {
 QString requiredText(const Criterion& criterion) {
   switch (criterion.kind) {
     case Kind::kWatchedFor:
-      return criterion.required <= 0 ? AcceptanceText::tr("as long as it was") : runTimeText(criterion.required);
+      return criterion.required <= 0 ? phraseText(words::kAsLongAsItWas) : runTimeText(criterion.required);
     case Kind::kState:
-      return AcceptanceText::tr("OP at the end");
+      return phraseText(words::kOpAtTheEnd);
     case Kind::kSlavesInSync:
     case Kind::kMasterInSync: {
-      if (criterion.required <= 0) return AcceptanceText::tr("in sync throughout");
+      if (criterion.required <= 0) return phraseText(words::kInSyncThroughout);
       auto text = AcceptanceText::tr("in sync throughout, within ±%1 ns")
                       .arg(QLocale().toString(static_cast<qlonglong>(criterion.required)));
       if (criterion.least_margin > 0)
@@ -101,7 +68,7 @@ QString requiredText(const Criterion& criterion) {
       return text;
     }
     case Kind::kFindings:
-      return AcceptanceText::tr("no error, no warning");
+      return phraseText(words::kNoErrorNoWarning);
     default:
       return criterion.required == 0
                  ? AcceptanceText::tr("none")
@@ -113,17 +80,17 @@ QString foundText(const Criterion& criterion) {
   const auto number = [&] { return QLocale().toString(static_cast<qlonglong>(*criterion.found)); };
   switch (criterion.kind) {
     case Kind::kWatchedFor:
-      return criterion.found ? runTimeText(*criterion.found) : AcceptanceText::tr("never: it was not in sync in OP");
+      return criterion.found ? runTimeText(*criterion.found) : phraseText(words::kNeverInSync);
     case Kind::kState: {
       const auto state = static_cast<AlState>(*criterion.found);
-      if (state == AlState::kNone) return AcceptanceText::tr("unknown: a slave does not answer, or it is not told");
+      if (state == AlState::kNone) return phraseText(words::kStateUnknown);
       return stateName(state);
     }
     case Kind::kSlavesInSync:
     case Kind::kMasterInSync:
       return syncText(criterion);
     case Kind::kFaults:
-      if (!criterion.found) return AcceptanceText::tr("not counted: it was never armed");
+      if (!criterion.found) return phraseText(words::kNeverArmed);
       return *criterion.found == 0 ? AcceptanceText::tr("none")
                                    : AcceptanceText::tr("%n episode(s)", nullptr, static_cast<int>(*criterion.found));
     case Kind::kFindings:
@@ -131,9 +98,9 @@ QString foundText(const Criterion& criterion) {
       return AcceptanceText::tr("%n error(s)", nullptr, static_cast<int>(*criterion.found)) + QStringLiteral(", ") +
              AcceptanceText::tr("%n warning(s)", nullptr, static_cast<int>(criterion.warnings));
     case Kind::kMissedEvents:
-      return criterion.found ? number() : AcceptanceText::tr("no slave has a counter that is known");
+      return criterion.found ? number() : phraseText(words::kNoCounterKnown);
     default:
-      return criterion.found ? number() : AcceptanceText::tr("not told");
+      return criterion.found ? number() : phraseText(words::kNotTold);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "eni/xml/file_warning.h"
 #include "findings/error_text.h"
 #include "reasons/because.h"
 #include "ui/text/finding_text.h"

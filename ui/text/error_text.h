@@ -3,8 +3,13 @@
 
 #include <QString>
 
-#include "eni/xml/file_warning.h"
-#include "support/result.h"
+namespace syncline {
+struct Error;
+}  // namespace syncline
+
+namespace syncline::eni {
+struct FileWarning;
+}  // namespace syncline::eni
 
 namespace syncline::ui {
 

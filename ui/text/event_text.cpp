@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/text/event_text.h"
 
+#include "channels/event.h"
 #include "channels/event_finding.h"
+#include "config/network_config.h"
+#include "config/project.h"
+#include "support/result.h"
 #include "ui/text/error_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
+#include "ui/text/message.h"
 
 namespace syncline::ui {
 

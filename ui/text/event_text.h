@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QDateTime>
+#include <QString>
 #include <optional>
 
-#include "channels/event.h"
-#include "config/network_config.h"
-#include "config/project.h"
 #include "findings/finding.h"
-#include "ui/text/message.h"
+
+namespace syncline {
+struct Error;
+struct Event;
+struct NetworkConfig;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::ui {
+
+struct Message;
 
 /// The line of the message window for an event of the master; empty for those that only report progress.
 [[nodiscard]] std::optional<Message> messageOf(const Event& event, const Project& project);

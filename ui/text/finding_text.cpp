@@ -9,6 +9,7 @@
 
 #include "findings/fold.h"
 #include "protocol/al_state.h"
+#include "reasons/placeholder.h"
 #include "reasons/reason.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/units.h"
@@ -160,6 +161,7 @@ QString findingKey(const Finding& finding) {
   return words == nullptr ? QString() : QString::fromStdString(setting_at(words->setting, finding.place.slave));
 }
 
+QString phraseText(std::string_view phrase) { return FindingSentences::sentence(phrase); }
 QString slavesText(std::span<const int> positions) { return FindingSentences::slaves(ranges_text(positions)); }
 
 std::vector<std::string_view> translatableFindings() {

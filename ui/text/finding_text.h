@@ -6,7 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "findings/finding.h"
+namespace syncline {
+struct Finding;
+class Reason;
+}  // namespace syncline
 
 namespace syncline::ui {
 
@@ -20,6 +23,9 @@ namespace syncline::ui {
 
 /// Why something failed or is refused (Error::detail): its row in the user's language, others' texts as they are.
 [[nodiscard]] QString reasonText(const Reason& reason);
+
+/// One of finding_phrases() in the user's language.
+[[nodiscard]] QString phraseText(std::string_view phrase);
 
 /// Key of the setting that would mend it, "slave.3.dc.sync0.shift_us"; empty where there is none.
 [[nodiscard]] QString findingKey(const Finding& finding);

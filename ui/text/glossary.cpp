@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/text/glossary.h"
 
+#include "config/network_config.h"
+#include "config/project.h"
 #include "ui/text/units.h"
 
 #include <QCoreApplication>

@@ -4,9 +4,14 @@
 #include <QString>
 
 #include "channels/snapshot.h"
-#include "config/network_config.h"
-#include "config/project.h"
+#include "channels/values/sync_obstacle.h"
+#include "config/dcm_settings.h"
 #include "protocol/al_state.h"
+
+namespace syncline {
+struct NetworkConfig;
+struct Project;
+}  // namespace syncline
 
 /// The words the window uses for the things of the bus. The ETG's present terms are MainDevice and
 /// SubDevice, ESI and ENI files say Master and Slave: here it is decided.

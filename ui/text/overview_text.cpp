@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "record/run_record.h"
+#include "trace/fault_log.h"
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
@@ -172,7 +174,6 @@ class Overview {
 
 }  // namespace
 
-QString faultText(const Fault& fault, const RunRecord& record) { return Overview::fault(fault, record); }
 QString lampText(const SyncLamp& lamp, const SyncOverview& overview) { return Overview::lamp(lamp, overview); }
 QString firstFaultText(const RunRecord& record, std::span<const Finding> findings, std::size_t episode) {
   return Overview::firstFault(record, findings, episode);

@@ -2,14 +2,20 @@
 #pragma once
 
 #include <QString>
+#include <cstddef>
 #include <span>
 
-#include "record/run_record.h"
+#include "support/types.h"
+
+namespace syncline {
+struct Finding;
+class RunRecord;
+struct SyncLamp;
+struct SyncOverview;
+}  // namespace syncline
 
 namespace syncline::ui {
 
-/// "Servo: Slave 3 does not answer", with how often; of the whole bus without a name.
-[[nodiscard]] QString faultText(const Fault& fault, const RunRecord& record);
 /// What one of the lamps says below its state: for how long, and when it was lost last.
 [[nodiscard]] QString lampText(const SyncLamp& lamp, const SyncOverview& overview);
 /// What came first in an episode of the log and what followed, and what of all episodes is not over, as rich text whose

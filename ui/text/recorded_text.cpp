@@ -8,8 +8,12 @@
 #include <optional>
 #include <utility>
 
+#include "record/recording.h"
+#include "record/recording_reader.h"
+#include "record/replay_run.h"
 #include "record/typed_values.h"
 #include "ui/text/event_text.h"
+#include "ui/text/message.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {

@@ -5,10 +5,15 @@
 #include <cstddef>
 #include <vector>
 
-#include "record/replay_run.h"
-#include "ui/text/message.h"
+#include "support/types.h"
+
+namespace syncline {
+struct ReplayedRun;
+}  // namespace syncline
 
 namespace syncline::ui {
+
+struct Message;
 
 /// What a recording holds of messages, the latest `most` of them, oldest first: events as the run told them; where only
 /// their words are known, those; findings of which only the words are known; notes. In any thread.

@@ -5,6 +5,8 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "settings/setting.h"
+#include "settings/setting_type.h"
 #include "ui/text/joined_text.h"
 
 namespace syncline::ui {

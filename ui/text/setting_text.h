@@ -3,8 +3,12 @@
 
 #include <QString>
 #include <span>
+#include <string>
 
-#include "settings/setting.h"
+namespace syncline::settings {
+struct Option;
+struct Setting;
+}  // namespace syncline::settings
 
 /// The words of the table of settings in the user's language.
 namespace syncline::ui {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/text/state_text.h"
+#include "ui/text/sync_text.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {

@@ -6,6 +6,9 @@
 #include <QStringList>
 #include <algorithm>
 
+#include "trace/even_samples.h"
+#include "trace/signal_study.h"
+#include "trace/spectrum.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/units.h"

@@ -4,9 +4,13 @@
 #include <QString>
 #include <span>
 
-#include "trace/signal_study.h"
-#include "trace/spectrum.h"
 #include "ui/text/quantity_text.h"
+
+namespace syncline {
+struct KnownFrequency;
+struct SignalStudy;
+struct SpectrumLine;
+}  // namespace syncline
 
 /// What a study of a signal's stability says, in words; nothing that its samples do not support.
 namespace syncline::ui {

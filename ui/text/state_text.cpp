@@ -3,6 +3,7 @@
 
 #include "protocol/al_state.h"
 #include "ui/text/glossary.h"
+#include "ui/text/sync_text.h"
 
 namespace syncline::ui {
 namespace {

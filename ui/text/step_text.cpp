@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dc/dcm/predicted_step.h"
+#include "record/run_record.h"
 #include "trace/step_response.h"
 #include "ui/text/units.h"
 

@@ -3,7 +3,11 @@
 
 #include <QString>
 
-#include "record/run_record.h"
+#include "support/types.h"
+
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "trace/slaves_standing.h"
 #include "ui/text/glossary.h"
 
 namespace syncline::ui {

@@ -4,9 +4,13 @@
 #include <QString>
 #include <optional>
 
-#include "channels/snapshot.h"
-#include "trace/slaves_standing.h"
+#include "channels/cycle_sample.h"
 #include "ui/theme/theme.h"
+
+namespace syncline {
+struct SlavesStanding;
+struct Snapshot;
+}  // namespace syncline
 
 /// The synchronisation states in words and tones, the same in the pages and in the status bar.
 namespace syncline::ui {

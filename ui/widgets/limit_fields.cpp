@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include "config/monitor_view.h"
 #include "ui/text/typed_value.h"
 
 namespace syncline::ui {

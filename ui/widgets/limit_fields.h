@@ -4,10 +4,12 @@
 #include <QWidget>
 #include <optional>
 
-#include "config/monitor_view.h"
-
 class QCheckBox;
 class QLineEdit;
+
+namespace syncline {
+struct AxisLimits;
+}  // namespace syncline
 
 namespace syncline::ui {
 

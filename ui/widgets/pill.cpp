@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/pill.h"
-#include "ui/widgets/spoken_value.h"
 
 #include <QHelpEvent>
 #include <QPainter>
 #include <QToolTip>
 
 #include <algorithm>
+
+#include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {

@@ -3,7 +3,9 @@
 
 #include <utility>
 
-#include "config/dc_times.h"
+#include "config/project.h"
+#include "config/sync0_cycle.h"
+#include "findings/finding.h"
 #include "protocol/dc_registers.h"
 #include "settings/settings_table.h"
 #include "ui/text/finding_text.h"

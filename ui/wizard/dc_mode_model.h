@@ -5,8 +5,12 @@
 #include <functional>
 #include <vector>
 
-#include "findings/finding.h"
 #include "settings/setting.h"
+
+namespace syncline {
+struct Finding;
+struct Project;
+}  // namespace syncline
 
 namespace syncline::ui {
 

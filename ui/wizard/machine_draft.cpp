@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/slave_edits.h"
+#include "recover/recover_project.h"
 #include "ui/dialogs/slave_commands.h"
 #include "ui/session/eni_machine.h"
 #include "ui/text/error_text.h"

@@ -4,7 +4,6 @@
 #include <QObject>
 #include <QString>
 
-#include "eni/catalogue/catalogue_entry.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {

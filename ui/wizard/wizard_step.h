@@ -3,8 +3,12 @@
 
 #include <vector>
 
-#include "findings/finding.h"
 #include "ui/editors/page.h"
+
+namespace syncline {
+struct Finding;
+struct Snapshot;
+}  // namespace syncline
 
 namespace syncline::ui {
 

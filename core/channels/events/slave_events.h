@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "config/project.h"
+#include "config/identity.h"
 #include "protocol/diagnosis_message.h"
 
 /// What slaves tell of themselves, by mailbox and by their counters, and what is seen of cables.

@@ -5,7 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "config/project.h"
+#include "config/identity.h"
+#include "config/previous_port.h"
 #include "findings/finding.h"
 #include "protocol/dl_status.h"
 #include "protocol/sii.h"

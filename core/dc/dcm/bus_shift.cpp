@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/dcm_settings.h"
+
 namespace syncline::dc {
 namespace {
 

@@ -6,6 +6,10 @@
 #include "dc/dcm/phase_error.h"
 #include "dc/dcm/write_forecast.h"
 
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
+
 namespace syncline::dc {
 
 /// The reference clock follows the host: each frame carries to it the time that it ought to be when the frame

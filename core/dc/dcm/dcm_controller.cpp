@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "config/dcm_settings.h"
 #include "dc/dcm/bus_shift.h"
 #include "dc/dcm/dcx.h"
 #include "dc/dcm/master_shift.h"

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "config/project.h"
-#include "protocol/dcm_error.h"
 #include "support/types.h"
+
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
 
 /// Master synchronisation (DCM): brings the send time of the cyclic frame and the system time of the
 /// reference clock together.

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/dcm_settings.h"
+#include "dc/dcm/dcm_controller.h"
+#include "protocol/dcm_error.h"
+
 namespace syncline::dc {
 namespace {
 
-constexpr double kShownFilterTime = 20e6;  // ns
-/// Drift that no controller is to balance: an ESC's loop reaches 763 ppm, and needs some of it itself. Once told, it
-/// must be clearly less again.
-constexpr double kMaxDriftPpm = 600, kDriftBelowPpm = 590;
+constexpr double kShownFilterTime = 20e6;              // ns
+constexpr double kDriftBelowPpm = kMostDriftPpm - 10;  // once too high, it must be clearly less again
 
 }  // namespace
 
@@ -67,7 +69,7 @@ std::uint32_t DcmMonitor::error_code() {
   // A cause comes before its consequence.
   if (!valid_set_value_) return kDcmErrorInvalidSetValue;
   if (bus_cycle_.wrong()) return kDcmErrorBusCycleWrong;
-  drift_too_high_ = drift_.proven() && std::abs(drift_.ppm()) > (drift_too_high_ ? kDriftBelowPpm : kMaxDriftPpm);
+  drift_too_high_ = drift_.proven() && std::abs(drift_.ppm()) > (drift_too_high_ ? kDriftBelowPpm : kMostDriftPpm);
   if (running_away_ || drift_too_high_) return kDcmErrorDriftTooHigh;
   // Where nothing is moved the schedule leaves its place, which is no error of the control.
   if (controls_ && judge_.was_in_sync() && !judge_.in_sync()) return kDcmErrorOutOfLimit;

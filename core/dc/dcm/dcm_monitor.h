@@ -3,11 +3,17 @@
 
 #include "dc/dcm/bus_cycle_check.h"
 #include "dc/dcm/clock_step_detector.h"
-#include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/drift_estimator.h"
 #include "dc/dcm/sync_judge.h"
 
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
+
 namespace syncline::dc {
+
+struct DcmObservation;
+struct DcmState;
 
 /// What every controller says about its loop, whatever it moves: filtered error, drift, in sync or not,
 /// and the error code.

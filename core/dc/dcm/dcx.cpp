@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/dcm_settings.h"
 #include "dc/clock_registers.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::dc {
 namespace {

@@ -5,6 +5,10 @@
 #include "dc/dcm/master_shift.h"
 #include "dc/dcm/write_forecast.h"
 
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
+
 namespace syncline::dc {
 
 /// Two segments in step: the reference clock follows an external clock that a bridge device shows, so that both are the

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "config/dcm_settings.h"
+
 namespace syncline::dc {
 namespace {
 

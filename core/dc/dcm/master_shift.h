@@ -6,6 +6,10 @@
 #include "dc/dcm/phase_error.h"
 #include "dc/dcm/phase_tracker.h"
 
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
+
 namespace syncline::dc {
 
 /// The host's timer follows the reference clock: the next period is longer or shorter by the drift that the tracker has

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "config/dcm_settings.h"
 #include "dc/dcm/dcm_controller.h"
 
 namespace syncline::dc {

@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "config/dcm_settings.h"
 #include "support/types.h"
+
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
 
 namespace syncline::dc {
 

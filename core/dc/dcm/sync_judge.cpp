@@ -3,6 +3,8 @@
 
 #include <cstdlib>
 
+#include "config/dcm_settings.h"
+
 namespace syncline::dc {
 
 SyncJudge::SyncJudge(const DcmSettings& settings)

@@ -3,8 +3,11 @@
 
 #include <optional>
 
-#include "config/project.h"
 #include "support/types.h"
+
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
 
 namespace syncline::dc {
 

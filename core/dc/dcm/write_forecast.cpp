@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dc/dcm/dcm_controller.h"
+
 namespace syncline::dc {
 namespace {
 

@@ -3,10 +3,12 @@
 
 #include <optional>
 
-#include "dc/dcm/dcm_controller.h"
 #include "dc/outlier_gate.h"
+#include "support/types.h"
 
 namespace syncline::dc {
+
+struct DcmObservation;
 
 /// What the reference clock will show when a frame passes it, for those who write its time (0x0910).
 ///

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dc/dcm/written_clock.h"
 
+#include "config/dcm_settings.h"
+
 namespace syncline::dc {
 
 WrittenClock::WrittenClock(Time time, const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value,

@@ -5,6 +5,10 @@
 #include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
 
+namespace syncline {
+struct DcmSettings;
+}  // namespace syncline
+
 namespace syncline::dc {
 
 /// The reference clock is written the master's time without a control loop; the ESC's own loop does the rest.

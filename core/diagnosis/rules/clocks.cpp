@@ -9,14 +9,13 @@
 #include "channels/values/sync_obstacle_text.h"
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
 #include "protocol/dcm_error.h"
 
 namespace syncline::diagnosis {
 namespace {
 
 using Unit = Figure::Unit;
-
-constexpr double kMaxDriftPpm = 600;  // beyond it no controller balances (EC-Master 0x981201CA)
 
 Figure obstacle_figure(dc::SyncObstacle what) {
   return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
@@ -235,7 +234,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
     return !told && !wanders && !without_adapter(report, loss);
   });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
-  if (std::abs(dcm.drift_ppm) > kMaxDriftPpm) {
+  if (std::abs(dcm.drift_ppm) > dc::kMostDriftPpm) {
     findings.push_back({code::kDriftTooHigh, Severity::kError, -1, 0, 0, {drift}});
   } else if (dcm.error_code != 0) {
     findings.push_back({code::kDcmError,

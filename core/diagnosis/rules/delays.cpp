@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 namespace {

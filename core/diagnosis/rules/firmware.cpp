@@ -4,7 +4,10 @@
 #include <algorithm>
 
 #include "diagnosis/rules/rules.h"
+#include "families/device_family.h"
 #include "families/families.h"
+#include "findings/run_codes.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 namespace {

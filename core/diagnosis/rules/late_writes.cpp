@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 namespace {

@@ -4,8 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "findings/finding.h"
 #include "trace/run_report.h"
+
+namespace syncline {
+struct Figure;
+}  // namespace syncline
 
 namespace syncline::diagnosis {
 

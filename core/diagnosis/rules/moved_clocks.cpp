@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
 
 namespace syncline::diagnosis {
 namespace {

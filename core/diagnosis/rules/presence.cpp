@@ -2,6 +2,9 @@
 #include <algorithm>
 
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
+#include "protocol/port_damage.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 namespace {

@@ -2,7 +2,10 @@
 #include <algorithm>
 
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
 #include "protocol/al_state.h"
+#include "protocol/diagnosis_message.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 

@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "findings/finding.h"
-#include "findings/run_codes.h"
-#include "protocol/port_damage.h"
-#include "trace/run_report.h"
+
+namespace syncline {
+struct DamagedPort;
+struct RunReport;
+struct Spell;
+}  // namespace syncline
 
 /// The rules of the diagnosis, a family of causes a file. Each looks at the report alone and adds what it finds; what
 /// one disturbance causes elsewhere is told as its consequence, by the spells that lie within kTogether of it.

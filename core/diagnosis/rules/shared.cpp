@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "diagnosis/rules/rules.h"
+#include "protocol/port_damage.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 

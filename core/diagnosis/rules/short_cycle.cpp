@@ -4,8 +4,11 @@
 #include "config/frame_time.h"
 #include "diagnosis/rules/rules.h"
 #include "findings/project_master_words.h"
+#include "findings/run_codes.h"
 #include "findings/sentence.h"
+#include "protocol/al_state.h"
 #include "protocol/frame.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 namespace {

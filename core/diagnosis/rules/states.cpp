@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "config/slave_options.h"
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/moved_clocks.h"
 #include "diagnosis/rules/rules.h"
+#include "families/device_family.h"
 #include "families/families.h"
+#include "findings/run_codes.h"
 #include "protocol/al_state.h"
 #include "protocol/al_status_code.h"
 

@@ -5,6 +5,7 @@
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/moved_clocks.h"
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
 
 namespace syncline::diagnosis {
 namespace {

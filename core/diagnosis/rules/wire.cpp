@@ -3,10 +3,13 @@
 
 #include <algorithm>
 
+#include "channels/values/miss_cause.h"
 #include "diagnosis/rules/rules.h"
+#include "findings/run_codes.h"
 #include "protocol/al_state.h"
 #include "protocol/port_damage.h"
 #include "protocol/registers.h"
+#include "trace/run_report.h"
 
 namespace syncline::diagnosis {
 namespace {

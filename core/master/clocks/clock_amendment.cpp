@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/clocks/clock_amendment.h"
 
+#include "protocol/datagram.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "protocol/datagram.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

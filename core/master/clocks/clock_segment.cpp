@@ -7,6 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "master/exchange/bus.h"
+#include "master/exchange/slave_address.h"
 #include "master/scan/bus_scanner.h"
 #include "master/scan/topology.h"
 #include "protocol/port_descriptor.h"

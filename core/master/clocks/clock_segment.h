@@ -7,11 +7,12 @@
 
 #include "channels/values/bus_scan.h"
 #include "dc/propagation_delay.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/slave_address.h"
 #include "protocol/dl_status.h"
 
 namespace syncline {
+
+class Bus;
+class SlaveAddress;
 
 /// What the slaves of a segment can do with clocks, and their ports. Frame order.
 struct ClockSegment {

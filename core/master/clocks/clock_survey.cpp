@@ -5,7 +5,10 @@
 #include <array>
 #include <utility>
 
+#include "config/dc_settings.h"
 #include "master/clocks/delay_latch.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/slave_address.h"
 #include "master/scan/bus_scanner.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"

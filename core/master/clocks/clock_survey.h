@@ -11,6 +11,9 @@
 
 namespace syncline {
 
+class Bus;
+class SlaveAddress;
+
 /// The registers of one slave's clock as they are.
 struct ClockReading {
   DcCapability capability = DcCapability::kNone;

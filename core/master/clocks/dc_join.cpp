@@ -6,8 +6,13 @@
 #include <cstdlib>
 #include <vector>
 
+#include "config/network_config.h"
+#include "master/clocks/clock_feed.h"
 #include "master/clocks/dc_loop_values.h"
+#include "master/clocks/sync_watch.h"
+#include "master/exchange/bus.h"
 #include "master/scan/bus_scanner.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 

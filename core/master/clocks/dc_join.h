@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "master/clocks/clock_feed.h"
-#include "master/clocks/sync_watch.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+class ClockFeed;
+class RunState;
+class SyncWatch;
 
 /// Sets the clocks of slaves that join a bus whose clocks run already, without a word to the others: each
 /// is read together with the leading clock in one frame, and the offset is what they differ by (a clock

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/clocks/dc_loop_values.h"
 
+#include "config/network_config.h"
 #include "dc/clock_registers.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "config/network_config.h"
-
 namespace syncline {
+
+struct NetworkConfig;
 
 /// What is written to the time control loop of a clock (ESC data sheet I, 9.1.4), in this order: the write of the speed
 /// counter start comes last, it resets the filters and makes the depths effective.

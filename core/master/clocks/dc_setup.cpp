@@ -5,9 +5,14 @@
 
 #include <algorithm>
 
+#include "config/dc_settings.h"
+#include "config/network_config.h"
 #include "dc/clock_registers.h"
-#include "master/clocks/dc_burst.h"
+#include "dc/system_time_offset.h"
 #include "master/clocks/dc_loop_values.h"
+#include "master/clocks/delay_latch.h"
+#include "master/clocks/drift_compensation.h"
+#include "master/exchange/bus.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"

@@ -10,10 +10,14 @@
 #include "config/network_config.h"
 #include "dc/propagation_delay.h"
 #include "master/clocks/clock_segment.h"
-#include "master/clocks/delay_latch.h"
-#include "master/exchange/bus.h"
+#include "master/exchange/frame_exchange.h"
+#include "master/exchange/slave_address.h"
 
 namespace syncline {
+
+class Bus;
+struct DcMasterSettings;
+class DelayLatch;
 
 /// The distributed clocks of a segment after their initialisation.
 struct DcNetwork {

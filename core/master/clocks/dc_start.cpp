@@ -6,9 +6,14 @@
 #include <algorithm>
 #include <array>
 
+#include "config/init_cmd.h"
+#include "config/network_config.h"
 #include "config/sync_grid.h"
 #include "dc/clock_registers.h"
+#include "dc/start_time.h"
 #include "dc/sync0_arrival.h"
+#include "master/exchange/bus.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"

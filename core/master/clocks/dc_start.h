@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "config/network_config.h"
-#include "master/exchange/bus.h"
+#include "support/result.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class Bus;
+struct InitCmd;
+struct NetworkConfig;
+struct SlaveConfig;
+struct SlaveDcConfig;
 
 /// Grid on which every slave's SYNC signals may start so that all of them fire together: the least
 /// common multiple of the bus cycle and all SYNC cycles (and of the user's grid). The bus cycle where

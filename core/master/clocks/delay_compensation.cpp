@@ -5,6 +5,10 @@
 #include <cstdlib>
 #include <utility>
 
+#include "config/dc_settings.h"
+#include "master/clocks/clock_segment.h"
+#include "master/clocks/clock_survey.h"
+#include "master/clocks/dc_setup.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

@@ -8,12 +8,16 @@
 #include <span>
 #include <vector>
 
-#include "master/clocks/clock_survey.h"
-#include "master/clocks/dc_setup.h"
 #include "master/clocks/delay_latch.h"
 #include "master/exchange/run_state.h"
+#include "protocol/dl_status.h"
+#include "protocol/sdo_information.h"
 
 namespace syncline {
+
+struct ClockSegment;
+struct DcNetwork;
+struct DelaySurvey;
 
 /// Corrects 0x0928 while the bus runs, by datagrams that ride with its cycles, and in small steps, because each write
 /// of that register is a step of what the slave's control loop sees. 0x0920 and 0x0930 stay: their writes would cost

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "master/exchange/slave_address.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

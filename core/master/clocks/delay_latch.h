@@ -8,9 +8,10 @@
 
 #include "dc/propagation_delay.h"
 #include "master/exchange/frame_exchange.h"
-#include "master/exchange/slave_address.h"
 
 namespace syncline {
+
+class SlaveAddress;
 
 /// Rounds of the delay measurement: a broadcast write makes every slave latch when the frame passes its ports, and a
 /// later frame reads that. The stamps have a noise of some ten nanoseconds; medians of several rounds have less.

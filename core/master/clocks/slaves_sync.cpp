@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "channels/cycle_sample.h"
+#include "config/dc_settings.h"
+#include "master/clocks/dc_setup.h"
+#include "master/clocks/ored_deviation.h"
+
 namespace syncline {
 namespace {
 

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "dc/sync_verdict.h"
-#include "master/clocks/dc_setup.h"
-#include "master/clocks/ored_deviation.h"
 #include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct DcNetwork;
+struct OredDeviation;
 
 /// Slaves against their reference clock: hands the readings of each cycle to the verdict, keeps the result in the
 /// snapshot and the sample, tells the edges and names who is to blame. Allocates nothing after start().

@@ -5,9 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 #include "channels/sync_standing.h"
 #include "compile/dcm_check.h"
 #include "dc/clock_registers.h"
+#include "master/clocks/dc_setup.h"
+#include "master/clocks/ored_deviation.h"
 #include "master/exchange/narrow.h"
 #include "settings/dc_check.h"
 

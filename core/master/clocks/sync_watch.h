@@ -9,12 +9,14 @@
 #include "dc/dcm/dcm_controller.h"
 #include "dc/master_verdict.h"
 #include "dc/reference_line.h"
-#include "master/clocks/dc_setup.h"
 #include "master/clocks/dc_start.h"
 #include "master/clocks/slaves_sync.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct DcNetwork;
+struct OredDeviation;
 
 /// Both synchronisations of a running bus: slaves to the reference clock (sync window) and master to
 /// the reference clock (DCM). Feeds the status, tells the edges.

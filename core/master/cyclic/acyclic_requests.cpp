@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/master_channels.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
 #include "reasons/brief_reason.h"
 
 namespace syncline {

@@ -10,10 +10,14 @@
 #include <vector>
 
 #include "channels/request_desk.h"
+#include "channels/request_ticket.h"
 #include "master/cyclic/request_slot.h"
-#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+class Bus;
+struct MasterChannels;
 
 /// The requests of those outside (MasterChannels::requests): takes them from the desk, begins each when its mailbox or
 /// EEPROM is free, in their order, and gives the bus one datagram of one of them at a time, in turn. Requests for

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/cycle_sample.h"
 #include "config/frame_time.h"
+#include "master/cyclic/mailbox_bits.h"
+#include "master/cyclic/sync_event_watch.h"
+#include "master/exchange/run_state.h"
 #include "reasons/brief_reason.h"
 
 namespace syncline {
@@ -21,7 +25,7 @@ constexpr Nanoseconds kRoomToRide = 30 * kMicrosecond;
 constexpr std::size_t kLeast = 28;
 constexpr unsigned kMostHeldUp = 8;  // cycles
 
-std::size_t size_of(const Datagram& datagram) { return kDatagramHeaderSize + datagram.data.size() + kWkcSize; }
+std::size_t size_of(const Datagram& datagram) { return kDatagramOverhead + datagram.data.size(); }
 
 /// Of datagrams in a frame that keeps the wire busy for so long.
 std::size_t bytes_within(Nanoseconds time) {

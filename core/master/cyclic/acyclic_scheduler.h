@@ -12,9 +12,13 @@
 #include "master/cyclic/process_data_watch.h"
 #include "master/cyclic/sm2_reader.h"
 #include "master/exchange/frame_exchange.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
+class MailboxBits;
+class RunState;
+class SyncEventWatch;
 
 /// Which acyclic datagrams ride with a bus cycle, in the order of their rank: short and regular readings of the slaves,
 /// a datagram of the requests from outside, one of the master's own work in the mailboxes, as many as there is room for

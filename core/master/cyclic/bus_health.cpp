@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/bus_health.h"
 
+#include "channels/cycle_sample.h"
 #include "master/exchange/narrow.h"
 
 #include <algorithm>

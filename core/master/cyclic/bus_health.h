@@ -9,6 +9,8 @@
 
 namespace syncline {
 
+struct CycleSample;
+
 /// Counts frames that are lost or late, and cycles that were left out: tallied, so that the sum over the events is the
 /// count. Working counters: working_counter.h.
 class BusHealth {

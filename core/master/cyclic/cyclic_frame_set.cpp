@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "config/cyclic_frame.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/bits.h"

@@ -6,11 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "config/network_config.h"
 #include "master/clocks/ored_deviation.h"
 #include "master/exchange/frame_exchange.h"
+#include "protocol/al_state.h"
 
 namespace syncline {
+
+struct CyclicCmd;
+struct CyclicTask;
+struct NetworkConfig;
 
 /// The cyclic frames of a configuration with their process image: what is sent each cycle and what its
 /// answers say. Everything is sized at construction; a cycle allocates nothing.

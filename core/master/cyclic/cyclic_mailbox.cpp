@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/cyclic_mailbox.h"
 
+#include "master/exchange/run_state.h"
 #include "support/byte_order.h"
 
 namespace syncline {

@@ -5,12 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "master/exchange/run_state.h"
 #include "master/mailbox/fetch_work.h"
 #include "master/mailbox/sdo_work.h"
 #include "protocol/coe.h"
 
 namespace syncline {
+
+class RunState;
 
 /// The master's own work in the slaves' mailboxes while the bus runs: fetches a message that nobody asked for, or
 /// uploads an object of at most 4 bytes; one slave at a time. Tells emergencies by events. Allocates nothing in the

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/cyclic_task.h"
 
+#include "channels/cycle_sample.h"
+#include "channels/cyclic_application.h"
+#include "channels/master_channels.h"
 #include "config/frame_time.h"
+#include "config/master_settings.h"
 #include "master/exchange/narrow.h"
 
 #include <algorithm>

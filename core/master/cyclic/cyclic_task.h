@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "channels/image_contents.h"
 #include "config/external_clock.h"
 #include "master/clocks/clock_amendment.h"
 #include "master/clocks/clock_feed.h"
-#include "master/clocks/sync_watch.h"
 #include "master/clocks/told_time.h"
 #include "master/cyclic/acyclic_scheduler.h"
 #include "master/cyclic/bus_health.h"
@@ -23,9 +23,10 @@
 #include "master/cyclic/watched_values.h"
 #include "master/cyclic/working_counter.h"
 #include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
 
 /// The bus cycle: wakes on its absolute schedule, stamps and sends the cyclic frames and as many acyclic
 /// frames as the cycle has room for, collects the answers and hands them to those who watch. In the steady cycle it

@@ -3,6 +3,11 @@
 
 #include <utility>
 
+#include "channels/slave_evidence.h"
+#include "config/network_config.h"
+#include "master/exchange/acyclic_window.h"
+#include "master/exchange/run_state.h"
+#include "protocol/datagram.h"
 #include "protocol/port_damage.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

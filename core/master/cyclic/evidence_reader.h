@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "master/exchange/frame_exchange.h"
-#include "master/exchange/run_state.h"
 #include "master/exchange/slave_batch.h"
+#include "protocol/registers.h"
 #include "support/counter_total.h"
 
 namespace syncline {
+
+class RunState;
 
 /// Reads what the slaves' ESCs counted, while the bus runs: the port error counters, the watchdog counters and the
 /// speed counter difference of one slave after the other, one datagram in each cycle that is left for

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "master/exchange/mailbox_handshake.h"
+#include "master/exchange/run_state.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"

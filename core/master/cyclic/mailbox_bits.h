@@ -5,11 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "config/network_config.h"
 #include "master/cyclic/cyclic_frame_set.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+class RunState;
+struct SlaveConfig;
 
 /// A bit of the logical address space.
 struct LogicalBit {

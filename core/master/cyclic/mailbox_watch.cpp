@@ -3,7 +3,11 @@
 
 #include <algorithm>
 
+#include "config/network_config.h"
+#include "master/cyclic/mailbox_bits.h"
 #include "master/exchange/mailbox_handshake.h"
+#include "master/exchange/run_state.h"
+#include "protocol/datagram.h"
 #include "protocol/diagnosis_message.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "master/cyclic/cyclic_mailbox.h"
-#include "master/cyclic/mailbox_bits.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+class MailboxBits;
+class RunState;
 
 /// Notices in the running bus what slaves have to say without being asked: messages in their mailboxes (by the bits in
 /// the cyclic frames, or where a slave has none by reading the SyncManagers' status, many slaves a frame, at the

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "channels/command.h"
+
 namespace syncline {
 namespace {
 

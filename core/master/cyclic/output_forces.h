@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "channels/command.h"
-
 namespace syncline {
+
+struct ForceOutputCommand;
+struct ReleaseOutputCommand;
 
 /// Bits of the outputs that somebody holds at a value of his own, whatever the application calculates. Sized once; in
 /// a cycle nothing is allocated.

@@ -6,6 +6,10 @@
 #include <utility>
 
 #include "channels/sync_standing.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
+#include "master/exchange/run_state.h"
+#include "protocol/datagram.h"
 #include "protocol/registers.h"
 #include "recover/register_writes.h"
 

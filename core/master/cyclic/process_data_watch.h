@@ -6,12 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "config/network_config.h"
 #include "master/exchange/frame_exchange.h"
-#include "master/exchange/run_state.h"
 #include "support/random.h"
 
 namespace syncline {
+
+class RunState;
 
 /// Whether slaves renew their inputs, and those that have none take their outputs. The status of a buffered SyncManager
 /// names the buffer that was written last (0x0805 + 8 n, bits 5:4; ESC data sheet II, 2.8): behind two readings of the

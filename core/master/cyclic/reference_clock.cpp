@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "config/network_config.h"
 #include "master/clocks/dc_loop_values.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

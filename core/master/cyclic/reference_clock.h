@@ -9,6 +9,7 @@
 #include "master/clocks/sync_watch.h"
 #include "master/cyclic/cyclic_frame_set.h"
 #include "master/exchange/run_state.h"
+#include "protocol/coe.h"
 
 namespace syncline {
 

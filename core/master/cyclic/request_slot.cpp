@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/request_ticket.h"
+#include "config/network_config.h"
+#include "master/exchange/run_state.h"
 #include "support/overloaded.h"
 
 namespace syncline {

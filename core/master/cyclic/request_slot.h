@@ -4,14 +4,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "channels/request_ticket.h"
+#include "channels/slave_request.h"
 #include "master/exchange/register_work.h"
-#include "master/exchange/run_state.h"
 #include "master/mailbox/foe_work.h"
 #include "master/mailbox/sdo_work.h"
 #include "master/sii/sii_work.h"
 
 namespace syncline {
+
+struct RequestTicket;
+class RunState;
 
 /// What a request needs for itself while it is carried out.
 enum class RequestPlace : std::uint8_t { kMailbox, kEeprom, kRegisters, kState };

@@ -4,6 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "config/network_config.h"
+#include "master/clocks/ored_deviation.h"
+#include "master/exchange/run_state.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"

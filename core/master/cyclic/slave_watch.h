@@ -6,11 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "master/clocks/ored_deviation.h"
 #include "master/exchange/frame_exchange.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
+struct OredDeviation;
+class RunState;
 
 /// Looks after single slaves by acyclic datagrams while the bus runs: 0x092C of one DC slave a cycle in
 /// turn; AL status, AL status code and DL status of every slave when the cyclic broadcast says that

@@ -4,6 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/slave_evidence.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
+#include "master/cyclic/sync_event_watch.h"
+#include "master/exchange/run_state.h"
 #include "master/mailbox/sm2_counter_profile.h"
 #include "protocol/dc_registers.h"
 

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "master/cyclic/cyclic_mailbox.h"
-#include "master/cyclic/sync_event_watch.h"
-#include "master/exchange/run_state.h"
 #include "support/counter_total.h"
 
 namespace syncline {
+
+struct CycleSample;
+class RunState;
+class SyncEventWatch;
 
 /// Reads what slaves with SYNC signals count in 0x1C32 and 0x1C33, one object of one slave after the other, through the
 /// mailboxes of the running bus: missed SM2 events in every second turn; cycles exceeded, shift too short and sync

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "support/clock.h"
 #include "support/real_time.h"
 
 namespace syncline {

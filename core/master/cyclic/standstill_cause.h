@@ -3,10 +3,13 @@
 
 #include <optional>
 
+#include "channels/processor_holder.h"
 #include "master/cyclic/standstill_search.h"
-#include "support/clock.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class Clock;
 
 /// Tells who held the cyclic thread when cycles had to be left out: other threads, for which it had to wait although it
 /// was ready, or none, and then it was woken up late: by firmware, or by the host of a virtual machine. On the real

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "channels/latest_box.h"
+#include "channels/processor_holder.h"
 #include "support/hard_threads.h"
 #include "support/real_time.h"
 #include "support/stop_signals.h"

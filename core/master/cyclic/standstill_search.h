@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "channels/processor_holder.h"
-
 namespace syncline {
+
+struct ProcessorHolder;
 
 /// Looks for whom the cyclic thread had to wait although it has real-time priority. A thread of its own without
 /// priority counts when it begins and, at most once a period, after each standstill; a run without one costs nothing

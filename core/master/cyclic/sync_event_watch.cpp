@@ -4,8 +4,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/cycle_sample.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
 #include "families/families.h"
+#include "master/clocks/sync_watch.h"
+#include "master/exchange/run_state.h"
+#include "protocol/al_state.h"
 #include "protocol/al_status_code.h"
 #include "protocol/dc_registers.h"
 

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "dc/sync_event_account.h"
-#include "master/clocks/sync_watch.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
+class RunState;
+class SyncWatch;
 
 /// Follows the missed SM2 events of every slave with SYNC0 from cycle to cycle: where its outputs arrived in its SYNC0
 /// period, and what that does to its internal error counter; see dc/sync_event_account.h. Allocates nothing; the cyclic

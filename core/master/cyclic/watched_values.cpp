@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <span>
 
+#include "channels/cycle_sample.h"
+#include "config/cyclic_frame.h"
 #include "protocol/al_state.h"
+#include "support/bits.h"
 
 namespace syncline {
 namespace {
@@ -21,7 +24,7 @@ std::uint64_t bits_at(std::span<const std::uint8_t> image, std::uint32_t offset,
   value >>= shift;
   // The ninth byte of one that begins within a byte.
   if (end - first == 9) value |= std::uint64_t{image[first + 8]} << (64 - shift);
-  return size == 64 ? value : value & ((std::uint64_t{1} << size) - 1);
+  return value & low_bits(size);
 }
 
 }  // namespace

@@ -4,12 +4,13 @@
 #include <array>
 #include <cstdint>
 
-#include "channels/cycle_sample.h"
 #include "channels/watch_command.h"
 #include "master/cyclic/cyclic_frame_set.h"
 #include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
 
 /// Copies the variables that somebody watches out of the process image into the sample of each cycle. An input is known
 /// when the datagrams that read it came back with the expected working counter, and its slave exchanges process data;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "channels/cycle_sample.h"
+
 namespace syncline {
 
 /// What is behind a pause is another spell, however like the one before it looks.

@@ -3,10 +3,11 @@
 
 #include <cstdint>
 
-#include "channels/cycle_sample.h"
 #include "master/exchange/run_state.h"
 
 namespace syncline {
+
+struct CycleSample;
 
 /// The working counter of the cyclic frames against what is expected of the slaves that are there. Errors are told as
 /// spells: one event when a spell begins, one with the count when a longer one is over. What is expected follows from

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reasons/because.h"
+#include "support/byte_order.h"
 
 namespace syncline {
 namespace {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "protocol/datagram.h"
+
 namespace syncline {
 namespace {
 

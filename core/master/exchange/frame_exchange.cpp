@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "protocol/datagram.h"
+
 namespace syncline {
 namespace {
 
@@ -28,7 +30,7 @@ void PendingFrame::clear() {
 }
 
 bool PendingFrame::add(Datagram& datagram) {
-  const std::size_t size = kDatagramHeaderSize + datagram.data.size() + kWkcSize;
+  const std::size_t size = kDatagramOverhead + datagram.data.size();
   if (count_ == kMaxDatagrams || bytes_ + size > capacity_) return false;
   datagram.answered = false;
   datagram.wkc = 0;

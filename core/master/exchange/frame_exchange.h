@@ -42,7 +42,7 @@ class SendStamp {
 class PendingFrame {
  public:
   static constexpr std::size_t kMaxDatagrams = 120;
-  static constexpr std::size_t kMostBytes = kMaxEthernetFrame - kFrameOverhead;
+  static constexpr std::size_t kMostBytes = kMaxDatagramBytes;
 
   void clear();
   /// False when the frame is full; the datagram then belongs into the next one.

@@ -3,6 +3,11 @@
 
 #include <utility>
 
+#include "channels/frame_ring.h"
+#include "channels/master_channels.h"
+#include "link/link.h"
+#include "support/clock.h"
+
 namespace syncline {
 namespace {
 

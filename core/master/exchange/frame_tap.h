@@ -3,11 +3,11 @@
 
 #include <memory>
 
-#include "channels/master_channels.h"
-#include "link/link.h"
-#include "support/clock.h"
-
 namespace syncline {
+
+class Clock;
+class Link;
+struct MasterChannels;
 
 /// A Link around `inner` that puts every frame that the adapter has taken, and every one that came, into the channels'
 /// ring as long as somebody has it open, and lets their heart beat whenever the adapter has come back from its work. It

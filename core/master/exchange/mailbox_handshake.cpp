@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/slave_config.h"
+#include "protocol/datagram.h"
 #include "protocol/mailbox.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"

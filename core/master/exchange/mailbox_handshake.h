@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
+#include "config/mailbox_config.h"
 #include "master/exchange/frame_exchange.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"
 
 namespace syncline {
+
+struct SlaveConfig;
 
 /// Status of SyncManager 1, the mailbox from the slave: bit 3 is set while it is full (ESC data sheet, section II).
 inline constexpr std::uint16_t kSm1Status = reg::kSyncManager + SyncManager::kSize + 5;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/datagram.h"
+
 namespace syncline {
 namespace {
 

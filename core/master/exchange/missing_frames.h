@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "protocol/frame.h"
+#include "protocol/command.h"
 #include "support/types.h"
 
 namespace syncline {
+
+struct DatagramHeader;
 
 /// Frames that were not back at their deadline, by the index of their datagrams: missing until they come late after
 /// all, or are known to be lost. On the wire no frame overtakes another, so the return of one that was sent later

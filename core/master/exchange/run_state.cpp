@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/master_channels.h"
 #include "support/overloaded.h"
 
 namespace syncline {

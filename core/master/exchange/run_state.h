@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "channels/master_channels.h"
-#include "config/network_config.h"
+#include "channels/event.h"
+#include "channels/snapshot.h"
 #include "master/exchange/slave_mailbox.h"
-#include "protocol/coe.h"
+#include "protocol/al_state.h"
 
 namespace syncline {
+
+struct MasterChannels;
+struct NetworkConfig;
 
 /// What everybody who takes part in running a bus reads and writes: the configuration, the latest
 /// status of everything, and the way to the outside. Lives in the thread that runs the cycle.

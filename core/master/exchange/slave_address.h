@@ -5,6 +5,7 @@
 #include <span>
 
 #include "master/exchange/frame_exchange.h"
+#include "protocol/datagram.h"
 #include "support/types.h"
 
 namespace syncline {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "master/exchange/bus.h"
+
 namespace syncline {
 namespace {
 

@@ -4,9 +4,13 @@
 #include <cstddef>
 #include <span>
 
-#include "master/exchange/bus.h"
+#include "support/result.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class Bus;
+struct Datagram;
 
 /// Work on one slave that takes several datagrams one after the other: the one form of everything acyclic. Whoever has
 /// time for nothing else runs it to its end (run_to_end()), many at once go side by side, and while the bus runs the

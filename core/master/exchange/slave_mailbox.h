@@ -6,8 +6,11 @@
 #include <optional>
 
 #include "master/exchange/mailbox_handshake.h"
-#include "protocol/coe.h"
 #include "support/types.h"
+
+namespace syncline::coe {
+struct Emergency;
+}  // namespace syncline::coe
 
 namespace syncline {
 

@@ -7,7 +7,10 @@
 #include <vector>
 
 #include "master/mailbox/mailbox_client.h"
-#include "protocol/coe.h"
+
+namespace syncline::coe {
+struct ObjectAddress;
+}  // namespace syncline::coe
 
 namespace syncline {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "config/device_description.h"
+#include "config/device_dictionary.h"
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/object_dictionary_reader.h"
 #include "protocol/coe_data_type.h"

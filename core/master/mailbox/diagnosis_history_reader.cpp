@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "master/mailbox/coe_client.h"
 #include "protocol/diagnosis_log.h"
 
 namespace syncline {

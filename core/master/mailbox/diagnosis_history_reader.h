@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "master/mailbox/coe_client.h"
 #include "protocol/diagnosis_message.h"
 
 namespace syncline {
+
+class MailboxClient;
 
 /// A slave's diagnosis history, object 0x10F3. Changes nothing in the slave: messages stay unacknowledged.
 struct DiagnosisHistory {

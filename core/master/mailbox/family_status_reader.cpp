@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/mailbox/family_status_reader.h"
 
+#include "config/identity.h"
+#include "families/device_family.h"
 #include "master/mailbox/coe_client.h"
 
 namespace syncline {

@@ -7,9 +7,16 @@
 #include <vector>
 
 #include "families/families.h"
-#include "master/mailbox/mailbox_client.h"
+#include "support/result.h"
+
+namespace syncline::families {
+struct Family;
+}  // namespace syncline::families
 
 namespace syncline {
+
+struct Identity;
+class MailboxClient;
 
 /// What a device's family tells of its synchronisation in objects of its own.
 struct FamilyStatus {

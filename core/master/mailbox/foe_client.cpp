@@ -2,6 +2,7 @@
 #include "master/mailbox/foe_client.h"
 
 #include "master/mailbox/foe_work.h"
+#include "master/mailbox/mailbox_client.h"
 
 namespace syncline {
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "master/mailbox/mailbox_client.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class MailboxClient;
 
 /// File access over EtherCAT with one slave for those who wait: FoeWork, run to its end. The slave must be in a state
 /// in which it serves files (PREOP or above; BOOT for firmware, with the mailbox of that state).

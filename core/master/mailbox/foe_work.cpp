@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/foe.h"
+
 namespace syncline {
 namespace {
 

@@ -11,7 +11,10 @@
 
 #include "master/exchange/slave_batch.h"
 #include "master/mailbox/mailbox_transfer.h"
-#include "protocol/foe.h"
+
+namespace syncline::foe {
+struct MessageView;
+}  // namespace syncline::foe
 
 namespace syncline {
 

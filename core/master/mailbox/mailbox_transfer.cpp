@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "protocol/coe.h"
 #include "support/byte_order.h"
 
 namespace syncline {

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <string>
 
+#include "config/identity.h"
+#include "families/device_family.h"
 #include "families/families.h"
 
 namespace syncline {

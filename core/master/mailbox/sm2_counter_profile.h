@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "config/device_description.h"
-
 namespace syncline {
+
+struct Identity;
 
 inline constexpr std::uint16_t kSyncManager2Parameter = 0x1C32;  // "Output SyncManager parameter"
 inline constexpr std::uint16_t kSyncManager3Parameter = 0x1C33;  // "Input SyncManager parameter"

@@ -7,10 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "config/device_description.h"
-#include "master/mailbox/mailbox_client.h"
+#include "protocol/registers.h"
+#include "support/result.h"
 
 namespace syncline {
+
+struct Identity;
+class MailboxClient;
 
 /// What a value of 0x1C32/0x1C33 means (ETG.1020), wherever the slave keeps it.
 enum class SyncValue : std::uint8_t {

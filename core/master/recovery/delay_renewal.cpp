@@ -5,7 +5,13 @@
 #include <array>
 #include <utility>
 
+#include "channels/slave_status.h"
+#include "config/dc_settings.h"
+#include "config/slave_config.h"
 #include "master/clocks/clock_survey.h"
+#include "master/clocks/dc_setup.h"
+#include "master/clocks/delay_compensation.h"
+#include "master/cyclic/cyclic_task.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

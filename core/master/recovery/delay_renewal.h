@@ -4,13 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "master/clocks/delay_compensation.h"
-#include "master/cyclic/cyclic_task.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
 #include "master/exchange/slave_address.h"
 
 namespace syncline {
+
+class Bus;
+class CyclicTaskRunner;
+class DelayCompensation;
+class RunState;
 
 /// Measures the propagation delays anew when slaves have gone or come: frames take another way then, and those behind
 /// follow the reference clock with a delay that is not theirs any more, which their own readings (0x092C) soon do not

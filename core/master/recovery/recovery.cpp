@@ -4,6 +4,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/network_config.h"
+#include "master/cyclic/cyclic_task.h"
+#include "master/exchange/bus.h"
+#include "master/scan/bus_match.h"
+#include "master/startup/bus_survey.h"
+#include "master/startup/esm.h"
 #include "master/startup/hot_connect.h"
 
 namespace syncline {

@@ -7,13 +7,18 @@
 #include <utility>
 #include <vector>
 
-#include "master/cyclic/cyclic_task.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
-#include "master/startup/bus_survey.h"
-#include "master/startup/esm.h"
+#include "channels/event.h"
+#include "master/startup/slave_commands.h"
+#include "protocol/al_state.h"
+#include "support/types.h"
 
 namespace syncline {
+
+class Bus;
+class CyclicTaskRunner;
+class Esm;
+struct FoundDevice;
+class RunState;
 
 /// Brings slaves back while the others go on: those that come back after a cable was healed or their power
 /// returned, those that fell because the adapter was away, and those that fell into an error state, as far as

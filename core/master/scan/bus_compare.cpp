@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "channels/values/bus_scan.h"
 #include "check/network_view.h"
 #include "compare/difference_list.h"
 #include "compare/slave_pairing.h"
+#include "config/network_config.h"
+#include "master/exchange/bus.h"
 #include "protocol/registers.h"
 
 namespace syncline {

@@ -2,16 +2,20 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "channels/values/bus_scan.h"
-#include "compare/compare_configs.h"
-#include "master/exchange/bus.h"
 #include "protocol/sync_manager.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+struct BusScan;
+struct ConfigDifference;
+struct NetworkConfig;
 
 /// What a slave in SAFEOP or OP has in its registers.
 struct RunningRegisters {

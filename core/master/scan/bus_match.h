@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "config/device_description.h"
+#include "config/identity.h"
 
 namespace syncline {
 

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <array>
 
+#include "master/exchange/bus.h"
 #include "master/exchange/slave_address.h"
 #include "master/scan/device_id.h"
 #include "master/scan/scan_findings.h"
 #include "master/scan/topology.h"
+#include "master/sii/sii_access.h"
 #include "master/sii/sii_reader.h"
 #include "protocol/al_state.h"
 #include "protocol/registers.h"
+#include "protocol/station_address.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -158,7 +161,7 @@ class Scanner {
     writes.push_back({Command::kBwr, device_address(0, reg::kDlControlAlias), no_alias});
     for (std::size_t i = 0; i < addresses_.size(); ++i) {
       auto& slave = scan_.slaves[i];
-      slave.station_address = static_cast<std::uint16_t>(kFirstStationAddress + i);
+      slave.station_address = usual_station_address(i);
       store_le(bytes[i], slave.station_address);
       writes.push_back(addresses_[i].write(reg::kStationAddress, bytes[i]));
     }

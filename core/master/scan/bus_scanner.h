@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "channels/values/bus_scan.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/slave_address.h"
 
 namespace syncline {
+
+class Bus;
+class SlaveAddress;
 
 struct ScanOptions {
   /// Writes nothing but read commands into EEPROM interfaces that belong to EtherCAT anyway (0x0502 to
@@ -30,9 +31,6 @@ struct ScanObserver {
   /// times of all slaves are latched. Never called when only looking.
   std::function<void(std::size_t running, std::size_t eeproms)> touching{};
 };
-
-/// First station address that the scan gives; the configurator's convention.
-inline constexpr std::uint16_t kFirstStationAddress = 1001;
 
 /// Number of slaves that process a broadcast; 0 when no frame comes back from any.
 [[nodiscard]] Result<std::uint16_t> count_slaves(Bus& bus);

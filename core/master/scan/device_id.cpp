@@ -3,6 +3,9 @@
 
 #include <array>
 
+#include "channels/values/bus_scan.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/slave_address.h"
 #include "protocol/al_state.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

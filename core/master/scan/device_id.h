@@ -3,11 +3,13 @@
 
 #include <vector>
 
-#include "channels/values/bus_scan.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/slave_address.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+struct ScannedSlave;
+class SlaveAddress;
 
 /// Explicit device identification (ETG.1020): the number that switches or a display give a device, so
 /// that it is found wherever it is connected. Where the SII's general category says so it is read from

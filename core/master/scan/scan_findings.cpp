@@ -4,8 +4,10 @@
 #include <map>
 #include <utility>
 
+#include "channels/values/bus_scan.h"
 #include "findings/scan_words.h"
 #include "findings/sentence.h"
+#include "master/scan/topology.h"
 
 namespace syncline {
 namespace {

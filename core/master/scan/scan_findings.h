@@ -3,10 +3,10 @@
 
 #include <span>
 
-#include "channels/values/bus_scan.h"
-#include "master/scan/topology.h"
-
 namespace syncline {
+
+struct BusScan;
+struct SlaveWiring;
 
 /// What a user should know about the bus that was scanned, by slave: swapped cables, ports that lead
 /// nowhere, aliases that do not tell slaves apart, EEPROMs that do not fit, and what the scan left out

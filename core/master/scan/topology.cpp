@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "config/device_description.h"
+
 namespace syncline {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "config/project.h"
+#include "config/previous_port.h"
 #include "protocol/dl_status.h"
 
 namespace syncline {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "master/exchange/bus.h"
 #include "master/sii/sii_layout.h"
 #include "protocol/registers.h"
 #include "reasons/brief_reason.h"

@@ -7,10 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "master/exchange/bus.h"
 #include "master/exchange/slave_address.h"
 
 namespace syncline {
+
+class Bus;
 
 /// Eight bytes of one slave's EEPROM.
 struct SiiRequest {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "master/sii/sii_access.h"
 #include "master/sii/sii_kind.h"
 #include "reasons/because.h"
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "master/sii/sii_access.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class SiiAccess;
 
 /// What one slave's EEPROM gave.
 struct SiiContent {

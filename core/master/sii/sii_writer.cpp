@@ -5,17 +5,17 @@
 
 #include <algorithm>
 
+#include "master/exchange/bus.h"
 #include "master/sii/sii_access.h"
 #include "master/sii/sii_layout.h"
 #include "master/sii/sii_work.h"
 #include "protocol/sii.h"
+#include "protocol/station_alias.h"
 #include "reasons/because.h"
 #include "reasons/brief_reason.h"
 
 namespace syncline {
 namespace {
-
-constexpr std::size_t kAliasByte = 8, kChecksumByte = 14;
 
 /// One slave's EEPROM while it is in our hands.
 class Eeprom {
@@ -108,10 +108,10 @@ Status check(std::span<const std::uint8_t> image) {
   if (image.size() % 2 != 0) return bad(because("it has an odd number of bytes"));
   if (image.size() < kSiiHeaderBytes)
     return bad(because("it is shorter than the header of {bytes} bytes", kSiiHeaderBytes));
-  const auto right = sii::checksum(image.first(14));
-  if (right != image[kChecksumByte]) {
-    return bad(because("its checksum is 0x{has} where 0x{right} is right", fmt::format("{:02X}", image[kChecksumByte]),
-                       fmt::format("{:02X}", right)));
+  const auto right = sii::checksum(image.first(kSiiChecksumByte));
+  if (right != image[kSiiChecksumByte]) {
+    return bad(because("its checksum is 0x{has} where 0x{right} is right",
+                       fmt::format("{:02X}", image[kSiiChecksumByte]), fmt::format("{:02X}", right)));
   }
   return {};
 }
@@ -167,8 +167,8 @@ Result<SiiWriteReport> write_alias(Bus& bus, const SlaveAddress& slave, std::uin
     if (auto status = eeprom.read(before, 2 * kSiiConfigurationWords, {}, 0); !status)
       return tl::unexpected(status.error());
     auto after = before;
-    store_le(std::span(after).subspan(kAliasByte), alias);
-    after[kChecksumByte] = sii::checksum(std::span(after).first(14));
+    store_le(std::span(after).subspan(kSiiAliasByte), alias);
+    after[kSiiChecksumByte] = sii::checksum(std::span(after).first(kSiiChecksumByte));
     return make_it(eeprom, before, after, {}, intent);
   });
 }

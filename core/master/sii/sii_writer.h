@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "master/exchange/bus.h"
-#include "master/exchange/slave_address.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+class SlaveAddress;
 
 /// Words done and words in all.
 using SiiProgress = std::function<void(std::size_t done, std::size_t all)>;

@@ -4,8 +4,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/event.h"
+#include "config/master_settings.h"
+#include "config/slave_config.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
+#include "master/scan/bus_match.h"
 #include "master/startup/bus_survey.h"
 #include "master/startup/hot_connect.h"
+#include "master/startup/slave_commands.h"
 
 namespace syncline {
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "master/exchange/bus.h"
+#include "config/network_config.h"
 #include "master/exchange/run_state.h"
-#include "master/startup/slave_commands.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+class SlaveCommands;
 
 /// Who of the configuration is on the bus at start-up, and where; what differs is told by error events.
 class Attendance {

@@ -5,6 +5,9 @@
 
 #include <array>
 
+#include "config/network_config.h"
+#include "master/exchange/bus.h"
+#include "master/scan/bus_match.h"
 #include "master/sii/sii_access.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
-#include "config/network_config.h"
-#include "master/exchange/bus.h"
-#include "master/scan/bus_match.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+struct BusMatch;
+struct FoundDevice;
+struct NetworkConfig;
+struct WantedDevice;
 
 /// Who stands at each of the first `count` places of the bus. The EEPROM is read of those devices only whose
 /// station address `known` does not know; the others' identity stays empty. Bus errors; a device

@@ -7,8 +7,13 @@
 #include <cstdlib>
 
 #include "channels/values/sync_obstacle_text.h"
+#include "config/dc_settings.h"
 #include "master/clocks/dc_join.h"
+#include "master/clocks/dc_setup.h"
 #include "master/clocks/dc_start.h"
+#include "master/clocks/delay_compensation.h"
+#include "master/cyclic/cyclic_task.h"
+#include "master/startup/attendance.h"
 #include "protocol/dcm_error.h"
 #include "reasons/because.h"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "master/clocks/dc_setup.h"
-#include "master/clocks/delay_compensation.h"
 #include "master/clocks/sync_watch.h"
-#include "master/cyclic/cyclic_task.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
-#include "master/startup/attendance.h"
 #include "master/startup/slave_commands.h"
 
 namespace syncline {
+
+class Attendance;
+class Bus;
+class CyclicTaskRunner;
+struct DcNetwork;
+class DelayCompensation;
 
 /// What the state machine does about distributed clocks between its steps: measures and sets them on the way to PREOP,
 /// waits until slaves and master run in step, sees that SYNC signals have started.

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "config/network_config.h"
 #include "master/exchange/slave_batch.h"
 #include "master/mailbox/sdo_work.h"
 

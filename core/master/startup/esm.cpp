@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "master/clocks/delay_compensation.h"
+#include "master/cyclic/cyclic_task.h"
 #include "master/cyclic/mailbox_hold.h"
 #include "master/scan/bus_scanner.h"
+#include "master/startup/init_cmd_runner.h"
 #include "master/startup/sm2_counter_lookup.h"
 #include "protocol/registers.h"
 

@@ -4,16 +4,16 @@
 #include <functional>
 #include <vector>
 
-#include "master/clocks/delay_compensation.h"
-#include "master/clocks/sync_watch.h"
-#include "master/cyclic/cyclic_task.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
 #include "master/startup/attendance.h"
 #include "master/startup/clock_steps.h"
 #include "master/startup/slave_commands.h"
+#include "protocol/al_state.h"
 
 namespace syncline {
+
+class Bus;
+class CyclicTaskRunner;
+class DelayCompensation;
 
 /// EtherCAT state machine of the master: takes all slaves through the states by the init commands of
 /// the configuration, and does on the way what no init command says: DC initialisation, waiting for

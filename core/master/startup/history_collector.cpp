@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/startup/history_collector.h"
 
+#include "master/cyclic/cyclic_task.h"
 #include "master/cyclic/mailbox_hold.h"
 #include "master/mailbox/diagnosis_history_reader.h"
+#include "master/mailbox/mailbox_client.h"
 #include "master/startup/slave_commands.h"
 
 namespace syncline {

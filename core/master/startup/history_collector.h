@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "master/cyclic/cyclic_task.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
+#include <cstddef>
+
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+class CyclicTaskRunner;
+class RunState;
 
 /// Reads what is new in the slaves' diagnosis histories and tells each message by an event, oldest first. Changes
 /// nothing in the slaves: their messages stay unacknowledged. Messages that a ring lost before it was read (as many

@@ -3,7 +3,10 @@
 
 #include <utility>
 
+#include "config/network_config.h"
+#include "master/exchange/bus.h"
 #include "master/exchange/slave_batch.h"
+#include "master/scan/bus_match.h"
 #include "master/startup/bus_survey.h"
 #include "master/startup/init_cmd_runner.h"
 

@@ -4,13 +4,15 @@
 #include <functional>
 #include <vector>
 
-#include "config/network_config.h"
-#include "master/exchange/bus.h"
-#include "master/scan/bus_match.h"
+#include "support/result.h"
 
 /// Which device on the bus is the first slave of which hot-connect group. That one came or went is told by
 /// RunState::hot_connect().
 namespace syncline {
+
+class Bus;
+struct FoundDevice;
+struct NetworkConfig;
 
 /// Asks devices that a hot-connect group's first slave may be by the group's identify commands, as far as these do not
 /// just compare the alias; of the devices that `known` does not know. Bus errors.

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "check/validate.h"
+#include "master/exchange/bus.h"
+#include "protocol/datagram.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
 

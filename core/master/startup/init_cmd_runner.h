@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
-#include "master/exchange/bus.h"
+#include "config/init_cmd.h"
+#include "master/exchange/frame_exchange.h"
 #include "master/exchange/slave_batch.h"
+#include "protocol/al_state.h"
 
 namespace syncline {
+
+class Bus;
 
 /// What a list of init commands (ETG.2100 InitCmd) needs beside the commands.
 struct InitCmdContext {

@@ -5,9 +5,17 @@
 #include <array>
 #include <numeric>
 
+#include "config/init_cmd.h"
+#include "config/network_config.h"
+#include "config/slave_config.h"
 #include "master/clocks/dc_start.h"
+#include "master/clocks/sync_watch.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/run_state.h"
 #include "master/startup/coe_download_work.h"
+#include "master/startup/init_cmd_runner.h"
 #include "master/startup/startup_message_work.h"
+#include "protocol/datagram.h"
 #include "protocol/registers.h"
 
 namespace syncline {

@@ -7,12 +7,15 @@
 #include <span>
 #include <vector>
 
-#include "master/clocks/sync_watch.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
-#include "master/startup/init_cmd_runner.h"
+#include "protocol/al_state.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+class RunState;
+class SlaveWork;
+class SyncWatch;
 
 /// Positions of slaves in the configuration, ascending.
 using SlaveList = std::vector<std::size_t>;

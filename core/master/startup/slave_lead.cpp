@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "master/cyclic/cyclic_task.h"
 #include "master/cyclic/mailbox_hold.h"
 #include "master/startup/esm.h"
 #include "reasons/because.h"

@@ -10,6 +10,7 @@
 #include "master/exchange/slave_address.h"
 #include "master/mailbox/mailbox_client.h"
 #include "protocol/al_state.h"
+#include "protocol/coe.h"
 #include "protocol/sync_manager.h"
 
 namespace syncline {

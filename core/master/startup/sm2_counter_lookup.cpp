@@ -4,6 +4,9 @@
 #include <map>
 #include <tuple>
 
+#include "config/network_config.h"
+#include "master/cyclic/sm2_reader.h"
+#include "master/exchange/run_state.h"
 #include "master/mailbox/mailbox_client.h"
 #include "master/mailbox/sdo_info_client.h"
 #include "master/mailbox/sm2_counter_profile.h"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "master/cyclic/sm2_reader.h"
-#include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
+#include "support/result.h"
 
 namespace syncline {
+
+class Bus;
+class RunState;
+class Sm2Reader;
 
 /// Asks the slaves by SDO information what stands in 0x1C32:0B and :0C, and tells the reader which of them counts
 /// missed SM2 events; slaves that do not say keep their vendor's place. One of each kind is asked. Needs PREOP.

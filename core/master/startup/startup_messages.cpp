@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "config/mailbox_config.h"
 #include "protocol/aoe.h"
+#include "protocol/command.h"
 #include "protocol/eoe.h"
 #include "protocol/foe.h"
 #include "protocol/soe.h"

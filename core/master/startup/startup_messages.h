@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "config/network_config.h"
+#include "protocol/al_state.h"
 #include "protocol/mailbox.h"
 #include "reasons/reason.h"
 
 namespace syncline {
+
+struct MailboxConfig;
 
 /// Start-up message of another protocol than CoE, as it goes into the mailbox.
 struct StartupMessage {

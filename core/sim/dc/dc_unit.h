@@ -16,7 +16,6 @@
 #include "sim/dc/local_clock.h"
 #include "sim/dc/sync_generator.h"
 #include "sim/dc/time_control_loop.h"
-#include "sim/registers/esc_memory.h"
 
 namespace syncline::sim {
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "config/sim_config.h"
+
 namespace syncline::sim {
 
 std::vector<RateChange> rate_changes(const SimConfig& config, std::size_t slave, Nanoseconds start) {

@@ -3,7 +3,12 @@
 
 #include <vector>
 
-#include "config/sim_config.h"
+#include "support/types.h"
+
+namespace syncline {
+struct RateChange;
+struct SimConfig;
+}  // namespace syncline
 
 namespace syncline::sim {
 

@@ -3,8 +3,13 @@
 
 #include <algorithm>
 
+#include "config/dc_description.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
+#include "protocol/sync_manager.h"
+#include "sim/dc/dc_unit.h"
+#include "sim/device/process_data.h"
+#include "sim/registers/esc_memory.h"
 #include "support/byte_order.h"
 
 namespace syncline::sim {

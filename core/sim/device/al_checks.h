@@ -5,11 +5,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "config/sim_config.h"
-#include "sim/device/process_data.h"
-#include "sim/esc/esc.h"
+#include "config/pdo_description.h"
+
+namespace syncline {
+struct SimSlaveConfig;
+}  // namespace syncline
 
 namespace syncline::sim {
+
+class Esc;
+class ProcessData;
 
 /// AL status codes that simulated devices give of their own accord (ETG.1000.6, table 11; ETG.1020).
 namespace al_code {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "families/device_family.h"
 #include "families/families.h"
+#include "protocol/diagnosis_message.h"
 #include "protocol/registers.h"
 #include "sim/device/device_objects.h"
 #include "sim/esc/esc_events.h"

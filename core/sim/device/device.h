@@ -16,9 +16,10 @@
 #include "sim/mailbox/mailbox_server.h"
 #include "sim/objects/diagnosis_history.h"
 #include "sim/objects/object_dictionary.h"
-#include "sim/segment/pin_trace.h"
 
 namespace syncline::sim {
+
+class PinTrace;
 
 /// Firmware behind an ESC: AL state machine with its checks, mailbox, process data. Behaviours of kinds
 /// of devices derive from it and say what they do at SM2, at SYNC0 and when the state changes.

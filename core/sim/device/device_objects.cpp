@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
 #include "config/module_slots.h"
+#include "config/sim_config.h"
 #include "protocol/sdo_information.h"
 #include "sim/device/sii_from_device.h"
+#include "sim/objects/object_dictionary.h"
 
 namespace syncline::sim {
 namespace {

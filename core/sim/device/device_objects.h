@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "config/sim_config.h"
-#include "sim/objects/object_dictionary.h"
+namespace syncline {
+struct SimSlaveConfig;
+}  // namespace syncline
 
 namespace syncline::sim {
+
+class ObjectDictionary;
 
 /// Objects that every device has: device type, name, identity, SyncManager types, what its PDOs map, and the
 /// dictionary of its description.

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "config/device_description.h"
+#include "sim/esc/esc.h"
 #include "sim/registers/short_copy.h"
 
 namespace syncline::sim {

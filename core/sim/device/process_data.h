@@ -5,10 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "config/device_description.h"
 #include "sim/esc/esc.h"
 #include "sim/objects/object_dictionary.h"
 #include "sim/objects/pdo_objects.h"
+
+namespace syncline {
+struct DeviceDescription;
+}  // namespace syncline
 
 namespace syncline::sim {
 

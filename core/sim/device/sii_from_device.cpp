@@ -4,7 +4,12 @@
 #include <algorithm>
 #include <string_view>
 
+#include "config/dc_description.h"
+#include "config/device_description.h"
+#include "config/sim_config.h"
 #include "protocol/coe_data_type.h"
+#include "protocol/sii.h"
+#include "protocol/station_alias.h"
 #include "support/byte_order.h"
 
 namespace syncline::sim {
@@ -124,11 +129,11 @@ sii::Image sii_from_device(const DeviceDescription& device, std::uint16_t alias,
 std::vector<std::uint8_t> factory_sii(const SimSlaveConfig& config) {
   if (config.sii_image.empty()) return sii::encode(sii_from_device(config.device, config.alias, config.serial_no));
   auto image = config.sii_image;
-  constexpr std::size_t kAlias = 8, kChecksum = 14;
-  if (image.size() > kChecksum && config.alias != load_le<std::uint16_t>(std::span(image).subspan(kAlias))) {
-    const bool checked = sii::checksum(std::span(image).first(kChecksum)) == image[kChecksum];
-    store_le<std::uint16_t>(std::span(image).subspan(kAlias, 2), config.alias);
-    if (checked) image[kChecksum] = sii::checksum(std::span(image).first(kChecksum));
+  if (image.size() > kSiiChecksumByte &&
+      config.alias != load_le<std::uint16_t>(std::span(image).subspan(kSiiAliasByte))) {
+    const bool checked = sii::checksum(std::span(image).first(kSiiChecksumByte)) == image[kSiiChecksumByte];
+    store_le<std::uint16_t>(std::span(image).subspan(kSiiAliasByte, 2), config.alias);
+    if (checked) image[kSiiChecksumByte] = sii::checksum(std::span(image).first(kSiiChecksumByte));
   }
   return image;
 }

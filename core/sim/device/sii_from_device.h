@@ -5,9 +5,14 @@
 #include <string_view>
 #include <vector>
 
-#include "config/device_description.h"
-#include "config/sim_config.h"
-#include "protocol/sii.h"
+namespace syncline {
+struct DeviceDescription;
+struct SimSlaveConfig;
+}  // namespace syncline
+
+namespace syncline::sii {
+struct Image;
+}  // namespace syncline::sii
 
 namespace syncline::sim {
 

@@ -5,6 +5,7 @@
 
 #include "sim/device/device.h"
 #include "sim/devices/sync_object.h"
+#include "sim/segment/pin_trace.h"
 
 namespace syncline::sim {
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "protocol/registers.h"
+#include "protocol/sync_error_counter.h"
 
 namespace syncline::sim {
 namespace {
@@ -13,7 +14,6 @@ constexpr std::uint32_t kPllRange = 100'000;  // ns; the drive's PLL cannot lock
 constexpr Nanoseconds kPllPatience = 2 * kSecond;
 /// Servo periods that are run through at once at most: a drive that nobody has asked for so long has come to rest.
 constexpr Nanoseconds kMostTicks = 100'000;
-constexpr unsigned kMissWeight = 3;             // added for a missed event; a good one takes 1 away
 constexpr std::uint32_t kCurrentLoop = 62'500;  // ns
 
 // ETG.1000.6, table 64

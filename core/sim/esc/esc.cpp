@@ -7,6 +7,7 @@
 
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
+#include "protocol/station_alias.h"
 #include "sim/esc/esc_events.h"
 #include "sim/registers/esc_ranges.h"
 #include "sim/registers/short_copy.h"
@@ -46,7 +47,7 @@ void Esc::advance_others(Nanoseconds time) {
 }
 
 bool Esc::has_address(std::uint16_t address) const {
-  const bool alias_on = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0;
+  const bool alias_on = listens_to_alias(memory_.u8(reg::kDlControlAlias));
   return address == memory_.u16(reg::kStationAddress) || (alias_on && address == memory_.u16(reg::kStationAlias));
 }
 
@@ -62,7 +63,8 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
 [[gnu::noinline]] void Esc::note_addresses() {
   addresses_generation_ = generation_;
   station_ = memory_.u16(reg::kStationAddress);
-  alias_ = (memory_.u8(reg::kDlControlAlias) & 0x01) != 0 ? memory_.u16(reg::kStationAlias) : PassingFrame::kNoStation;
+  alias_ =
+      listens_to_alias(memory_.u8(reg::kDlControlAlias)) ? memory_.u16(reg::kStationAlias) : PassingFrame::kNoStation;
 }
 
 // Every slave and frame goes through this and frame_end(): calls inside would cost a fifth of all the time of a

@@ -10,7 +10,6 @@
 #include <span>
 #include <vector>
 
-#include "config/sim_config.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"

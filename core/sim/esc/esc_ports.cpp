@@ -4,6 +4,7 @@
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
 #include "sim/esc/esc_events.h"
+#include "sim/registers/esc_memory.h"
 
 namespace syncline::sim {
 namespace {

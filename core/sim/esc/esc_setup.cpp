@@ -3,6 +3,7 @@
 #include "protocol/dl_status.h"
 #include "protocol/port_descriptor.h"
 #include "protocol/registers.h"
+#include "protocol/station_alias.h"
 #include "sim/esc/esc.h"
 
 /// What an ESC has after power-on: registers with their rights, features, configuration from the SII.
@@ -111,7 +112,7 @@ void Esc::load_configuration() {
   memory_.set<std::uint8_t>(reg::kEscConfiguration, content[1]);
   memory_.set<std::uint16_t>(reg::kPdiConfiguration, load_le<std::uint16_t>(std::span(content).subspan(2)));
   memory_.set<std::uint16_t>(reg::kPulseLength, load_le<std::uint16_t>(std::span(content).subspan(4)));
-  memory_.set<std::uint16_t>(reg::kStationAlias, load_le<std::uint16_t>(std::span(content).subspan(8)));
+  memory_.set<std::uint16_t>(reg::kStationAlias, load_le<std::uint16_t>(std::span(content).subspan(kSiiAliasByte)));
 }
 
 }  // namespace syncline::sim

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <utility>
 
+#include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/registers/esc_ranges.h"
 

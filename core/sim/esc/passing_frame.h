@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "protocol/frame.h"
+#include "protocol/datagram.h"
 #include "sim/esc/frame_plan.h"
 
 namespace syncline::sim {

@@ -3,6 +3,7 @@
 
 #include "protocol/registers.h"
 #include "sim/esc/watchdog_timer.h"
+#include "sim/registers/esc_memory.h"
 
 namespace syncline::sim {
 

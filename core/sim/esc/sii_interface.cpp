@@ -5,6 +5,7 @@
 
 #include "protocol/registers.h"
 #include "protocol/sii.h"
+#include "sim/registers/esc_memory.h"
 
 namespace syncline::sim {
 namespace {

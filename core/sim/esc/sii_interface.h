@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "config/sim_config.h"
-#include "sim/registers/esc_memory.h"
 #include "support/types.h"
 
 namespace syncline::sim {
+
+class EscMemory;
 
 /// EEPROM behind registers 0x0500 to 0x050F (ESC data sheet II, 3.9): read, write, reload, each of which
 /// keeps it busy for a while. Whoever owns it may give commands; writing needs the enable bit in the same frame.

@@ -2,6 +2,7 @@
 #include "sim/esc/watchdog_timer.h"
 
 #include "protocol/registers.h"
+#include "sim/registers/esc_memory.h"
 
 namespace syncline::sim {
 

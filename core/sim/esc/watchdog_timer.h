@@ -4,10 +4,11 @@
 #include <cstdint>
 #include <limits>
 
-#include "sim/registers/esc_memory.h"
 #include "support/types.h"
 
 namespace syncline::sim {
+
+class EscMemory;
 
 /// What both watchdogs of an ESC have in common: a time in ticks of the divider (0x0400) after which they expire, once,
 /// unless they are restarted before (ESC data sheet II, 3.8).

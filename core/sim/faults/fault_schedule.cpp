@@ -5,7 +5,10 @@
 #include <cmath>
 #include <memory>
 
+#include "protocol/al_state.h"
 #include "protocol/registers.h"
+#include "sim/device/device.h"
+#include "sim/faults/line_faults.h"
 
 namespace syncline::sim {
 namespace {

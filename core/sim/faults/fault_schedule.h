@@ -6,13 +6,20 @@
 #include <optional>
 #include <vector>
 
-#include "config/sim_config.h"
-#include "sim/device/device.h"
-#include "sim/esc/esc.h"
-#include "sim/faults/line_faults.h"
-#include "support/random.h"
+#include "sim/segment/segment.h"
+#include "support/types.h"
+
+namespace syncline {
+struct FaultConfig;
+struct LatchPulses;
+struct SimConfig;
+}  // namespace syncline
 
 namespace syncline::sim {
+
+class Device;
+class Esc;
+class LineFaults;
 
 /// What faults and pulses act upon. A slave that is switched on is a new one: nobody keeps its ESC or its device.
 class FaultTarget {

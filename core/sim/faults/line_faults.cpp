@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/segment/segment.h"
+
 namespace syncline::sim {
 
 void LineFaults::remove(const Fault& fault) {

@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "sim/segment/segment.h"
 #include "support/random.h"
 
 namespace syncline::sim {
+
+struct Passage;
 
 /// Frames that the lines of a segment lose or damage. What happens by chance is the same for the same seed.
 class LineFaults {

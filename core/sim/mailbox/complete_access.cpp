@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "protocol/coe.h"
+#include "sim/objects/object_dictionary.h"
 #include "sim/objects/pdo_objects.h"
 
 namespace syncline::sim {

@@ -5,10 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "protocol/coe.h"
-#include "sim/objects/object_dictionary.h"
+namespace syncline::coe {
+struct ObjectAddress;
+}  // namespace syncline::coe
 
 namespace syncline::sim {
+
+class ObjectDictionary;
 
 /// All entries of an object as one image (ETG.1000.6, 5.6.2 "complete access"): from sub-index 0 it begins with
 /// the number of entries in 16 bits, then the entries follow, packed by their length in bits.

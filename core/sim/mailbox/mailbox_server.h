@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "config/device_description.h"
-#include "protocol/coe.h"
+#include "config/mailbox_description.h"
 #include "protocol/mailbox.h"
 #include "sim/mailbox/aoe_server.h"
 #include "sim/mailbox/eoe_server.h"

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "protocol/diagnosis_message.h"
+#include "sim/objects/object_dictionary.h"
+
 namespace syncline::sim {
 namespace {
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "protocol/diagnosis_message.h"
-#include "sim/objects/object_dictionary.h"
+#include <cstdint>
+
+namespace syncline {
+struct DiagnosisMessage;
+}  // namespace syncline
 
 namespace syncline::sim {
+
+class ObjectDictionary;
 
 /// Diagnosis history 0x10F3 of a device (ETG.1020, 16): a ring of messages in the object dictionary, in overwrite
 /// or acknowledge mode as the master chooses by 0x10F3:05.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
+#include "sim/objects/object_dictionary.h"
 #include "sim/registers/short_copy.h"
 #include "support/bits.h"
 
@@ -27,11 +29,6 @@ std::vector<unsigned> managers_of(const DeviceDescription& device, PdoDirection 
     if (!device.sync_managers[i].is_virtual) real.push_back(i);
   }
   return real.empty() ? all : real;
-}
-
-std::uint32_t mapping_word(const PdoEntry& entry) {
-  return static_cast<std::uint32_t>(entry.index) << 16 | static_cast<std::uint32_t>(entry.sub_index) << 8 |
-         (entry.bit_length & 0xFFU);
 }
 
 }  // namespace
@@ -95,15 +92,13 @@ void PdoObjects::add_mapping(const Pdo& pdo, PdoDirection direction) {
   auto& head = dictionary_.add(pdo.index, 0, "Number of mapped objects", count, changeable);
   head.preop_only = true;
   for (unsigned sub = 1; sub <= (changeable ? kMaxEntries : count); ++sub) {
-    const auto word = sub <= count ? mapping_word(pdo.entries[sub - 1]) : 0U;
+    const auto word = sub <= count ? mapping_of(pdo.entries[sub - 1]).word() : 0U;
     auto& entry = dictionary_.add(pdo.index, static_cast<std::uint8_t>(sub), "Mapped object", word, changeable);
     entry.preop_only = true;
     entry.on_write = [this, index = pdo.index](std::span<const std::uint8_t> data) {
       if (dictionary_.get<std::uint8_t>(index, 0) != 0) return abort::kSubIndexNotWritable;
-      const auto mapped = load_le<std::uint32_t>(data);
-      const auto object = static_cast<std::uint16_t>(mapped >> 16);
-      const auto sub_index = static_cast<std::uint8_t>(mapped >> 8);
-      return check_mapped(object, sub_index, static_cast<std::uint8_t>(mapped));
+      const auto mapped = PdoMapping::of(load_le<std::uint32_t>(data));
+      return check_mapped(mapped.index, mapped.sub_index, mapped.bits);
     };
   }
 }
@@ -157,9 +152,8 @@ std::vector<PdoObjects::Mapped> PdoObjects::layout(const Assignment& assignment)
     const auto pdo = dictionary_.get<std::uint16_t>(index, static_cast<std::uint8_t>(i));
     const auto entries = dictionary_.get<std::uint8_t>(pdo, 0);
     for (unsigned k = 1; k <= entries; ++k) {
-      const auto word = dictionary_.get<std::uint32_t>(pdo, static_cast<std::uint8_t>(k));
-      objects.push_back({static_cast<std::uint16_t>(word >> 16), static_cast<std::uint8_t>(word >> 8),
-                         static_cast<std::uint8_t>(word)});
+      const auto mapped = PdoMapping::of(dictionary_.get<std::uint32_t>(pdo, static_cast<std::uint8_t>(k)));
+      objects.push_back({mapped.index, mapped.sub_index, mapped.bits});
     }
   }
   return objects;

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "config/device_description.h"
-#include "sim/objects/object_dictionary.h"
+#include "config/pdo_description.h"
+
+namespace syncline {
+struct DeviceDescription;
+}  // namespace syncline
 
 namespace syncline::sim {
+
+class ObjectDictionary;
 
 /// PDO mapping (0x1600.., 0x1A00..) and assignment (0x1C10 + SyncManager) in an object dictionary, and what follows
 /// from them: the process data's layout. Both can be changed by SDO in PREOP (ETG.1000.6, 5.6.7).

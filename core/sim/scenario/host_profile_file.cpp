@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "sim/scenario/scenario_table.h"
+#include "support/jitter_profile.h"
 
 namespace syncline::sim {
 namespace {

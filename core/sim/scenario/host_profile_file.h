@@ -3,8 +3,11 @@
 
 #include <string>
 
-#include "support/jitter_profile.h"
 #include "support/result.h"
+
+namespace syncline {
+struct JitterProfile;
+}  // namespace syncline
 
 namespace syncline::sim {
 

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "sim/faults/fault_rules.h"
+#include "sim/scenario/scenario_table.h"
 
 namespace syncline::sim {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <toml++/toml.h>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,9 +9,11 @@
 #include <vector>
 
 #include "config/sim_config.h"
-#include "sim/scenario/scenario_table.h"
+#include "support/result.h"
 
 namespace syncline::sim {
+
+class Table;
 
 /// Reads the [[fault]]s of a scenario, whose slaves are known already. What a fault cannot have, what contradicts the
 /// machine, and what contradicts another fault are errors of the file.

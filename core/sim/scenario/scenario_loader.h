@@ -8,8 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "config/sim_config.h"
+#include "config/device_description.h"
 #include "support/result.h"
+
+namespace syncline {
+struct SimConfig;
+}  // namespace syncline
 
 namespace syncline::sim {
 

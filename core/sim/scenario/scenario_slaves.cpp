@@ -12,6 +12,8 @@
 #include "protocol/sii.h"
 #include "sim/esc/esc_types.h"
 #include "sim/scenario/scenario_faults.h"
+#include "sim/scenario/scenario_table.h"
+#include "support/clock.h"
 #include "support/random.h"
 
 namespace syncline::sim {

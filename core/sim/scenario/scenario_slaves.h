@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <toml++/toml.h>
 #include <string>
 #include <vector>
 
 #include "config/sim_config.h"
 #include "sim/scenario/scenario_loader.h"
-#include "sim/scenario/scenario_table.h"
 
 namespace syncline::sim {
+
+class Table;
 
 /// Reads the [[slave]]s of a scenario in frame order.
 class ScenarioSlaves {

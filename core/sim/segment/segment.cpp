@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "config/port_kind.h"
+#include "config/sim_config.h"
 #include "protocol/dl_status.h"
 
 namespace syncline::sim {

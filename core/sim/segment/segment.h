@@ -7,8 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "config/sim_config.h"
 #include "support/types.h"
+
+namespace syncline {
+struct SimSlaveConfig;
+}  // namespace syncline
 
 namespace syncline::sim {
 

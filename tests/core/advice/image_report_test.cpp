@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "compile/cyclic_frames.h"
+#include "config/frame_time.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline {

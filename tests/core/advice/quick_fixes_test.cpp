@@ -7,6 +7,7 @@
 
 #include "check/check_network.h"
 #include "compile/compile.h"
+#include "settings/settings_table.h"
 #include "tests/support/small_machines.h"
 
 namespace syncline {

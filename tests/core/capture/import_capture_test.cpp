@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "link/link.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
+#include "record/import_run.h"
+#include "record/replay_run.h"
 #include "support/whole_file.h"
 #include "tests/support/plain_capture.h"
 #include "tests/support/temporary_folder.h"

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "findings/figure.h"
+#include "findings/finding.h"
 #include "tests/support/every_event.h"
 
 namespace syncline {

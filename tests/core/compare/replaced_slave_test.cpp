@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/slave_edits.h"
+#include "settings/setting_type.h"
 
 namespace syncline {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "compile/compile.h"
 #include "config/command_text.h"
+#include "config/frame_time.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline {

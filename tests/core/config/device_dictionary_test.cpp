@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/device_description.h"
+
 namespace syncline {
 namespace {
 

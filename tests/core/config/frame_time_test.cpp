@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "config/cyclic_frame.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
+#include "protocol/command.h"
+
 namespace syncline {
 namespace {
 

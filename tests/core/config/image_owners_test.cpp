@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "config/network_config.h"
+#include "config/process_image.h"
+
 namespace syncline {
 namespace {
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "config/device_description.h"
+#include "config/project.h"
 #include "config/wiring_tree.h"
 
 namespace syncline {

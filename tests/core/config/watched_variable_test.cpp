@@ -8,6 +8,9 @@
 #include <cmath>
 #include <limits>
 
+#include "config/network_config.h"
+#include "config/process_image.h"
+
 namespace syncline {
 namespace {
 

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "dc/start_time.h"
+#include "dc/system_time_offset.h"
+
 namespace syncline::dc {
 namespace {
 

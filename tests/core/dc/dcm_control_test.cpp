@@ -4,8 +4,10 @@
 #include <cmath>
 #include <memory>
 
+#include "config/dcm_settings.h"
 #include "dc/clock_registers.h"
 #include "dc/dcm/dcm_controller.h"
+#include "protocol/dcm_error.h"
 #include "support/random.h"
 
 namespace syncline::dc {

@@ -6,6 +6,7 @@
 #include "dc/dcm/bus_cycle_check.h"
 #include "dc/dcm/drift_estimator.h"
 #include "dcm_plant.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::dc {
 namespace {

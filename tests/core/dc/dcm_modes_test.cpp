@@ -3,10 +3,12 @@
 
 #include <cmath>
 
+#include "config/identity.h"
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/phase_tracker.h"
 #include "dc/outlier_gate.h"
 #include "dcm_plant.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::dc {
 namespace {

@@ -7,8 +7,10 @@
 #include <memory>
 #include <vector>
 
+#include "config/dcm_settings.h"
 #include "dc/dcm/dcm_controller.h"
 #include "support/clock.h"
+#include "support/jitter_profile.h"
 #include "support/random.h"
 
 namespace syncline::dc {

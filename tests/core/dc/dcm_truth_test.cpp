@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "dcm_plant.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::dc {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dcm_plant.h"
+#include "protocol/dcm_error.h"
 
 namespace syncline::dc {
 namespace {

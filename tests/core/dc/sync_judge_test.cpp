@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "config/dcm_settings.h"
+
 namespace syncline::dc {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "config/dc_settings.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::dc {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "dc/dcm/dcm_controller.h"
+
 namespace syncline::dc {
 namespace {
 

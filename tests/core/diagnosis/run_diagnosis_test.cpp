@@ -7,8 +7,15 @@
 #include <algorithm>
 #include <set>
 
+#include "channels/values/miss_cause.h"
 #include "channels/values/sync_obstacle_text.h"
+#include "config/dcm_settings.h"
+#include "findings/figure.h"
+#include "findings/finding.h"
 #include "findings/run_codes.h"
+#include "protocol/al_state.h"
+#include "trace/run_history.h"
+#include "trace/run_report.h"
 
 namespace syncline {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/opened_link.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {

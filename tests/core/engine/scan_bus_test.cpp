@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "channels/event.h"
+#include "engine/opened_link.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {

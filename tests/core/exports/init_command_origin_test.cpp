@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "config/project.h"
+#include "exports/init_commands.h"
+
 namespace syncline::exports {
 namespace {
 

@@ -6,6 +6,11 @@
 #include <set>
 #include <string>
 
+#include "config/device_description.h"
+#include "config/mailbox_config.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
+
 namespace syncline::families {
 namespace {
 

@@ -6,6 +6,10 @@
 
 #include <algorithm>
 
+#include "config/identity.h"
+#include "config/mailbox_config.h"
+#include "config/slave_config.h"
+#include "families/device_family.h"
 #include "families/families.h"
 
 namespace syncline::families {

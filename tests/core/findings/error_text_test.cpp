@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "findings/finding.h"
 #include "findings/reason_of.h"
 #include "findings/value_bytes.h"
 #include "reasons/because.h"

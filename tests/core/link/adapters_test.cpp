@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "link/pcap_link.h"
+#include "protocol/datagram.h"
 #include "protocol/frame.h"
+#include "support/clock.h"
 #include "support/net_namespace.h"
 
 namespace syncline {

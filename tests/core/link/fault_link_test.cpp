@@ -7,6 +7,8 @@
 #include <deque>
 #include <vector>
 
+#include "support/clock.h"
+
 namespace syncline {
 namespace {
 

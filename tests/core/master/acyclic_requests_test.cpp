@@ -5,6 +5,8 @@
 
 #include <functional>
 
+#include "channels/master_channels.h"
+#include "master/exchange/run_state.h"
 #include "tests/core/master/mailbox_bed.h"
 
 namespace syncline::test {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"
 #include "tests/support/small_machines.h"

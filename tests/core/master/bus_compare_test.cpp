@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "channels/values/bus_scan.h"
 #include "check/network_view.h"
+#include "compare/compare_configs.h"
 #include "compile/compile.h"
 #include "tests/support/sample_devices.h"
 

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+#include "config/device_description.h"
+#include "config/device_from_sii.h"
+#include "config/sync_manager_type.h"
+#include "master/exchange/bus.h"
 #include "master/master_service.h"
 #include "protocol/sii.h"
 #include "tests/support/simulated_segment.h"

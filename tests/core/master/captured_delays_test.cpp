@@ -8,6 +8,7 @@
 #include "dc/propagation_delay.h"
 #include "findings/error_text.h"
 #include "master/scan/topology.h"
+#include "protocol/frame.h"
 #include "protocol/port_descriptor.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

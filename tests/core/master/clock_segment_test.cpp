@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/clocks/clock_segment.h"
-#include "dl_status_of.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+
+#include "dl_status_of.h"
 
 namespace syncline {
 namespace {

@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 
+#include "protocol/dc_registers.h"
 #include "sim/sim_bus.h"
 #include "support/random.h"
 #include "tests/support/clock_bed.h"

@@ -6,6 +6,11 @@
 
 #include <algorithm>
 
+#include "channels/command.h"
+#include "channels/event.h"
+#include "channels/events/clock_events.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "tests/support/clock_bed.h"
 

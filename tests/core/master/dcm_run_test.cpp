@@ -4,7 +4,11 @@
 
 #include <cmath>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
 #include "channels/dcm_query.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
 #include "dc/clock_registers.h"
 #include "findings/error_text.h"
 #include "master/master_service.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "channels/master_channels.h"
 #include "protocol/dc_registers.h"
 #include "tests/support/clock_bed.h"
 

@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "channels/master_channels.h"
+#include "master/exchange/run_state.h"
 #include "protocol/registers.h"
 #include "tests/support/event_match.h"
 

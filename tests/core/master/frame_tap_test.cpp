@@ -8,6 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include "channels/frame_ring.h"
+#include "channels/master_channels.h"
+#include "link/link.h"
+#include "support/clock.h"
+#include "support/result.h"
+
 namespace syncline {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "master/exchange/tally.h"
+#include "protocol/datagram.h"
 
 namespace syncline {
 namespace {

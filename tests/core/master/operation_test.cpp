@@ -6,10 +6,15 @@
 #include <span>
 #include <thread>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "compile/compile.h"
 #include "findings/error_text.h"
 #include "master/master_service.h"
 #include "protocol/sii.h"
+#include "support/jitter_profile.h"
 #include "tests/support/event_match.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/test_bus.h"

@@ -6,6 +6,12 @@
 #include <algorithm>
 #include <array>
 
+#include "channels/command.h"
+#include "channels/cyclic_application.h"
+#include "channels/event.h"
+#include "channels/image_contents.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "master/master_service.h"
 #include "support/byte_order.h"
 #include "tests/support/small_machines.h"

@@ -5,6 +5,13 @@
 #include <mutex>
 #include <vector>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/frame_ring.h"
+#include "channels/image_contents.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "cycle_hooks.h"
 #include "master/master_service.h"
 #include "tests/support/simulated_network.h"

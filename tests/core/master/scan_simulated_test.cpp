@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "channels/master_channels.h"
 #include "findings/error_text.h"
 #include "link/fault_link.h"
 #include "master/operation.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "channels/values/bus_scan.h"
 #include "master/scan/scan_findings.h"
 #include "master/scan/topology.h"
 #include "support/random.h"

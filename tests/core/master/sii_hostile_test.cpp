@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "master/exchange/bus.h"
 #include "master/scan/bus_scanner.h"
 #include "protocol/sii.h"
 #include "tests/support/simulated_segment.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "link/fault_link.h"
+#include "master/exchange/slave_address.h"
 #include "protocol/sii.h"
 #include "sim/device/sii_from_device.h"
 #include "support/random.h"

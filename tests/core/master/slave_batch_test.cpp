@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "channels/command.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
+#include "master/exchange/bus.h"
 #include "master/mailbox/coe_client.h"
 #include "master/master_service.h"
 #include "master/startup/coe_download_work.h"

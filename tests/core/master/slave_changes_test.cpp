@@ -7,7 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "channels/event_finding.h"
+#include "channels/master_channels.h"
+#include "config/cyclic_frame.h"
+#include "config/process_image.h"
+#include "master/clocks/dc_setup.h"
+#include "master/clocks/ored_deviation.h"
 #include "master/clocks/slaves_sync.h"
 #include "master/clocks/sync_watch.h"
 #include "master/cyclic/sync_event_watch.h"

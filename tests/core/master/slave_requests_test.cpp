@@ -7,6 +7,13 @@
 #include <map>
 #include <numeric>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/master_channels.h"
+#include "channels/request_desk.h"
+#include "channels/slave_request.h"
+#include "channels/snapshot.h"
 #include "cycle_hooks.h"
 #include "master/master_service.h"
 #include "protocol/registers.h"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/clock.h"
+
 namespace syncline {
 namespace {
 

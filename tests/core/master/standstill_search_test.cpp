@@ -7,6 +7,7 @@
 #include <sched.h>
 #include <thread>
 
+#include "channels/processor_holder.h"
 #include "tests/support/proc_folder.h"
 
 namespace syncline {

@@ -4,11 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "channels/command.h"
+#include "channels/events/service_events.h"
+#include "channels/master_channels.h"
+#include "channels/snapshot.h"
+#include "config/slave_settings.h"
 #include "findings/error_text.h"
 #include "master/master_service.h"
 #include "protocol/aoe.h"
 #include "protocol/eoe.h"
 #include "protocol/soe.h"
+#include "support/clock.h"
 #include "support/simulated_network.h"
 
 namespace syncline {

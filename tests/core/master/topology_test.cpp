@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/scan/topology.h"
-#include "dl_status_of.h"
 
 #include <gtest/gtest.h>
+
+#include "dl_status_of.h"
 
 namespace syncline {
 namespace {

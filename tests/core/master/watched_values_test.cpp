@@ -10,6 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/cyclic_application.h"
+#include "channels/master_channels.h"
 #include "config/watched_variable.h"
 #include "master/master_service.h"
 #include "protocol/frame.h"

@@ -5,6 +5,9 @@
 
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
+
 namespace syncline {
 namespace {
 

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "capture/pcap_reader.h"
+#include "config/network_config.h"
 #include "support/random.h"
 #include "support/whole_file.h"
 #include "tests/support/pcapng_file.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "record/recording_reader.h"
+#include "record/replay_run.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/support/temporary_folder.h"
 #include "trace/csv.h"

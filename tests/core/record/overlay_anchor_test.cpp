@@ -3,7 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
 #include "channels/event_finding.h"
+#include "config/network_config.h"
+#include "findings/finding.h"
+#include "protocol/al_state.h"
+#include "record/run_record.h"
+#include "trace/trigger.h"
 
 namespace syncline {
 namespace {

@@ -12,6 +12,7 @@
 
 #include "config/sync_grid.h"
 #include "record/recorder.h"
+#include "record/replay_run.h"
 #include "record/typed_values.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/support/same_overview.h"

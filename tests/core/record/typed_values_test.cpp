@@ -8,7 +8,10 @@
 #include <set>
 #include <string>
 
+#include "findings/figure.h"
+#include "findings/finding.h"
 #include "reasons/because.h"
+#include "reasons/placeholder.h"
 
 namespace syncline {
 namespace {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/sim_config.h"
 #include "recover/simulated_network.h"
 #include "tests/support/sample_devices.h"
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "record/replay_run.h"
 #include "reports/commissioning_report.h"
 
 namespace syncline::reports {

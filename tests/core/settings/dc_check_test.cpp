@@ -5,6 +5,9 @@
 
 #include <functional>
 
+#include "config/dc_settings.h"
+#include "config/network_config.h"
+
 namespace syncline {
 namespace {
 

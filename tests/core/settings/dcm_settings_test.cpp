@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/project.h"
 #include "settings/dc_check.h"
 #include "settings/settings_keys.h"
 

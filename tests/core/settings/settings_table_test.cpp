@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "families/device_family.h"
 #include "families/families.h"
 #include "settings/default_value.h"
 #include "settings/limits.h"

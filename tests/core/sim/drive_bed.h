@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/sim_config.h"
 #include "protocol/coe.h"
 #include "protocol/mailbox.h"
 #include "tests/core/sim/sim_probe.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sim/segment/pin_trace.h"
 #include "tests/core/sim/drive_bed.h"
 
 namespace syncline::test {

@@ -6,6 +6,7 @@
 
 #include "protocol/coe.h"
 #include "protocol/mailbox.h"
+#include "sim/segment/pin_trace.h"
 #include "tests/core/sim/sim_probe.h"
 
 namespace syncline::test {

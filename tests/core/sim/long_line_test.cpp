@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "config/sim_config.h"
 #include "sim/segment/segment.h"
 
 namespace syncline::sim {

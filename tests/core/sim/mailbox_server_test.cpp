@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
+#include "config/device_description.h"
+#include "protocol/diagnosis_message.h"
 #include "sim/mailbox/complete_access.h"
 #include "sim/mailbox/mailbox_server.h"
 #include "sim/objects/diagnosis_history.h"

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "sim/esc/esc.h"
 #include "support/clock.h"
 #include "tests/support/simulated_network.h"
 

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "config/sim_config.h"
 #include "eni/esi/esi_reader.h"
+#include "protocol/datagram.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "sim/scenario/scenario_loader.h"

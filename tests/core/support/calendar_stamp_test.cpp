@@ -8,6 +8,8 @@
 #include <deque>
 #include <utility>
 
+#include "support/clock.h"
+
 namespace syncline {
 namespace {
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "support/jitter_profile.h"
+
 namespace syncline {
 namespace {
 

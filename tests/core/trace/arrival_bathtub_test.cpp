@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "support/random.h"
+#include "trace/min_max_series.h"
 
 namespace syncline {
 namespace {

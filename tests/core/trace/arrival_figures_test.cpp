@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "trace/min_max_series.h"
+
 namespace syncline {
 namespace {
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 #include "dc/sync0_arrival.h"
 #include "support/random.h"
 #include "trace/sample_store.h"

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "channels/cycle_sample.h"
 #include "trace/csv.h"
 #include "trace/signals.h"
 

@@ -5,7 +5,10 @@
 
 #include <cmath>
 
+#include "channels/cycle_sample.h"
+#include "protocol/al_state.h"
 #include "support/clock.h"
+#include "support/jitter_profile.h"
 #include "support/random.h"
 
 namespace syncline {

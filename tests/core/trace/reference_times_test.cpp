@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "channels/cycle_sample.h"
+
 namespace syncline {
 namespace {
 

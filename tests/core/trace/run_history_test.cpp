@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "channels/events/slave_events.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
+
 namespace syncline {
 namespace {
 

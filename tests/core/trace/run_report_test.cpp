@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "channels/cycle_sample.h"
+#include "config/cyclic_frame.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
+#include "protocol/command.h"
 
 namespace syncline {
 namespace {

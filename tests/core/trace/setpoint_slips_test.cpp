@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+
 namespace syncline {
 namespace {
 

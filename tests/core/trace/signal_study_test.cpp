@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "trace/min_max_series.h"
+
 namespace syncline {
 namespace {
 

@@ -8,7 +8,9 @@
 #include <functional>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "support/random.h"
+#include "trace/sample_store.h"
 
 namespace syncline {
 namespace {

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "config/network_config.h"
+#include "trace/sample_store.h"
+
 namespace syncline {
 namespace {
 

@@ -5,6 +5,13 @@
 
 #include <span>
 
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
+#include "protocol/al_state.h"
+#include "trace/sample_store.h"
+#include "trace/sync_overview.h"
+
 namespace syncline {
 namespace {
 

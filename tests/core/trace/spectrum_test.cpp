@@ -10,7 +10,10 @@
 #include <random>
 #include <vector>
 
+#include "config/dcm_settings.h"
+#include "config/network_config.h"
 #include "trace/even_samples.h"
+#include "trace/min_max_series.h"
 
 namespace syncline {
 namespace {

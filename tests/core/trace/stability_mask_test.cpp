@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "trace/stability.h"
+
 namespace syncline {
 namespace {
 

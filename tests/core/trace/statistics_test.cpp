@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "trace/csv.h"
 #include "trace/histogram.h"
 

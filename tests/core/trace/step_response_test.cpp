@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "config/dcm_settings.h"
 #include "dc/dcm/predicted_step.h"
 #include "support/random.h"
 

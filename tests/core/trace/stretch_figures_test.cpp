@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "trace/min_max_series.h"
+
 namespace syncline {
 namespace {
 

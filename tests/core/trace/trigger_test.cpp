@@ -6,6 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "channels/event.h"
+#include "findings/finding.h"
+#include "trace/sample_store.h"
+
 namespace syncline {
 namespace {
 

@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "config/identity.h"
 #include "trace/csv.h"
 #include "trace/sample_store.h"
 #include "trace/trigger.h"

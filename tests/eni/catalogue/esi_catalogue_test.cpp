@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/catalogue/esi_catalogue.h"
-#include "eni/catalogue/revision_words.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -11,9 +10,14 @@
 #include <optional>
 #include <utility>
 
+#include "config/dc_description.h"
+#include "config/device_description.h"
 #include "eni/catalogue/esi_folder.h"
+#include "eni/catalogue/revision_words.h"
 #include "eni/catalogue/usual_sources.h"
+#include "eni/xml/file_warning.h"
 #include "findings/error_text.h"
+#include "findings/figure.h"
 #include "sqlite/sqlite_database.h"
 
 namespace syncline::eni {

@@ -10,8 +10,12 @@
 #include <sstream>
 
 #include "check/check_network.h"
+#include "config/hot_connect.h"
+#include "config/network_config.h"
+#include "config/process_image.h"
 #include "eni/check/check_bed.h"
 #include "eni/check/rule_cases.h"
+#include "protocol/command.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
 

@@ -8,7 +8,9 @@
 
 #include "compare/compare_configs.h"
 #include "compare/network_compare.h"
+#include "config/network_config.h"
 #include "eni/check/check_bed.h"
+#include "protocol/command.h"
 #include "support/eni_values.h"
 #include "support/sample_folder.h"
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "config/cyclic_frame.h"
 #include "config/frame_time.h"
+#include "config/network_config.h"
 #include "eni/check/check_bed.h"
 #include "eni/check/rule_cases.h"
+#include "protocol/al_state.h"
+#include "protocol/command.h"
 
 namespace syncline::test {
 namespace {

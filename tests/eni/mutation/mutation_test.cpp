@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compare/compare_configs.h"
+#include "config/network_config.h"
 #include "eni/check/check_bed.h"
 #include "eni/mutation/defects.h"
 #include "support/sample_folder.h"

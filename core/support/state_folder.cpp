@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/state_folder.h"
+#include "support/state_folder.h"
 
 #include <cstdlib>
 

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "config/device_description.h"
-#include "config/project.h"
 #include "support/types.h"
+
+namespace syncline {
+struct DcOpMode;
+struct DcSlaveSettings;
+struct DcTime;
+struct SlaveSettings;
+}  // namespace syncline
 
 namespace syncline::compiler {
 

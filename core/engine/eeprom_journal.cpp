@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/eeprom_journal.h"
+#include "engine/eeprom_journal.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/composition/state_folder.h"
+#include "support/state_folder.h"
 #include "support/whole_file.h"
 
 namespace syncline {

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
-#include "engine/open_bus.h"
-#include "master/sii/sii_writer.h"
+#include "engine/opened_link.h"
+#include "support/result.h"
 
 namespace syncline {
+
+struct SiiWriteReport;
 
 /// The EEPROM of the slave at `position` behind a LINK. Each call opens and closes the link. kNoResponse when
 /// there is no such slave, kSii with the slave in its subject, file errors.
 struct EepromRequest {
   std::string link;
   std::uint16_t position = 0;
+  std::function<Result<OpenedLink>(const std::string& link)> open{};  // never empty
   const std::atomic<bool>* cancel = nullptr;
 };
 

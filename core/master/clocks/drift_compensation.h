@@ -6,9 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "master/exchange/bus.h"
+#include "master/exchange/frame_exchange.h"
 
 namespace syncline {
+
+class Bus;
 
 /// The drift burst: many frames that hand the reference clock's time to all others before there is a bus cycle, so
 /// that the time control loops learn their quartzes. The frames of a cycle travel one behind the other.

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/slave_eeprom.h"
+#include "engine/slave_eeprom.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/composition/eeprom_journal.h"
-#include "app/composition/open_link.h"
+#include "engine/eeprom_journal.h"
+#include "engine/open_bus.h"
+#include "master/exchange/bus.h"
+#include "master/exchange/slave_address.h"
+#include "master/sii/sii_writer.h"
 #include "reasons/because.h"
 #include "support/whole_file.h"
 
@@ -23,7 +26,7 @@ Error with_slave(Error error, std::uint16_t position) {
 template <class Work>
 auto with_slave_of(const EepromRequest& request, Work work)
     -> decltype(work(std::declval<Bus&>(), std::declval<SlaveAddress>())) {
-  auto opened = OpenBus::open_for_slave(open_link(request.link), request.position, request.cancel);
+  auto opened = OpenBus::open_for_slave(request.open(request.link), request.position, request.cancel);
   if (!opened) return tl::unexpected(opened.error());
   auto& bus = (*opened)->bus();
   auto result = work(bus, SlaveAddress::at_position(request.position));

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "config/project.h"
+#include "config/slave_settings.h"
 
 #include <algorithm>
 
 #include "config/module_slots.h"
 #include "config/slave_edits.h"
+#include "protocol/station_address.h"
 
 namespace syncline {
 namespace {
-
-constexpr std::uint16_t kFirstStationAddress = 1001;  // as ET9000, TwinCAT and EC-Engineer count
 
 bool contains(const std::vector<std::uint16_t>& indices, std::uint16_t index) {
   return std::ranges::find(indices, index) != indices.end();
@@ -72,7 +71,7 @@ void select_op_mode(SlaveSettings& slave, std::string_view name) {
 
 SlaveSettings default_slave(const DeviceDescription& device, std::uint16_t position) {
   SlaveSettings slave;
-  slave.station_address = static_cast<std::uint16_t>(kFirstStationAddress + position);
+  slave.station_address = usual_station_address(position);
   slave.name = default_name(slave.station_address, device);
   slave.device = device;
   slave.assigned_rx_pdos = default_assignment(device, PdoDirection::kRx);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 
 #include <algorithm>
 
+#include "config/dc_description.h"
+#include "config/dc_settings.h"
+#include "config/slave_settings.h"
 #include "protocol/dc_registers.h"
 
 namespace syncline::compiler {

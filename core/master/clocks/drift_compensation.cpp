@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "master/clocks/dc_burst.h"
+#include "master/clocks/drift_compensation.h"
 
 #include <algorithm>
 
 #include "dc/clock_registers.h"
+#include "master/exchange/bus.h"
+#include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "config/dc_times.h"
+#include "config/sync0_cycle.h"
 
 #include <gtest/gtest.h>
 
