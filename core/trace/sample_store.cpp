@@ -335,10 +335,11 @@ void SampleStore::append(const Event& event) {
 
 /// Those up to a snapshot of the run: what is told while the bus is taken down has none behind it.
 void SampleStore::take_told(Nanoseconds until) {
-  const auto later = std::ranges::stable_partition(al_told_, [until](const Told& told) { return told.time <= until; });
-  for (auto told = al_told_.begin(); told != later.begin(); ++told)
+  const auto later =
+      std::stable_partition(al_told_.begin(), al_told_.end(), [until](const Told& told) { return told.time <= until; });
+  for (auto told = al_told_.begin(); told != later; ++told)
     (void)of_held_[place(Signal::kAlState, told->slave)].change(told->time, static_cast<float>(told->status));
-  al_told_.erase(al_told_.begin(), later.begin());
+  al_told_.erase(al_told_.begin(), later);
 }
 
 void SampleStore::append(const Snapshot& snapshot) {

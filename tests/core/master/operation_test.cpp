@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <span>
 #include <thread>
 
 #include "channels/command.h"
@@ -208,17 +207,12 @@ TEST_F(OperationTest, MasterShiftFollowsAFastReferenceClock) {
   EXPECT_NEAR(static_cast<double>(b.send_time - a.send_time), 1e9 * (1 - 80e-6), 2000);
 }
 
-/// A link without stamps of its own leaves those of the master; what they may be off by comes back with the frame.
-TEST_F(OperationTest, EachCycleSaysWhoStampedItAndHowSureThatIs) {
+/// A link without stamps of its own leaves those of the master.
+TEST_F(OperationTest, EachCycleSaysWhoStampedIt) {
   go_online();
   run(500 * kMillisecond);
   ASSERT_GT(samples.size(), 100U);
-  for (const auto& sample : std::span(samples).subspan(10)) {
-    EXPECT_EQ(sample.stamped_by, StampSource::kSoftware);
-    if ((sample.flags & CycleSample::kFrameLost) != 0) continue;
-    EXPECT_GE(sample.stamp_doubt_ns, 0);
-    EXPECT_LE(sample.stamp_doubt_ns, sample.round_trip_ns);
-  }
+  for (const auto& sample : samples) ASSERT_EQ(sample.stamped_by, StampSource::kSoftware) << sample.cycle;
 }
 
 TEST_F(OperationTest, ReadsTheSm2CounterWhereTheVendorHasIt) {
