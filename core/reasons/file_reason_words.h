@@ -62,6 +62,7 @@ inline constexpr std::string_view kFileReasons[] = {
     "its cycle {cycle} does not come behind that of the line before",
     "it holds no cyclic frame that came back",
     "its times do not tell the cycles apart",
+    "its time {time} ns is no date of this century",
     "a log of the master synchronisation, or the table that \"synclinectl run --csv\" writes",
     "{file} has it no longer",
     "its ESI files are missing here",

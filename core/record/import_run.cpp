@@ -338,8 +338,9 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
     CycleSample sample;
     sample.flags = untold;
     auto wrong = table.read(line, sample);
-    if (wrong.empty() && !(is_time(sample.send_time) && is_time(sample.reference_time)))
-      wrong = because("its times do not tell the cycles apart");
+    for (const auto time : {sample.send_time, sample.reference_time}) {
+      if (wrong.empty() && !is_time(time)) wrong = because("its time {time} ns is no date of this century", time);
+    }
     if (wrong.empty() && !run.samples.empty() && sample.cycle <= run.samples.back().cycle)
       wrong = because("its cycle {cycle} does not come behind that of the line before", sample.cycle);
     if (!ended) run.findings.push_back(unended(number, wrong.empty()));

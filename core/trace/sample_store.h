@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "channels/values/stamp_source.h"
 #include "trace/arrival_series.h"
 #include "trace/held_series.h"
 #include "trace/min_max_series.h"

@@ -5,8 +5,8 @@
 
 #include "compare/network_compare.h"
 #include "compile/compile.h"
-#include "config/dc_times.h"
 #include "config/module_slots.h"
+#include "config/sync0_cycle.h"
 #include "eni/esi/esi_reader.h"
 #include "findings/error_text.h"
 #include "protocol/sync_manager.h"

@@ -8537,6 +8537,10 @@
         <translation>seine Zeiten unterscheiden die Zyklen nicht</translation>
     </message>
     <message>
+        <source>its time {time} ns is no date of this century</source>
+        <translation>seine Zeit {time} ns ist kein Datum dieses Jahrhunderts</translation>
+    </message>
+    <message>
         <source>a log of the master synchronisation, or the table that "synclinectl run --csv" writes</source>
         <translation>ein Log der Master-Synchronisation oder die Tabelle, die „synclinectl run --csv“ schreibt</translation>
     </message>

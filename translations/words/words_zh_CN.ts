@@ -8537,6 +8537,10 @@
         <translation>其时间无法区分各个周期</translation>
     </message>
     <message>
+        <source>its time {time} ns is no date of this century</source>
+        <translation>其时间 {time} ns 不是本世纪的日期</translation>
+    </message>
+    <message>
         <source>a log of the master synchronisation, or the table that "synclinectl run --csv" writes</source>
         <translation>主站同步日志，或“synclinectl run --csv”写出的表格</translation>
     </message>

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/sii.h"
+
 namespace syncline {
 namespace {
 
