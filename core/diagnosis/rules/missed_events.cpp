@@ -13,10 +13,20 @@
 namespace syncline::diagnosis {
 namespace {
 
+/// All of them in the moments in which the host stood still.
+bool missed_at_stalls(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& missed = report.history.slaves[slave.position].missed.list();
+  return !missed.empty() && std::ranges::all_of(missed, [&](const Spell& spell) {
+    return report.history.stalls.near({spell.from - kReadLater, spell.to, 0, 0}, kTogether);
+  });
+}
+
 /// Where nothing holds the frames at their place, one that is held up a little now and then is not why they come behind
-/// SYNC0.
-dc::MissCause cause_where(bool controlled, dc::MissCause cause) {
-  return !controlled && cause == dc::MissCause::kFrameHeldUp ? dc::MissCause::kFrameLate : cause;
+/// SYNC0. What a host that stands still has under way goes when it goes on: that is its doing, and not the wire's.
+dc::MissCause told_cause(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
+  if (cause != dc::MissCause::kFrameHeldUp) return cause;
+  if (!is_controlled(report)) return dc::MissCause::kFrameLate;
+  return missed_at_stalls(report, slave) ? dc::MissCause::kCyclesLeftOut : cause;
 }
 
 std::string_view code_of(dc::MissCause cause, bool locked) {
@@ -92,9 +102,9 @@ dc::MissCause main_cause(const Sm2MissedStatus& status) {
   return static_cast<dc::MissCause>(most - status.by_cause.begin());
 }
 
-std::string_view miss_cause_words(const RunReport& report, dc::MissCause cause) {
+std::string_view miss_cause_words(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
   const bool locked = was_locked(report);
-  switch (cause_where(is_controlled(report), cause)) {
+  switch (told_cause(report, slave, cause)) {
     case dc::MissCause::kFrameLost:
       return "frames were lost";
     case dc::MissCause::kCyclesLeftOut:
@@ -141,7 +151,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     }
     const auto& spells = report.history.slaves[slave.position].missed;
     Finding finding{
-        code_of(cause_where(is_controlled(report), cause), was_locked(report)),
+        code_of(told_cause(report, slave, cause), was_locked(report)),
         Severity::kWarning,
         slave.position,
         spells.first(),

@@ -15,7 +15,8 @@ namespace syncline::diagnosis {
 /// Which cause has most of the missed SM2 events.
 [[nodiscard]] dc::MissCause main_cause(const Sm2MissedStatus& status);
 /// "frames were lost": goes behind a colon or "because".
-[[nodiscard]] std::string_view miss_cause_words(const RunReport& report, dc::MissCause cause);
+[[nodiscard]] std::string_view miss_cause_words(const RunReport& report, const RunReport::Slave& slave,
+                                                dc::MissCause cause);
 
 /// Whether anything moves the frames to their place in the SYNC grid, or the reference clock to them.
 [[nodiscard]] bool is_controlled(const RunReport& report);

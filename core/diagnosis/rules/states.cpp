@@ -91,7 +91,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto moved = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate
                          ? sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)
                          : std::nullopt;
-  finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(report, cause)));
+  finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(report, slave, cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
   if (cause == dc::MissCause::kFrameLate && !moved && was_locked(report)) finding.code = code::kSlaveFellByLateFrames;

@@ -643,6 +643,15 @@ TEST(RunDiagnosis, WhatAStandstillOfTheHostDoesIsToldWithIt) {
   EXPECT_THAT(codes(report), Contains(code::kWindowLeft)) << "no quartz runs away so fast";
 }
 
+TEST(RunDiagnosis, FramesThatAStandstillOfTheHostHoldsAreHeldByIt) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kFrameHeldUp, 2);
+  report.history.slaves[1].missed.note(kStart + 5 * kSecond + 200 * kMillisecond, 2);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHeldFrames));
+  report.history.stalls.note(kStart + 5 * kSecond, 1, 2 * kMillisecond, kStart + 4998 * kMillisecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHost, code::kHostStalled));
+}
+
 TEST(RunDiagnosis, AnOutageExcusesNoFramesThatWereLostAtAnotherTime) {
   auto report = healthy();
   report.slaves[1].sync0_cycle = kMillisecond;
