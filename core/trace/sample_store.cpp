@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "channels/event.h"
 #include "channels/snapshot.h"
 #include "trace/bus_signals.h"
 #include "trace/cycle_gap.h"

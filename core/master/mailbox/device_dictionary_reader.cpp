@@ -8,6 +8,7 @@
 #include "config/device_dictionary.h"
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/object_dictionary_reader.h"
+#include "protocol/coe.h"
 #include "protocol/coe_data_type.h"
 #include "support/byte_order.h"
 

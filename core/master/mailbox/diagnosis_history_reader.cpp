@@ -4,6 +4,7 @@
 #include <span>
 
 #include "master/mailbox/coe_client.h"
+#include "protocol/coe.h"
 #include "protocol/diagnosis_log.h"
 
 namespace syncline {

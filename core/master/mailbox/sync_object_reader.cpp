@@ -10,6 +10,7 @@
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/sdo_info_client.h"
 #include "master/mailbox/sm2_counter_profile.h"
+#include "protocol/coe.h"
 #include "support/byte_order.h"
 
 namespace syncline {
