@@ -9,6 +9,7 @@
 #include "advice/cycle_time_help.h"
 #include "config/project.h"
 #include "ui/editors/cycle_table.h"
+#include "ui/text/error_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/widgets/named.h"
 

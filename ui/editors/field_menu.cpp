@@ -13,6 +13,7 @@
 #include "ui/editors/field_binder.h"
 #include "ui/editors/field_menu.h"
 #include "ui/editors/page.h"
+#include "ui/session/project_document.h"
 #include "ui/text/setting_text.h"
 
 namespace syncline::ui {

@@ -7,6 +7,7 @@
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
 #include "ui/editors/page.h"
+#include "ui/session/project_document.h"
 #include "ui/text/units.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"

@@ -9,10 +9,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <utility>
 
+#include "ui/panels/csv_export.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/free_plot.h"
@@ -23,8 +23,6 @@
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
 #include "ui/panels/variables_row.h"
-#include "ui/plots/cycle_plot.h"
-#include "ui/plots/histogram_plot.h"
 #include "ui/plots/trigger_level_item.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"

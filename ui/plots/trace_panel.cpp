@@ -41,6 +41,8 @@ QString spreadsheetText(double value) {
 
 }  // namespace
 
+const SampleStore& TracePanel::store() const { return source_->samples(); }
+
 TracePanel::TracePanel(const QString& title, const TracePlot::Options& options, TimeView* view, CursorSet* cursors,
                        QWidget* parent)
     : QWidget(parent),

@@ -112,7 +112,7 @@ class TracePanel : public QWidget {
   void setTitle(const QString& title);
   [[nodiscard]] bool hasSource() const { return source_ != nullptr; }
   [[nodiscard]] const RunRecord& source() const { return *source_; }
-  [[nodiscard]] const SampleStore& store() const { return source_->samples(); }
+  [[nodiscard]] const SampleStore& store() const;
   /// The item draws the signal, of the bus or of one slave.
   void draw(SeriesItem& item, Signal signal, std::size_t slave = 0) const;
   [[nodiscard]] const TimeView& view() const { return *view_; }

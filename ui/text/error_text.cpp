@@ -6,6 +6,7 @@
 
 #include "eni/xml/file_warning.h"
 #include "findings/error_text.h"
+#include "findings/finding.h"
 #include "reasons/because.h"
 #include "ui/text/finding_text.h"
 
