@@ -192,6 +192,7 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
   Losses by_host, by_noise, by_slave, by_link, unread, unexplained;
   DamagedPort noisy;
   int gone = -1, unplugged = -1;
+  const auto all_damaged = damaged_in(report, {0, INT64_MAX - kTogether, 0, 0});
   for (auto spell : report.history.lost_frames.list()) {
     if (adapter_was_away(report, spell)) continue;  // those that were under way at that moment
     if (report.history.stalls.near(spell, kTogether)) {
@@ -201,7 +202,8 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
     if (const auto port = noisy_port(report, spell); port.slave >= 0) {
       if (noisy.slave < 0) noisy = port;
       auto damaged = spell;
-      damaged.count = std::min(spell.count, damaged_in(report, spell));
+      const auto left = all_damaged - std::min(all_damaged, by_noise.count);
+      damaged.count = std::min({spell.count, damaged_in(report, spell), left});
       by_noise.add(damaged);
       spell.count -= damaged.count;
       if (spell.count == 0) continue;

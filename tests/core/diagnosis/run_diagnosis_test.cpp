@@ -395,6 +395,9 @@ TEST(RunDiagnosis, NoiseIsToldForNoMoreFramesThanItCanHaveCost) {
   EXPECT_THAT(codes(report), ElementsAre(code::kPortErrors, code::kFramesLost, code::kFramesLostByNoise));
   EXPECT_THAT(describe(diagnose(report)[1]), HasSubstr("7 frames"));
   EXPECT_THAT(describe(diagnose(report)[2]), HasSubstr("2 frames"));
+  damage(report, kStart + 5510 * kMillisecond, 1, kStart + 5320 * kMillisecond);
+  report.history.lost_frames.note(kStart + 5600 * kMillisecond, 9, 0, kStart + 5520 * kMillisecond);
+  EXPECT_THAT(describe(diagnose(report)[2]), HasSubstr("3 frames")) << "each of them once";
 }
 
 TEST(RunDiagnosis, LostFramesOfAStandingHostAreTheHosts) {

@@ -11,38 +11,11 @@
 #include "master/exchange/bus.h"
 #include "master/master_service.h"
 #include "protocol/sii.h"
+#include "tests/support/sample_image.h"
 #include "tests/support/simulated_segment.h"
 
 namespace syncline {
 namespace {
-
-sii::Image image(std::uint32_t product) {
-  sii::Image image;
-  image.vendor_id = 0x5C17;
-  image.product_code = product;
-  image.revision_no = 0x10000;
-  image.serial_no = 42;
-  image.mailbox_protocols = sii::kProtocolCoe;
-  image.general = sii::General{};
-  image.general->name = "a drive";
-  image.general->order = "DRV";
-  image.general->coe_details = 0x25;
-  image.general->physical_ports = 0x0011;
-  image.fmmus = {1, 2, 3};
-  image.sync_managers = {{0x1000, 128, 0x26, 0, 1, 1}, {0x1080, 128, 0x22, 0, 1, 2}, {0x1100, 6, 0x64, 0, 9, 3}};
-  sii::Pdo pdo;
-  pdo.index = 0x1600;
-  pdo.sync_manager = 2;
-  pdo.name = "outputs";
-  pdo.entries.push_back({0x6040, 0, "Controlword", 6, 16, 0});
-  image.rx_pdos.push_back(pdo);
-  sii::DcMode mode;
-  mode.name = "DC";
-  mode.assign_activate = 0x0300;
-  mode.cycle_factor_sync0 = 1;
-  image.dc_modes.push_back(mode);
-  return image;
-}
 
 /// A line of terminals with these EEPROMs.
 SimConfig segment_of(const std::vector<sii::Image>& images) {
@@ -55,7 +28,7 @@ SimConfig segment_of(const std::vector<sii::Image>& images) {
 class BusScannerTest : public ::testing::Test {
  protected:
   VirtualClock clock;
-  SimConfig config = segment_of({image(100), image(101), image(102)});
+  SimConfig config = segment_of({sample::drive_image(100), sample::drive_image(101), sample::drive_image(102)});
   std::unique_ptr<test::SimulatedSegment> link;
 
   Result<BusScan> scan(const ScanOptions& options = {}, const ScanObserver& observer = {}) {
@@ -101,7 +74,7 @@ TEST_F(BusScannerTest, FindsWhoIsThere) {
 TEST_F(BusScannerTest, ReadsManySiisAtTheSameTime) {
   ASSERT_TRUE(scan());
   const auto three = link->frames_sent;
-  config = segment_of({image(100)});
+  config = segment_of({sample::drive_image(100)});
   open();
   ASSERT_TRUE(scan());
   EXPECT_LT(three, link->frames_sent + 10);
@@ -135,7 +108,7 @@ TEST_F(BusScannerTest, AsksSlavesWithSwitchesForTheirDeviceId) {
   constexpr std::uint16_t kSwitches = 0x0F80;
   std::vector<sii::Image> images;
   for (std::uint32_t i = 0; i < 3; ++i) {
-    auto& with_id = images.emplace_back(image(200 + i));
+    auto& with_id = images.emplace_back(sample::drive_image(200 + i));
     with_id.general->flags = i == 2 ? 0x10 : 0x08;
     with_id.general->physical_memory_address = kSwitches;
   }
@@ -165,7 +138,7 @@ TEST_F(BusScannerTest, AsksSlavesWithSwitchesForTheirDeviceId) {
 TEST(SlowEeproms, CostTimeAndFewFrames) {
   for (const auto takes : {300 * kMicrosecond, 700 * kMicrosecond, 2 * kMillisecond}) {
     VirtualClock clock;
-    std::vector<sii::Image> images(100, image(7));
+    std::vector<sii::Image> images(100, sample::drive_image(7));
     for (std::uint32_t i = 0; i < 100; ++i) images[i].serial_no = i;
     auto config = segment_of(images);
     for (auto& slave : config.slaves) slave.sii.read_time = takes;
