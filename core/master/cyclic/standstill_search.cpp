@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -30,6 +31,12 @@ ProcessorHolder holder_of(const ThreadRun& run) {
 
 }  // namespace
 
+std::chrono::milliseconds next_search_after(std::chrono::milliseconds last, bool told_something_new,
+                                            std::chrono::milliseconds period) {
+  constexpr int kMostPeriods = 32;
+  return told_something_new ? period : std::min(2 * last, kMostPeriods * period);
+}
+
 struct StandstillSearch::Impl {
   explicit Impl(Options own_options) : options(std::move(own_options)) {
     const StopSignalsBlocked deaf;  // whoever started the run hears them
@@ -47,11 +54,16 @@ struct StandstillSearch::Impl {
   void run() {
     give_up_real_time();  // a thread has the priority of the one that starts it
     const auto before = hard_threads(options.priority, options.proc);
+    std::string told;
+    auto pause = options.period;
     std::unique_lock lock(mutex);
-    while (!wake.wait_for(lock, options.period, [this] { return stop; })) {
+    while (!wake.wait_for(lock, pause, [this] { return stop; })) {
       if (!wanted.exchange(false, std::memory_order_relaxed)) continue;
       const auto now = hard_threads(options.priority, options.proc);
-      if (const auto longest = longest_at_a_time(before, now)) found.publish(holder_of(*longest));
+      const auto longest = longest_at_a_time(before, now);
+      if (longest) found.publish(holder_of(*longest));
+      pause = next_search_after(pause, longest && longest->name != told, options.period);
+      if (longest) told = longest->name;
     }
   }
 

@@ -55,6 +55,17 @@ TEST_F(Standstill, LooksForNobodyBeforeThereWasOne) {
   EXPECT_FALSE(holder.known());
 }
 
+TEST(NextSearch, ComesLaterAndLaterWhereTheAnswerStaysTheSame) {
+  using std::chrono::seconds;
+  std::chrono::milliseconds after = next_search_after(seconds(1), true, seconds(1));
+  EXPECT_EQ(after, seconds(1));
+  for (const int wanted : {2, 4, 8, 16, 32, 32}) {
+    after = next_search_after(after, false, seconds(1));
+    EXPECT_EQ(after, seconds(wanted));
+  }
+  EXPECT_EQ(next_search_after(after, true, seconds(1)), seconds(1));
+}
+
 TEST_F(Standstill, EndsAtOnceWhereItsPeriodIsLong) {
   options_.period = std::chrono::hours(1);
   StandstillSearch search(options_);
