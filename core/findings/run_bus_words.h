@@ -256,8 +256,8 @@ inline constexpr FindingWords kRunBus[] = {
      "Look for what held it: another process of higher priority, power management, the virtual machine's host.",
      "",
      {{"",
-       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
-       "out."}}},
+       "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
+       "{count:# cycle was|# cycles were} left out."}}},
     {"host-stalled-by-others",
      Severity::kWarning,
      "Other threads held the host",
@@ -265,8 +265,9 @@ inline constexpr FindingWords kRunBus[] = {
      "Give the master real-time priority above what else runs on this host, or a processor of its own.",
      "",
      {{"",
-       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
-       "out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its "
+       "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
+       "{count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for "
+       "{waited}, and other threads had its "
        "processor."}}},
     {"host-held-by-kernel",
      Severity::kWarning,
@@ -276,8 +277,9 @@ inline constexpr FindingWords kRunBus[] = {
      "(isolcpus) and bind it to that.",
      "",
      {{"",
-       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
-       "out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel's threads {thread} "
+       "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
+       "{count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for "
+       "{waited}. Of the kernel's threads {thread} "
        "kept a processor longest, {slice} at a time."}}},
     {"host-held-by-program",
      Severity::kWarning,
@@ -286,8 +288,9 @@ inline constexpr FindingWords kRunBus[] = {
      "Give it less priority than the master, or bind it to another processor.",
      "",
      {{"",
-       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
-       "out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority "
+       "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
+       "{count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for "
+       "{waited}. Of the programs with as much priority "
        "{thread} kept a processor longest, {slice} at a time."}}},
     {"host-timer-late",
      Severity::kWarning,
@@ -298,8 +301,9 @@ inline constexpr FindingWords kRunBus[] = {
      "the master on a machine of its own.",
      "",
      {{"",
-       "The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left "
-       "out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was "
+       "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
+       "{count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its "
+       "processor for {waited} of that only: it was "
        "stopped, or its timer came late."}}},
     {"host-late",
      Severity::kWarning,
@@ -310,6 +314,21 @@ inline constexpr FindingWords kRunBus[] = {
      {{"",
        "The host sends late: half of the frames by {p50}, one in a hundred by {p99}, one in a thousand by {p999}, at "
        "most {largest}; the frames may be {margin} late."}}},
+    {"host-jitter-reaches-clock",
+     Severity::kWarning,
+     "The host's jitter reaches the reference clock",
+     "In this mode of the master synchronisation the reference clock is told the nominal time of each cycle, whenever "
+     "the frame really leaves.",
+     "Choose bus shift or master shift, which keep the host's jitter away from the clocks; else a host with a more "
+     "exact timer, or a wider sync window.",
+     "",
+     {{"",
+       "The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or "
+       "earlier than usual shakes it, and all slaves with it."},
+      {"measured",
+       "The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or "
+       "earlier than usual shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a "
+       "hundred {p99} or more, one in a thousand {p999}, at most {largest}."}}},
     {"working-counter",
      Severity::kWarning,
      "Working counters are wrong",

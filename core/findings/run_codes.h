@@ -70,6 +70,7 @@ inline constexpr std::string_view kHostHeldByKernel = "host-held-by-kernel";
 inline constexpr std::string_view kHostHeldByProgram = "host-held-by-program";
 inline constexpr std::string_view kHostTimerLate = "host-timer-late";
 inline constexpr std::string_view kHostLate = "host-late";
+inline constexpr std::string_view kJitterReachesClock = "host-jitter-reaches-clock";
 inline constexpr std::string_view kWorkingCounter = "working-counter";
 inline constexpr std::string_view kWorkingCounterNeverRight = "working-counter-never-right";
 inline constexpr std::string_view kWorkingCounterExplained = "working-counter-explained";

@@ -183,6 +183,34 @@ TEST_F(Diagnosis, CountsTheMissesOfADriveThatFallsJustAfterOp) {
   }
 }
 
+/// Nothing is wrong with the slaves that are accused of it, and none of their values needs a look.
+TEST_F(Diagnosis, NamesTheHostWhoseJitterTheModeHandsToTheReferenceClock) {
+  auto& dc = machine.network.project.master.dc;
+  dc.dcm.mode = DcmMode::kMasterRefClock;
+  dc.sync_window.enabled = true;
+  machine.jitter = JitterProfile::desktop();
+  machine.run(15 * kSecond);
+  EXPECT_TRUE(machine.found(code::kJitterReachesClock)) << machine.said();
+  dc.dcm.mode = DcmMode::kBusShift;
+  test::DiagnosedRun other;
+  other.network = machine.network;
+  other.jitter = machine.jitter;
+  other.run(15 * kSecond);
+  EXPECT_FALSE(other.found(code::kJitterReachesClock)) << other.said();
+}
+
+/// A clock that steps by more than any frame was late has a cause of its own.
+TEST_F(Diagnosis, ASteppedClockIsNoJitterOfTheHost) {
+  auto& dc = machine.network.project.master.dc;
+  dc.dcm.mode = DcmMode::kMasterRefClock;
+  dc.sync_window.enabled = true;
+  dc.sync_window.exponent = 9;
+  machine.fault(FaultKind::kClockStep, 8 * kSecond, 2).value_ns = 500 * kMicrosecond;
+  machine.run(12 * kSecond);
+  EXPECT_TRUE(machine.found(code::kWindowLeft) || machine.found(code::kSlaveLeftWindow, 2)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kJitterReachesClock)) << machine.said();
+}
+
 TEST_F(Diagnosis, AsksForMoreTimeBetweenFrameAndSync0) {
   machine.jitter = JitterProfile::bad();
   machine.network.project.master.dc.dcm.mode = DcmMode::kMasterShift;

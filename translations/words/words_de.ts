@@ -2693,8 +2693,8 @@
         <translation>Starten Sie diesen Kernel mit preempt=full oder nehmen Sie einen mit PREEMPT_RT; oder halten Sie einen Prozessor für den Master allein frei (isolcpus) und binden Sie ihn daran.</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel&apos;s threads {thread} kept a processor longest, {slice} at a time.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit. Von den Threads des Kernels behielt {thread} einen Prozessor am längsten, {slice} am Stück.</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel&apos;s threads {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>Der Rechner stand {times} still, zuerst bei {since}: er sendete bis zu {longest} lang nichts, und {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit. Von den Threads des Kernels behielt {thread} einen Prozessor am längsten, {slice} am Stück.</translation>
     </message>
     <message>
         <source>Another program with real-time priority held the host</source>
@@ -2709,8 +2709,8 @@
         <translation>Geben Sie ihm weniger Priorität als dem Master oder binden Sie es an einen anderen Prozessor.</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority {thread} kept a processor longest, {slice} at a time.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit. Von den Programmen mit gleicher oder höherer Priorität behielt {thread} einen Prozessor am längsten, {slice} am Stück.</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>Der Rechner stand {times} still, zuerst bei {since}: er sendete bis zu {longest} lang nichts, und {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit. Von den Programmen mit gleicher oder höherer Priorität behielt {thread} einen Prozessor am längsten, {slice} am Stück.</translation>
     </message>
     <message>
         <source>Other threads held the host</source>
@@ -3857,6 +3857,26 @@
         <translation>Der Host ließ Zyklen aus</translation>
     </message>
     <message>
+        <source>The host&apos;s jitter reaches the reference clock</source>
+        <translation>Der Jitter des Rechners erreicht die Referenzuhr</translation>
+    </message>
+    <message>
+        <source>In this mode of the master synchronisation the reference clock is told the nominal time of each cycle, whenever the frame really leaves.</source>
+        <translation>In dieser Art der Mastersynchronisation wird der Referenzuhr die nominelle Zeit jedes Zyklus mitgeteilt, wann immer das Frame wirklich abgeht.</translation>
+    </message>
+    <message>
+        <source>Choose bus shift or master shift, which keep the host&apos;s jitter away from the clocks; else a host with a more exact timer, or a wider sync window.</source>
+        <translation>Bus Shift oder Master Shift wählen, die den Jitter des Rechners von den Uhren fernhalten; sonst einen Rechner mit genauerem Zeitgeber oder ein weiteres Synchronfenster.</translation>
+    </message>
+    <message>
+        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it.</source>
+        <translation>Der Referenzuhr wird die nominelle Zeit jedes Zyklus mitgeteilt (master-ref-clock): jedes Frame, das später oder früher als gewöhnlich abgeht, erschüttert sie und mit ihr alle Slaves.</translation>
+    </message>
+    <message>
+        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a hundred {p99} or more, one in a thousand {p999}, at most {largest}.</source>
+        <translation>Der Referenzuhr wird die nominelle Zeit jedes Zyklus mitgeteilt (master-ref-clock): jedes Frame, das später oder früher als gewöhnlich abgeht, erschüttert sie und mit ihr alle Slaves. Die Hälfte der Frames ging bis zu {p50} zu spät ab, eines von hundert {p99} oder mehr, eines von tausend {p999}, höchstens {largest}.</translation>
+    </message>
+    <message>
         <source>The host sends late</source>
         <translation>Der Host sendet zu spät</translation>
     </message>
@@ -3869,16 +3889,16 @@
         <translation>Der Host stand still</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen.</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out.</source>
+        <translation>Der Rechner stand {times} still, zuerst bei {since}: er sendete bis zu {longest} lang nichts, und {count:# Zyklus wurde|# Zyklen wurden} ausgelassen.</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit, und andere Threads hatten seinen Prozessor.</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
+        <translation>Der Rechner stand {times} still, zuerst bei {since}: er sendete bis zu {longest} lang nichts, und {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Von {held}, die der Master zu spät kam, war er {waited} lang bereit, und andere Threads hatten seinen Prozessor.</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was stopped, or its timer came late.</source>
-        <translation>Der Rechner stand {times} still, bis zu {longest} lang, zuerst bei {since}: {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Der Master kam {held} zu spät, und nur {waited} davon hatten andere Threads seinen Prozessor: er war angehalten, oder sein Zeitgeber kam zu spät.</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was stopped, or its timer came late.</source>
+        <translation>Der Rechner stand {times} still, zuerst bei {since}: er sendete bis zu {longest} lang nichts, und {count:# Zyklus wurde|# Zyklen wurden} ausgelassen. Der Master kam {held} zu spät, und nur {waited} davon hatten andere Threads seinen Prozessor: er war angehalten, oder sein Zeitgeber kam zu spät.</translation>
     </message>
     <message>
         <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>

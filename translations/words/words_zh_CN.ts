@@ -2693,8 +2693,8 @@
         <translation>请以 preempt=full 启动此内核，或使用带 PREEMPT_RT 的内核；或为主站单独保留一个处理器（isolcpus）并将主站绑定到它。</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel&apos;s threads {thread} kept a processor longest, {slice} at a time.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪。内核线程中 {thread} 连续占用处理器最久，每次 {slice}。</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the kernel&apos;s threads {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>主机停顿了 {times}，首次在 {since}：最长 {longest} 未发送任何帧，漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪。内核线程中 {thread} 连续占用处理器最久，每次 {slice}。</translation>
     </message>
     <message>
         <source>Another program with real-time priority held the host</source>
@@ -2709,8 +2709,8 @@
         <translation>请给它低于主站的优先级，或将它绑定到另一个处理器。</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority {thread} kept a processor longest, {slice} at a time.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪。优先级不低于主站的程序中 {thread} 连续占用处理器最久，每次 {slice}。</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}. Of the programs with as much priority {thread} kept a processor longest, {slice} at a time.</source>
+        <translation>主机停顿了 {times}，首次在 {since}：最长 {longest} 未发送任何帧，漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪。优先级不低于主站的程序中 {thread} 连续占用处理器最久，每次 {slice}。</translation>
     </message>
     <message>
         <source>Other threads held the host</source>
@@ -3857,6 +3857,26 @@
         <translation>主机遗漏了周期</translation>
     </message>
     <message>
+        <source>The host&apos;s jitter reaches the reference clock</source>
+        <translation>主机的抖动传到了参考时钟</translation>
+    </message>
+    <message>
+        <source>In this mode of the master synchronisation the reference clock is told the nominal time of each cycle, whenever the frame really leaves.</source>
+        <translation>在这种主站同步模式下，写给参考时钟的是每个周期的标称时间，与帧实际发出的时刻无关。</translation>
+    </message>
+    <message>
+        <source>Choose bus shift or master shift, which keep the host&apos;s jitter away from the clocks; else a host with a more exact timer, or a wider sync window.</source>
+        <translation>请选择总线移位或主站移位，它们使主机的抖动不影响时钟；否则请使用定时器更精确的主机，或放宽同步窗口。</translation>
+    </message>
+    <message>
+        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it.</source>
+        <translation>写给参考时钟的是每个周期的标称时间（master-ref-clock）：每个比平常更晚或更早发出的帧都会扰动它，并波及所有从站。</translation>
+    </message>
+    <message>
+        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a hundred {p99} or more, one in a thousand {p999}, at most {largest}.</source>
+        <translation>写给参考时钟的是每个周期的标称时间（master-ref-clock）：每个比平常更晚或更早发出的帧都会扰动它，并波及所有从站。一半的帧晚发不超过 {p50}，百分之一晚 {p99} 以上，千分之一晚 {p999}，最多 {largest}。</translation>
+    </message>
+    <message>
         <source>The host sends late</source>
         <translation>主机发送过晚</translation>
     </message>
@@ -3869,16 +3889,16 @@
         <translation>主机曾停顿</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out.</source>
+        <translation>主机停顿了 {times}，首次在 {since}：最长 {longest} 未发送任何帧，漏掉了 {count} 个周期。</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪，而处理器被其他线程占用。</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for {waited}, and other threads had its processor.</source>
+        <translation>主机停顿了 {times}，首次在 {since}：最长 {longest} 未发送任何帧，漏掉了 {count} 个周期。主站共晚了 {held}，其中 {waited} 它已就绪，而处理器被其他线程占用。</translation>
     </message>
     <message>
-        <source>The host stood still {times}, for up to {longest}, first at {since}: {count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was stopped, or its timer came late.</source>
-        <translation>主机停顿了 {times}，最长 {longest}，首次在 {since}：漏掉了 {count} 个周期。主站共晚了 {held}，其中只有 {waited} 处理器被其他线程占用：它被暂停，或其定时器触发过晚。</translation>
+        <source>The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and {count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its processor for {waited} of that only: it was stopped, or its timer came late.</source>
+        <translation>主机停顿了 {times}，首次在 {since}：最长 {longest} 未发送任何帧，漏掉了 {count} 个周期。主站共晚了 {held}，其中只有 {waited} 处理器被其他线程占用：它被暂停，或其定时器触发过晚。</translation>
     </message>
     <message>
         <source>The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm.</source>

@@ -41,6 +41,8 @@ struct DcmAction {
 struct DcmState {
   Nanoseconds error = 0;  // frame late in the SYNC grid > 0
   Nanoseconds error_filtered = 0;
+  /// Of the host's lateness, what the reference clock has made its own: frames that are so late are in their place.
+  Nanoseconds usual_lateness = 0;
   double drift_ppm = 0;                        // reference clock's rate minus host's
   std::optional<double> drift_half_width_ppm;  // of its 95 % interval; nothing while too little is known for one
   Nanoseconds adjust = 0;        // of the next period, or of what is written; with control off: what it would be

@@ -12,7 +12,8 @@ struct DcmSettings;
 namespace syncline::dc {
 
 /// The reference clock is written the master's time without a control loop; the ESC's own loop does the rest.
-/// MasterRefClock writes the nominal time of the cycle, so that the host's jitter reaches the clock as it is;
+/// MasterRefClock writes the nominal time of the cycle, so that the host's jitter reaches the clock as it is, and the
+/// clock shows the nominal time when a frame passes that was as late as usual: that is no error of the schedule.
 /// LinkLayerRefClock writes the time at which the adapter says that it sends.
 class WrittenClock final : public DcmController {
  public:
@@ -25,6 +26,7 @@ class WrittenClock final : public DcmController {
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
+  void learn_lateness(const DcmObservation& observation);
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const { return reference_ + (host_time - host_); }
 
   Time time_;
@@ -32,6 +34,8 @@ class WrittenClock final : public DcmController {
   DcmMonitor monitor_;
   DcmState state_;
   Nanoseconds host_ = 0, reference_ = 0;  // host time and what the reference clock is to show then
+  double usual_lateness_ = 0;             // ns
+  int observed_ = 0;                      // cycles, no more than count
 };
 
 }  // namespace syncline::dc

@@ -37,6 +37,7 @@ void find_port_errors(const RunReport& report, Findings& findings);
 void find_foreign_frames(const RunReport& report, Findings& findings);
 void find_lost_frames(const RunReport& report, Findings& findings);
 void find_host(const RunReport& report, Findings& findings);
+void find_clock_jitter(const RunReport& report, Findings& findings);
 void find_working_counters(const RunReport& report, Findings& findings);
 /// The last one: takes its consequences out of what the others found.
 void find_short_cycle(const RunReport& report, Findings& findings);

@@ -186,7 +186,7 @@ void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t s
   const auto schedule_error = observation.reference_time ? state.error : state.error_filtered;
   // In the grid: a clock that has stepped by whole cycles makes no frame late.
   dcm.frame_error_ns = to_32(dc::wrap_to_half(schedule_error, run_.config().cycle_time()) +
-                             (observation.send_time - observation.scheduled_time));
+                             (observation.send_time - observation.scheduled_time) - state.usual_lateness);
   if (dcm.mode == DcmMode::kOff) return;
   if (state.error_code != dcm.error_code) {
     dcm.error_code = state.error_code;

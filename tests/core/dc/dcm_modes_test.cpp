@@ -69,6 +69,18 @@ TEST(DcmModes, MasterRefClockNeedsAnAccurateCycleOnly) {
   EXPECT_LT(plant.rms(&PlantCycle::grid_error, 10), 30);
 }
 
+/// A host that wakes up late is late in the same way every cycle, and the clock has been told the nominal time.
+TEST(DcmModes, MasterRefClockIsInSyncWithAHostThatIsAlwaysLate) {
+  JitterProfile late;
+  late.wake_up = QuantileCurve({{0, 15e3}, {0.5, 16e3}, {1, 17e3}});
+  DcmPlant plant(with(DcmMode::kMasterRefClock, late));
+  plant.run_until(20);
+  EXPECT_TRUE(plant.last().state.in_sync);
+  EXPECT_LT(*plant.last().state.in_sync_after, 3 * kSecond);
+  EXPECT_NEAR(static_cast<double>(plant.last().state.usual_lateness), 16e3, 300);
+  EXPECT_LT(std::abs(plant.last().state.error_filtered), 500);
+}
+
 TEST(DcmModes, LinkLayerRefClockTakesTheAdaptersTime) {
   // The adapter's stamps are what the plant hands over; the host's wake-up is of no concern.
   DcmPlant plant(with(DcmMode::kLinkLayerRefClock, JitterProfile::bad()));
