@@ -188,6 +188,12 @@ TEST_F(Outage, ASubstituteRunsOnAsFastAsTheOneBeforeIt) {
   }
 }
 
+/// The way to the substitute leads through the branch that comes back. A clock that is told the adapter's time would be
+/// moved by as much as its way became longer, and all who follow it.
+TEST_F(Outage, AWayThatBecomesLongerMovesNobodyWhoIsToldTheAdaptersTime) {
+  for (const int number : {205, 405, 650, 795, 905}) expect_sync_after(random_case(number));
+}
+
 /// The or-ed AL status is the same before and after the second fall.
 TEST_F(Outage, ADriveThatFallsBehindAnotherOneIsSeen) {
   make(DcmMode::kBusShift, 1);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "config/dcm_settings.h"
 
@@ -13,11 +14,22 @@ namespace {
 constexpr int kLatenessMemory = 32;
 constexpr double kLatenessChange = 2'000;
 
+/// A clock that is told exact times is so near to them; what is farther from one cycle to the next is seen by those who
+/// follow it (127 ns by default). A reading after more cycles may be off by a quartz that nobody told the time.
+constexpr Nanoseconds kQuiet = 50, kNoticed = 100;
+constexpr int kCyclesApart = 10;
+/// For so long the clock may still move by what it was told wrong.
+constexpr int kCyclesAfter = 20;
+
 }  // namespace
 
 WrittenClock::WrittenClock(Time time, const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value,
                            Nanoseconds least)
-    : time_(time), target_{0, set_value, cycle_time}, monitor_(settings, cycle_time, set_value, least) {}
+    : time_(time),
+      target_{0, set_value, cycle_time},
+      monitor_(settings, cycle_time, set_value, least),
+      cycle_(cycle_time),
+      in_sync_limit_(settings.in_sync_limit) {}
 
 void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) {
   target_.base = base;
@@ -25,6 +37,7 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
   state_ = {};
   usual_lateness_ = 0;
   observed_ = 0;
+  last_lag_ = last_time_ = way_changed_ = 0;
   host_ = first_send_time;
   reference_ = target_.nearest(first_reference_time);
 }
@@ -43,15 +56,33 @@ void WrittenClock::learn_lateness(const DcmObservation& observation) {
   }
 }
 
+Nanoseconds WrittenClock::without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action) {
+  const auto jump = lag - last_lag_;
+  const auto now = observation.send_time;
+  const bool follows_closely = monitor_.in_sync() && now - last_time_ <= kCyclesApart * cycle_ &&
+                               std::abs(last_lag_) <= kQuiet && now - way_changed_ > kCyclesAfter * cycle_;
+  if (follows_closely && std::abs(jump) > kNoticed && std::abs(jump) <= in_sync_limit_) {
+    reference_ += jump;
+    lag = last_lag_;
+    way_changed_ = now;
+    action.write_again = true;
+  }
+  last_lag_ = lag;
+  last_time_ = now;
+  return lag;
+}
+
 DcmAction WrittenClock::observe(const DcmObservation& observation) {
+  DcmAction action;
   Nanoseconds lag = 0;
   learn_lateness(observation);
   const auto usual = static_cast<Nanoseconds>(std::llround(usual_lateness_));
   if (observation.reference_time) lag = *observation.reference_time - wanted_at(observation.send_time - usual);
+  if (observation.reference_time && time_ == Time::kOfSending) lag = without_way(observation, lag, action);
   monitor_.observe(observation, lag);
   monitor_.report(state_);
   state_.usual_lateness = usual;
-  return {};
+  return action;
 }
 
 }  // namespace syncline::dc

@@ -14,7 +14,11 @@ namespace syncline::dc {
 /// The reference clock is written the master's time without a control loop; the ESC's own loop does the rest.
 /// MasterRefClock writes the nominal time of the cycle, so that the host's jitter reaches the clock as it is, and the
 /// clock shows the nominal time when a frame passes that was as late as usual: that is no error of the schedule.
-/// LinkLayerRefClock writes the time at which the adapter says that it sends.
+/// LinkLayerRefClock writes the time at which the adapter says that it sends. Those stamps are exact: where the clock
+/// differs from one cycle to the next from what it was told, it was not the clock that moved but the way to it, because
+/// a slave in front of it came or went, or another clock leads. What it is told is then counted from its new place, and
+/// it is told so at once (DcmAction::write_again), so that nobody is moved. (A clock that steps by no more than that
+/// leaves its followers, who show it.)
 class WrittenClock final : public DcmController {
  public:
   enum class Time : std::uint8_t { kNominal, kOfSending };
@@ -26,6 +30,8 @@ class WrittenClock final : public DcmController {
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
+  /// The clock was at `lag` from what it was told. What is left of that when the way has changed.
+  [[nodiscard]] Nanoseconds without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action);
   void learn_lateness(const DcmObservation& observation);
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const { return reference_ + (host_time - host_); }
 
@@ -35,7 +41,9 @@ class WrittenClock final : public DcmController {
   DcmState state_;
   Nanoseconds host_ = 0, reference_ = 0;  // host time and what the reference clock is to show then
   double usual_lateness_ = 0;             // ns
-  int observed_ = 0;                      // cycles, no more than count
+  Nanoseconds last_lag_ = 0, last_time_ = 0, way_changed_ = 0;
+  Nanoseconds cycle_, in_sync_limit_;
+  int observed_ = 0;  // cycles, no more than count
 };
 
 }  // namespace syncline::dc

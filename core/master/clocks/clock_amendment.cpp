@@ -20,6 +20,7 @@ Status ClockAmendment::run(FrameExchange& exchange, const Request& request, Send
   if (told_) {
     write_ = {Command::kFpwr, address, written_};
     write_.stamped = true;
+    write_.corrected_by_link = corrected_by_link_ && &stamp != this;
     (void)frame_.add(write_);
   }
   reading_ = {Command::kFprd, address, read_};

@@ -24,6 +24,9 @@ class ClockAmendment final : private SendStamp {
   ClockAmendment(const ClockAmendment&) = delete;
   ClockAmendment& operator=(const ClockAmendment&) = delete;
 
+  /// The link puts its own send time into what is written (Datagram::corrected_by_link).
+  void correct_by_link() { corrected_by_link_ = true; }
+
   /// The time is asked of `stamp` when the frame is built, which calls write(). Waits for the answer until `deadline`;
   /// a frame that is not back then is lost like any other. Errors of the link.
   Status run(FrameExchange& exchange, const Request& request, SendStamp& stamp, Nanoseconds deadline);
@@ -45,7 +48,7 @@ class ClockAmendment final : private SendStamp {
   std::array<std::uint8_t, 4> written_{}, read_{};
   Datagram filter_, write_, reading_;
   PendingFrame frame_;
-  bool sending_ = false, told_ = false;
+  bool sending_ = false, told_ = false, corrected_by_link_ = false;
   Nanoseconds stamped_at_ = 0;        // in settle(), as is
   std::optional<Nanoseconds> ahead_;  // of the host's clock
 };

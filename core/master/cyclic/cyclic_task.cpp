@@ -48,7 +48,10 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
   image_.input_bytes = frames_.inputs().size();
   image_.bytes.resize(2 * (image_.input_bytes + frames_.outputs().size()));
   run.channels().image.publish_first(image_);
-  if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) frames_.correct_by_link();
+  if (run.config().dc.dcm.mode == DcmMode::kLinkLayerRefClock) {
+    frames_.correct_by_link();
+    amendment_.correct_by_link();
+  }
   if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
 }
 
