@@ -200,13 +200,41 @@ void SyncEventAccount::left_op() {
   settle_peaks();
 }
 
+/// Misses, below the limit.
+std::uint32_t SyncEventAccount::missing_to_limit() const {
+  return (limit_ - integrator_ + kMissWeight - 1) / kMissWeight;
+}
+
 void SyncEventAccount::gave_up_late() {
   if (integrator_ >= limit_) return;
-  const auto more = (limit_ - integrator_ + kMissWeight - 1) / kMissWeight;
-  integrator_ += more * kMissWeight;
-  highest_ = std::max(highest_, integrator_);
-  computed_ += more;
+  const auto more = missing_to_limit();
   at(by_cause_, MissCause::kFrameLate) += more;
+  take_uncounted(more);
+}
+
+bool SyncEventAccount::gave_up_in_doubt() {
+  if (integrator_ >= limit_) return false;
+  const auto more = missing_to_limit();
+  if (doubted_.held_up + doubted_.late + doubtful_.held_up + doubtful_.late < more) return false;
+  auto left = more;
+  // The latest are those it gave up for.
+  for (auto* doubt : {&doubtful_, &doubted_}) {
+    for (const auto& [pool, cause] :
+         {std::pair{&doubt->late, MissCause::kFrameLate}, std::pair{&doubt->held_up, MissCause::kFrameHeldUp}}) {
+      const auto part = std::min(*pool, left);
+      *pool -= part;
+      left -= part;
+      at(by_cause_, cause) += part;
+    }
+  }
+  take_uncounted(more);
+  return true;
+}
+
+void SyncEventAccount::take_uncounted(std::uint32_t misses) {
+  integrator_ += misses * kMissWeight;
+  highest_ = std::max(highest_, integrator_);
+  computed_ += misses;
   uncounted_ = true;
 }
 

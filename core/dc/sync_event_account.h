@@ -60,6 +60,10 @@ class SyncEventAccount {
   /// It left OP by its own count of misses, and its outputs nominally leave less than it needs: what it had missed at
   /// least, and nobody has read, were late outputs. Behind left_op().
   void gave_up_late();
+  /// The same where it is not known what they leave nominally, because nobody holds the frames in their place: late
+  /// were those that left less than it needs, if there were enough of them since its last readings. False: there were
+  /// not.
+  bool gave_up_in_doubt();
   /// OP again, with SYNC0 as it was started this time: the error counter begins at 0; the sums stay.
   void entered_op(const Sync0Grid& grid);
   /// 0x10F1:02, at which the slave gives up; 0: never, or not known.
@@ -76,6 +80,8 @@ class SyncEventAccount {
   [[nodiscard]] std::uint32_t integrator_highest() const;
 
  private:
+  [[nodiscard]] std::uint32_t missing_to_limit() const;
+  void take_uncounted(std::uint32_t misses);
   void end_periods(std::int64_t ended, std::int64_t missed);
   void presume(std::uint32_t missed);
   std::uint32_t explain(std::uint32_t debt);

@@ -110,9 +110,13 @@ void SyncEventWatch::note_fall(Slave& slave) {
 
 /// Who gives up within a cycle or two has its counter read never, and perhaps what it takes only later.
 void SyncEventWatch::explain_fall(Slave& slave) {
-  if (!slave.gave_up || slave.limit == 0 || slave.need == 0 || nominal_margin(slave) >= slave.need) return;
+  if (!slave.gave_up || slave.limit == 0 || slave.need == 0) return;
+  if (nominal_margin(slave) < slave.need) {
+    slave.account->gave_up_late();
+  } else if (!slave.account->gave_up_in_doubt()) {
+    return;
+  }
   slave.gave_up = false;
-  slave.account->gave_up_late();
   publish(slave);
 }
 

@@ -482,5 +482,31 @@ TEST(SyncEventAccount, WhoGivesUpLateHasMissedWhatItsLimitProves) {
   EXPECT_FALSE(counted.at_least());
 }
 
+/// Frames that slide through SYNC0 leave less and less: which of them came in time only the drive knows, and it has
+/// given up.
+TEST(SyncEventAccount, WhoGivesUpWhileItsOutputsWereInDoubtHasMissedSomeOfThem) {
+  constexpr Nanoseconds kNeed = 30 * kMicrosecond;
+  for (const int doubtful : {2, 3, 5}) {
+    SyncEventAccount account({kFirst, kPeriod});
+    account.set_limit(9);
+    Nanoseconds time = kFirst + kPeriod / 2;
+    for (int i = 0; i < 10; ++i, time += kPeriod) account.observe({.time = time, .delivered = true, .need = kNeed});
+    account.read(0);
+    time += kPeriod / 2 - kNeed / 2;
+    for (int i = 0; i < doubtful; ++i, time += kPeriod)
+      account.observe({.time = time, .delivered = true, .need = kNeed});
+    account.left_op();
+    EXPECT_EQ(account.missed(), 0U);
+    EXPECT_EQ(account.gave_up_in_doubt(), doubtful >= 3) << doubtful;
+    EXPECT_EQ(account.missed(), doubtful >= 3 ? 3U : 0U) << doubtful;
+    EXPECT_EQ(account.at_least(), doubtful >= 3) << doubtful;
+    EXPECT_EQ(account.integrator_highest(), doubtful >= 3 ? 9U : 0U) << doubtful;
+    EXPECT_EQ(account.by_cause()[static_cast<std::size_t>(MissCause::kFrameLate)], doubtful >= 3 ? 3U : 0U);
+    // The drive's own counter, when it is read after all, adds only what is more.
+    account.read(4);
+    EXPECT_EQ(account.missed(), 4U) << doubtful;
+  }
+}
+
 }  // namespace
 }  // namespace syncline::dc
