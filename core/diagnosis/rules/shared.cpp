@@ -60,11 +60,17 @@ DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
 
 int lost_link_after(const RunReport& report, const Spell& spell) {
   const Spell read{spell.from, spell.to + kReadLater, 0, 0};
-  const auto& slaves = report.history.slaves;
-  const auto lost = std::ranges::find_if(slaves, [&](const RunHistory::Slave& slave) {
-    return std::ranges::any_of(slave.lost_links, [&](const Spells& port) { return port.near(read, kTogether); });
-  });
-  return lost == slaves.end() ? -1 : static_cast<int>(lost - slaves.begin());
+  for (const auto& slave : report.slaves) {
+    const auto& ports = report.history.slaves[static_cast<std::size_t>(slave.position)].lost_links;
+    const auto lost = std::ranges::find_if(ports, [&](const Spells& port) { return port.near(read, kTogether); });
+    if (lost == ports.end()) continue;
+    // Both ends of a cable lose it: who hangs at this port is behind it.
+    const auto behind = std::ranges::find_if(report.slaves, [&](const RunReport::Slave& other) {
+      return other.parent == slave.position && other.parent_port == static_cast<int>(lost - ports.begin());
+    });
+    return behind == report.slaves.end() ? slave.position : behind->position;
+  }
+  return -1;
 }
 
 bool has_other_master(const RunReport& report) {

@@ -631,6 +631,16 @@ TEST(RunDiagnosis, WhatSlavesMissBehindALooseLinkIsTheLinks) {
   EXPECT_THAT(codes(report), Contains(code::kWorkingCounter));
   report.history.slaves[1].lost_links[0].note(kStart + 5060 * kMillisecond, 1);
   EXPECT_THAT(codes(report), ElementsAre(code::kLinkLost, code::kWorkingCounterExplained));
+  // Both ends of the cable count: it is the slave behind it whose data were missing.
+  report.slaves[1].parent = 0;
+  report.slaves[1].parent_port = 1;
+  report.history.slaves[0].lost_links[1].note(kStart + 5060 * kMillisecond, 1);
+  const auto findings = diagnose(report);
+  const auto counter = std::ranges::find(findings, code::kWorkingCounterExplained, &Finding::code);
+  ASSERT_NE(counter, findings.end());
+  const auto who = std::ranges::find(counter->figures, "slave", &Figure::name);
+  ASSERT_NE(who, counter->figures.end());
+  EXPECT_EQ(who->value, 1);
   miss(report, 1, dc::MissCause::kUnknown, 7);
   EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained)) << "more than cycles in which it was passed over";
 }
