@@ -474,8 +474,12 @@
 <context>
     <name>CyclePlot</name>
         <message>
-            <source>From one SYNC0 to the next: when the frame with the slave's outputs had ended there, in system time. Bars are logarithmic counts and fade with the age of their latest arrival; shaded is what the slave needs for calculating and copying.</source>
-            <translation>Von einem SYNC0 zum nächsten: wann der Frame mit den Ausgängen des Slaves dort zu Ende war, in Systemzeit. Die Balken sind logarithmische Anzahlen und verblassen mit dem Alter ihrer jüngsten Ankunft; schattiert ist, was der Slave zum Rechnen und Kopieren braucht.</translation>
+            <source>nominal</source>
+            <translation>nominell</translation>
+        </message>
+        <message>
+            <source>From one SYNC0 to the next: when the frame with the slave's outputs had ended there, in system time. Bars are logarithmic counts and fade with the age of their latest arrival; the dotted line is where outputs nominally come by the set value; shaded is what the slave needs for calculating and copying.</source>
+            <translation>Von einem SYNC0 zum nächsten: wann der Frame mit den Ausgängen des Slaves dort zu Ende war, in Systemzeit. Die Balken sind logarithmische Anzahlen und verblassen mit dem Alter ihrer jüngsten Ankunft; die gepunktete Linie ist, wo Ausgänge nach dem Sollwert nominell kommen; schattiert ist, was der Slave zum Rechnen und Kopieren braucht.</translation>
         </message>
 </context>
 <context>
@@ -515,6 +519,10 @@
         <message>
             <source>calculating and copying %1</source>
             <translation>Rechnen und Kopieren %1</translation>
+        </message>
+        <message>
+            <source>nominally %1</source>
+            <translation>nominell %1</translation>
         </message>
         <message>
             <source>calculating and copying not known</source>

@@ -114,6 +114,35 @@ TEST_F(CycleViewTest, SaysMarginsSlipsAndTheSlavesTimes) {
   EXPECT_EQ(view().plot()->accessibleDescription().toStdString(), said());
 }
 
+/// Set value, delay and the time of the outputs on the wire say where they are to come; nobody holds them there where
+/// the master is not controlled.
+TEST_F(CycleViewTest, ShowsWhereOutputsNominallyCome) {
+  EXPECT_FALSE(picture().nominal);
+  auto snapshot = record->snapshot();
+  // A picture that stands is not made again: each time a cycle more.
+  const auto go_on = [&] {
+    CycleSample sample;
+    snapshot.time += kMillisecond;
+    sample.send_time = snapshot.time;
+    record->add(std::span(&sample, 1));
+    record->add(snapshot);
+    settle();
+  };
+  snapshot.dcm.mode = DcmMode::kBusShift;
+  snapshot.dcm.set_value_ns = 600'000;
+  const auto bare = view().plot()->grab().toImage();
+  go_on();
+  ASSERT_TRUE(picture().nominal);
+  // The frame passes the reference clock 600 us before the grid, SYNC0 comes 40 us behind that.
+  const auto wire = record->samples().sync0(1).wire;
+  EXPECT_EQ(*picture().nominal, kMillisecond - 640'000 + 1'000 + wire);
+  EXPECT_THAT(said(), HasSubstr("nominally 6"));
+  EXPECT_NE(view().plot()->grab().toImage(), bare);
+  snapshot.dcm.control_off = true;
+  go_on();
+  EXPECT_FALSE(picture().nominal);
+}
+
 /// Newest strong, older fading; SYNC0 uses what came before the shaded time.
 TEST_F(CycleViewTest, OlderArrivalsFade) {
   const auto* plot = view().plot();

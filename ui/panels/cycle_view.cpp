@@ -13,6 +13,7 @@
 #include <iterator>
 #include <utility>
 
+#include "dc/sync0_arrival.h"
 #include "record/run_record.h"
 #include "trace/arrival_bathtub.h"
 #include "ui/editors/choice_edit.h"
@@ -34,6 +35,20 @@ constexpr unsigned kArrivalsEvery = 6;  // ticks: faster cannot be read
 std::optional<Nanoseconds> calcAndCopyOf(const RunRecord& record, std::size_t slave) {
   const auto& told = record.snapshot().slaves;
   return calcAndCopy(record.config().slaves[slave].identity, slave < told.size() ? &told[slave].evidence : nullptr);
+}
+
+/// From SYNC0 until outputs come where the frames pass the reference clock the set value in front of the grid; nothing
+/// where nobody holds them there.
+std::optional<Nanoseconds> nominalArrival(const RunRecord& record, std::size_t slave) {
+  const auto& snapshot = record.snapshot();
+  const auto& sync0 = record.samples().sync0(slave);
+  const bool held = snapshot.dcm.mode != DcmMode::kOff && !snapshot.dcm.control_off && snapshot.dcm.set_value_ns > 0;
+  if (!held || sync0.period <= 0 || slave >= snapshot.slaves.size() || !snapshot.slaves[slave].dc_enabled)
+    return std::nullopt;
+  const auto& status = snapshot.slaves[slave];
+  const dc::Sync0Grid grid{sync0.shift + status.evidence.sync0.off_ns, sync0.period};
+  return sync0.period -
+         dc::nominal_margin(snapshot.dcm.set_value_ns, grid, status.propagation_delay_ns, sync0.wire) % sync0.period;
 }
 
 }  // namespace
@@ -128,6 +143,7 @@ void CycleView::showArrivals(std::size_t position) {
   CyclePlot::Picture picture;
   picture.period = samples.sync0(position).period;
   picture.calc_and_copy = calcAndCopyOf(*record_, position);
+  picture.nominal = nominalArrival(*record_, position);
   picture.begin = view_->begin();
   picture.end = view_->end() + 1;
   picture.figures = arrival_figures(samples.series(Signal::kArrivalPhase, position), picture.period, picture.begin,
@@ -190,6 +206,7 @@ QString CycleView::figuresText() const {
   QStringList said;
   said << (figures.margin_min ? tr("margin at least %1").arg(timeText(*figures.margin_min)) : tr("no arrivals"));
   if (figures.margin_p999) said << tr("99.9 %: %1").arg(timeText(*figures.margin_p999));
+  if (picture.nominal) said << tr("nominally %1").arg(timeText(picture.period - *picture.nominal));
   said << (picture.calc_and_copy ? tr("calculating and copying %1").arg(timeText(*picture.calc_and_copy))
                                  : tr("calculating and copying not known"));
   const auto slips = record_->samples().value(Signal::kSetpointSlips, position, view_->end());

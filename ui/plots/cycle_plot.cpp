@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/cycle_plot.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -27,8 +28,9 @@ CyclePlot::CyclePlot(QWidget* parent) : QWidget(parent) {
   speaksValue(*this);
   setToolTip(tr(
       "From one SYNC0 to the next: when the frame with the slave's outputs had ended there, in system time. Bars are "
-      "logarithmic counts and fade with the age of their latest arrival; shaded is what the slave needs for "
-      "calculating and copying."));
+      "logarithmic counts and fade with the age of their latest arrival; the dotted line is where outputs nominally "
+      "come "
+      "by the set value; shaded is what the slave needs for calculating and copying."));
 }
 
 void CyclePlot::setPicture(Picture picture) {
@@ -49,6 +51,7 @@ void CyclePlot::paintEvent(QPaintEvent*) {
   if (picture_.period <= 0) return;
   drawAxis(painter);
   drawBars(painter);
+  drawNominal(painter);
   drawSync0(painter);
 }
 
@@ -83,6 +86,20 @@ void CyclePlot::drawBars(QPainter& painter) const {
     const double left = box.left() + box.width() * static_cast<double>(i) / bins;
     painter.fillRect(QRectF(left, box.bottom() - height, std::max(box.width() / bins, 1.0), height), color);
   }
+}
+
+void CyclePlot::drawNominal(QPainter& painter) const {
+  if (!picture_.nominal) return;
+  const auto box = area();
+  const double x = xOf(*picture_.nominal);
+  painter.setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
+  painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
+  // Not where it would run into the word at either SYNC0.
+  painter.setFont(smallFont(font()));
+  const auto word = tr("nominal");
+  const double width = QFontMetricsF(painter.font()).horizontalAdvance(word) + 4;
+  if (x - width / 2 < box.left() + kCycleSide || x + width / 2 > box.right() - kCycleSide) return;
+  painter.drawText(QRectF(x - width / 2, 0, width, kCycleTop), Qt::AlignCenter, word);
 }
 
 void CyclePlot::drawSync0(QPainter& painter) const {

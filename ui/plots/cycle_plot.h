@@ -9,8 +9,8 @@
 namespace syncline::ui {
 
 /// One SYNC0 period of a slave to scale: SYNC0 at both ends, when its outputs came as logarithmic bars whose colour
-/// fades with the age of their latest arrival, and in front of the SYNC0 that uses them the time that calculating and
-/// copying takes.
+/// fades with the age of their latest arrival, a line where they nominally come, and in front of the SYNC0 that uses
+/// them the time that calculating and copying takes.
 class CyclePlot final : public QWidget {
   Q_OBJECT
 
@@ -19,6 +19,7 @@ class CyclePlot final : public QWidget {
   struct Picture {
     Nanoseconds period = 0;                      // 0: nothing is drawn
     std::optional<Nanoseconds> calc_and_copy{};  // nothing: not known
+    std::optional<Nanoseconds> nominal{};        // when outputs come by set value and delays; nothing: nobody holds it
     Nanoseconds begin = 0, end = 0;              // of the stretch that the arrivals are of
     ArrivalFigures figures{};
     bool operator==(const Picture&) const = default;
@@ -40,6 +41,7 @@ class CyclePlot final : public QWidget {
  private:
   void drawAxis(QPainter& painter) const;
   void drawBars(QPainter& painter) const;
+  void drawNominal(QPainter& painter) const;
   void drawSync0(QPainter& painter) const;
 
   Picture picture_;

@@ -632,8 +632,6 @@ TEST(RunDiagnosis, WhatSlavesMissBehindALooseLinkIsTheLinks) {
   report.history.slaves[1].lost_links[0].note(kStart + 5060 * kMillisecond, 1);
   EXPECT_THAT(codes(report), ElementsAre(code::kLinkLost, code::kWorkingCounterExplained));
   // Both ends of the cable count: it is the slave behind it whose data were missing.
-  report.slaves[1].parent = 0;
-  report.slaves[1].parent_port = 1;
   report.history.slaves[0].lost_links[1].note(kStart + 5060 * kMillisecond, 1);
   const auto findings = diagnose(report);
   const auto counter = std::ranges::find(findings, code::kWorkingCounterExplained, &Finding::code);
