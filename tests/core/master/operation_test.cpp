@@ -308,6 +308,19 @@ TEST_F(OperationTest, RefusesABusOfAnotherSize) {
   EXPECT_FALSE(snapshot.online);
 }
 
+/// Where to look for who is missing: at the port of the one before it.
+TEST_F(OperationTest, SaysWhereAMissingSlaveShouldHang) {
+  network.sim.slaves.resize(1);
+  go_online();
+  ASSERT_TRUE(first_error());
+  EXPECT_THAT(describe(*first_error()), testing::HasSubstr("should hang at port C of slave 0"));
+  std::string all;
+  for (const auto& event : events) {
+    if (const auto* failure = event.as<events::Failure>()) all += describe(failure->error) + "\n";
+  }
+  EXPECT_THAT(all, testing::HasSubstr("should hang at port B of slave 1"));
+}
+
 TEST_F(OperationTest, RefusesAnotherDevice) {
   network.sim.slaves[1].device.identity = {0x5C17, 0xBAD, 1, 0};
   go_online();
