@@ -354,6 +354,20 @@ TEST_F(OperationTest, RefusesDistributedClocksThatNobodyCanLead) {
   EXPECT_FALSE(service->online());
 }
 
+/// Each of the writes counts, not only the first.
+TEST_F(OperationTest, NamesTheClockThatDoesNotTakeItsOffset) {
+  make_service();
+  link->on_reply = [this](DatagramView& reply) {
+    const bool offset = reply.header.command == Command::kFpwr && reply.header.ado() == reg::kSystemTimeOffset;
+    if (offset && reply.header.adp() == config.slaves[2].station_address) reply.set_wkc(0);
+  };
+  go_online();
+  ASSERT_TRUE(first_error());
+  EXPECT_EQ(first_error()->code, ErrorCode::kDcSetup);
+  EXPECT_NE(first_error()->subject.find("slave 2"), std::string::npos);
+  EXPECT_THAT(describe(*first_error()), testing::HasSubstr("does not take its system time offset"));
+}
+
 /// Terminals: the drives' modes of operation need SYNC0.
 TEST_F(OperationTest, RunsWithoutDistributedClocks) {
   network = {};

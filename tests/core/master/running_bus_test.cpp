@@ -27,8 +27,10 @@ TEST_F(RunningBusTest, TellsLostSlavesAndWrongCounters) {
   go_online();
   run_until(kLater - kMillisecond);
   events.clear();
+  const auto before = clock.now();
   run(50 * kMillisecond);
   EXPECT_EQ(count(kind_of<events::SlaveLost>), 1U);
+  EXPECT_NEAR(static_cast<double>(snapshot.slaves[2].absent_since - before), 3e6, 2e6);
   // Wrong until the lost slave is known as lost, then less is expected.
   EXPECT_EQ(count(kind_of<events::WkcError>), 2U);
   EXPECT_LE(snapshot.wkc_errors, 3U);
@@ -40,6 +42,7 @@ TEST_F(RunningBusTest, TellsLostSlavesAndWrongCounters) {
   run(100 * kMillisecond);
   EXPECT_EQ(count(kind_of<events::SlaveFound>), 1U);
   EXPECT_TRUE(snapshot.slaves[2].present);
+  EXPECT_EQ(snapshot.slaves[2].absent_since, 0);
   EXPECT_EQ(samples.back().wkc_expected, 6);
   EXPECT_EQ(samples.back().flags & CycleSample::kWkcError, 0);
 }
