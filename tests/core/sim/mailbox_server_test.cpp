@@ -282,6 +282,7 @@ TEST_F(Server, FilesAreWrittenAndReadPacketByPacket) {
   EXPECT_EQ(file(foe::Data{1, Bytes(room, 1)}), foe::Message(foe::Ack{1}));
   EXPECT_EQ(file(foe::Data{2, Bytes(room, 2)}), foe::Message(foe::Ack{2}));
   EXPECT_EQ(file(foe::Data{3, {}}), foe::Message(foe::Ack{3})) << "an exact multiple ends with an empty packet";
+  EXPECT_EQ(std::get<foe::FileError>(file(foe::Data{4, {9}})).code, foe::error::kIllegal) << "it is written to its end";
   const auto first = std::get<foe::Data>(file(foe::ReadRequest{0, "a.bin"}));
   EXPECT_EQ(first.bytes, Bytes(room, 1));
   EXPECT_EQ(std::get<foe::Data>(file(foe::Ack{1})).bytes, Bytes(room, 2));

@@ -34,6 +34,21 @@ TEST(SimServoClock, ThePhaseErrorIsTheWayToTheNearestPeriod) {
   EXPECT_EQ(followed(-62'499, 1, kPeriod).phase_error(), -62'499);
 }
 
+/// Also where nobody has taken the periods that have passed since.
+TEST(SimServoClock, ThePhaseErrorIsThatOfTheNearestPeriodHoweverOldTheNextOneIs) {
+  const auto error = [](Nanoseconds late) {
+    ServoClock clock(kPeriod, 0, 0);
+    const auto first = clock.take_before(kBegin + 1);
+    clock.follow(*first + kPeriod + late, kPeriod);
+    return clock.phase_error();
+  };
+  EXPECT_EQ(error(0), 0);
+  EXPECT_EQ(error(62'499), -62'499);
+  EXPECT_EQ(error(62'500), 62'500);
+  EXPECT_EQ(error(80'000), 45'000);
+  EXPECT_EQ(error(3 * kPeriod + 80'000), 45'000);
+}
+
 /// A SYNC0 cycle that is a multiple of a part of the period is aligned to that part.
 TEST(SimServoClock, APartOfThePeriodIsAlignedToWhereTheCycleIsItsMultiple) {
   EXPECT_EQ(followed(70'000, 1, kPeriod / 2).phase_error(), 7'500);
