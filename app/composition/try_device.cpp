@@ -91,17 +91,23 @@ std::string impossible_mailbox(const DeviceDescription& device) {
   return {};
 }
 
-/// PDOs of the ESI's own assignment that do not fit into the SyncManager that the ESI gives them.
+/// PDOs of the ESI's own assignment that do not fit into the SyncManager that the ESI gives them, alone or together;
+/// whether a user could map less into them is no matter.
 std::string oversize(const DeviceDescription& device) {
   for (std::size_t n = 0; n < device.sync_managers.size(); ++n) {
-    const auto& limit = device.sync_managers[n].max_size;
+    const auto limit = device.sync_managers[n].max_size.value_or(0);
     for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
+      const auto assigned = default_assignment(device, direction);
+      std::uint32_t bits = 0;
+      std::string pdos;
       for (const Pdo& pdo : device.pdos(direction)) {
-        const auto bytes = (pdo.bit_length() + 7) / 8;
-        if (!pdo.fixed || pdo.sync_manager != n || !limit || *limit == 0 || bytes <= *limit) continue;
-        return fmt::format("the ESI assigns PDO 0x{:04x} of {} bytes to SM{}, which takes {}", pdo.index, bytes, n,
-                           *limit);
+        if (pdo.sync_manager != n || std::ranges::find(assigned, pdo.index) == assigned.end()) continue;
+        bits += pdo.bit_length();
+        pdos += fmt::format("{}0x{:04x}", pdos.empty() ? "" : ", ", pdo.index);
       }
+      const auto bytes = (bits + 7) / 8;
+      if (limit == 0 || bytes <= limit) continue;
+      return fmt::format("the ESI assigns {} bytes (PDO {}) to SM{}, which takes {}", bytes, pdos, n, limit);
     }
   }
   return {};

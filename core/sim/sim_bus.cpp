@@ -45,6 +45,9 @@ Node power_up(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, Nanos
   return node;
 }
 
+/// From its first bit to its last one, without the gap behind it.
+Nanoseconds length_of_frame(std::size_t bytes) { return wire_time_ns(bytes) - 12 * 80; }
+
 /// A processing unit on the way of the frames.
 struct Stop {
   std::size_t passage = 0;  // the reception in front of it
@@ -190,7 +193,11 @@ struct SimBus::Impl final : FaultTarget {
     now = std::max(now, time);
   }
   Returned execute(std::span<std::uint8_t> frame, Nanoseconds send_time);
-  Returned execute_foreign(bool malformed, Nanoseconds send_time);
+  Returned execute_foreign(std::size_t size, bool malformed, Nanoseconds send_time);
+  /// When the last bit of a frame is back at the master.
+  [[nodiscard]] Nanoseconds return_time(Nanoseconds send_time, Nanoseconds length) const {
+    return send_time + static_cast<Nanoseconds>(path.return_ns + 0.5) + length;
+  }
   using Reach = LineFaults::Reach;
   void note_addresses();
   /// A frame on its way.
@@ -218,10 +225,11 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   now = std::max(now, send_time);
   if (line_faults.takes_frame()) return {true, 0};
   const auto kind = passing.arrive(frame);
-  if (kind != PassingFrame::Kind::kEtherCat) return execute_foreign(kind == PassingFrame::Kind::kMalformed, send_time);
+  if (kind != PassingFrame::Kind::kEtherCat)
+    return execute_foreign(frame.size(), kind == PassingFrame::Kind::kMalformed, send_time);
 
   auto way = line_faults.next_frame(path.passages);
-  const auto length = wire_time_ns(frame.size()) - 12 * 80;  // without the gap behind the frame
+  const auto length = length_of_frame(frame.size());
   if (!addresses.holds(setting_changes)) note_addresses();
   const bool mark_source = source_marked;
   pass_slaves(way, send_time, length);
@@ -229,11 +237,11 @@ SimBus::Returned SimBus::Impl::execute(std::span<std::uint8_t> frame, Nanosecond
   if (way.damaged < way.end) count_errors(way);
   passing.leave();
   const bool lost = path.swallowed || way.end < path.passages.size() || way.damaged < path.passages.size();
-  const auto return_time = send_time + static_cast<Nanoseconds>(path.return_ns + 0.5) + length;
+  const auto back = return_time(send_time, length);
   end_frame(way, send_time, length);
   if (lost) return {true, 0};
   if (mark_source) frame[6] = static_cast<std::uint8_t>(frame[6] | 0x02);  // locally administered
-  return {false, return_time};
+  return {false, back};
 }
 
 void SimBus::Impl::note_addresses() {
@@ -340,7 +348,7 @@ void SimBus::Impl::end_frame(const Reach& reach, Nanoseconds send_time, Nanoseco
 }
 
 /// No EtherCAT frame, or one whose lengths contradict each other: the first ESC notices and destroys it.
-SimBus::Returned SimBus::Impl::execute_foreign(bool malformed, Nanoseconds send_time) {
+SimBus::Returned SimBus::Impl::execute_foreign(std::size_t size, bool malformed, Nanoseconds send_time) {
   bool bad = false;
   for (const auto& passage : path.passages) {
     auto& ports = nodes[passage.slave].esc->ports();
@@ -352,7 +360,7 @@ SimBus::Returned SimBus::Impl::execute_foreign(bool malformed, Nanoseconds send_
     }
   }
   if (bad || path.swallowed) return {true, 0};
-  return {false, send_time + static_cast<Nanoseconds>(path.return_ns + 0.5)};
+  return {false, return_time(send_time, length_of_frame(size))};
 }
 
 /// Of another program on the host: shortest frames, which the first ESC destroys.
@@ -360,7 +368,7 @@ void SimBus::Impl::foreign_frame(Nanoseconds time) {
   constexpr std::size_t kShortest = 60;
   const auto begin = std::max(time, wire_free);
   wire_free = begin + wire_time_ns(kShortest);
-  (void)execute_foreign(false, begin);
+  (void)execute_foreign(kShortest, false, begin);
 }
 
 SimBus::SimBus(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

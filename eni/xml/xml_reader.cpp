@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "eni/xml/open_element.h"
 #include "eni/xml/text_encoding.h"
 #include "eni/xml/xml_limits.h"
 #include "eni/xml/xml_text.h"
@@ -39,12 +40,13 @@ Reason malformed_reason(tinyxml2::XMLError error) {
   }
 }
 
-/// tinyxml2 tells the element only inside its sentence: "... Line number=3: XMLElement name=Sm".
-std::string element_of(const tinyxml2::XMLDocument& document) {
+/// tinyxml2 tells the element only inside its sentence, "... Line number=3: XMLElement name=Sm", and not at all where
+/// something within an element is wrong.
+std::string element_of(const tinyxml2::XMLDocument& document, std::string_view text) {
   constexpr std::string_view kKey = "XMLElement name=";
   const std::string_view sentence = document.ErrorStr() ? document.ErrorStr() : "";
   const auto at = sentence.find(kKey);
-  return at == std::string_view::npos ? std::string{} : std::string(trim(sentence.substr(at + kKey.size())));
+  return std::string(at == std::string_view::npos ? open_element(text) : trim(sentence.substr(at + kKey.size())));
 }
 
 }  // namespace
@@ -192,7 +194,7 @@ Result<XmlDocument> parse_utf8(std::string_view text, const std::string& file_na
   auto document = std::make_unique<tinyxml2::XMLDocument>();
   const auto status = document->Parse(text.data(), text.size());
   if (status != tinyxml2::XML_SUCCESS) {
-    const auto element = element_of(*document);
+    const auto element = element_of(*document, text);
     return fail(Error{.code = ErrorCode::kXmlMalformed,
                       .subject = element,
                       .detail = element.empty() ? malformed_reason(status)

@@ -202,6 +202,33 @@ TEST_F(EsiTry, DescriptionsThatContradictThemselvesAreExceptedWithTheReason) {
   EXPECT_EQ(tried.devices[2].line, 7);
 }
 
+/// Whether the mapping could be changed is no matter: what the ESI assigns does not fit where the ESI puts it.
+TEST_F(EsiTry, PdosThatDoNotFitIntoTheirSyncManagerAreExcepted) {
+  std::string fixed = kNeighbours;
+  fixed.replace(fixed.find("DefaultSize"), 0, "MaxSize=\"1\" ");
+  fixed.replace(fixed.find("<BitLen>8"), 9, "<BitLen>24");
+  std::string changeable = fixed;
+  changeable.replace(changeable.find("Fixed=\"1\" "), 10, "");
+  std::string together = kNeighbours;
+  together.replace(together.find("DefaultSize"), 0, "MaxSize=\"1\" ");
+  together.replace(together.find("Sm=\"1\"><Index"), 6, "Sm=\"0\"");
+  std::string fits = together;
+  fits.replace(fits.find("MaxSize=\"1\""), 11, "MaxSize=\"2\"");
+  write("a.xml", esi(fixed));
+  write("b.xml", esi(changeable));
+  write("c.xml", esi(together));
+  write("d.xml", esi(fits));
+  const auto tried = report();
+  ASSERT_EQ(tried.devices.size(), 4U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(tried.devices[i].outcome, TryOutcome::kExcepted) << i << tried.devices[i].reason;
+    EXPECT_EQ(tried.devices[i].step, TryStep::kRead) << i;
+  }
+  EXPECT_EQ(tried.devices[1].reason, "the ESI assigns 3 bytes (PDO 0x1600) to SM0, which takes 1");
+  EXPECT_EQ(tried.devices[2].reason, "the ESI assigns 2 bytes (PDO 0x1600, 0x1601) to SM0, which takes 1");
+  EXPECT_EQ(tried.devices[3].outcome, TryOutcome::kPassed) << tried.devices[3].reason;
+}
+
 /// What a vendor's file says of its own SyncManager is not what the compiler can do: such a device fails, visibly.
 TEST_F(EsiTry, FailuresAndUnreadableFilesAreTheAnswerNo) {
   std::string too_many = kRegisters;

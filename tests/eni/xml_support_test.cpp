@@ -94,6 +94,37 @@ TEST(XmlReader, MalformedTextNamesItsLine) {
   EXPECT_FALSE(parse_xml("<!-- nothing -->", "f.xml"));
 }
 
+/// The element that is wrong, or the one around what is wrong.
+TEST(XmlReader, MalformedTextNamesTheElement) {
+  struct Case {
+    const char* text;
+    const char* element;
+    int line;
+  };
+  const Case cases[] = {
+      {"<A>\n<B>\n</A>", "B", 2},
+      {"<A>\n<B x=>\n</B></A>", "B", 2},
+      {"<A>\n<B/>\n<", "A", 3},
+      {"<A>\n<C/><B y='/>'>\n<1/>\n</B></A>", "B", 3},
+      {"<A>\n<B>\ntext", "B", 3},
+      {"<A>\n<B></B><C><![CDATA[ <D>\n\n", "C", 2},
+      {"<A><!-- <D> -->\n<!-- <B>\n</A>", "A", 2},
+      {"<?xml version='1.0'?><A>\n<B z=\"'\"><?x", "B", 2},
+      {"<A>\n<B/><!x", "A", 2},
+      {"hello", "", 1},
+      {"<A/>\ntail", "", 2},
+  };
+  for (const auto& [text, element, line] : cases) {
+    const auto document = parse_xml(text, "f.xml");
+    ASSERT_FALSE(document) << text;
+    EXPECT_EQ(document.error().subject, element) << text;
+    EXPECT_EQ(document.error().line, line) << text;
+    if (*element != '\0') {
+      EXPECT_THAT(document.error().detail.text(), HasSubstr("<" + std::string(element) + ">")) << text;
+    }
+  }
+}
+
 TEST(XmlReader, NumbersMustFitTheirType) {
   const auto document = parse_xml("<A>-1</A>", "f.xml");
   ASSERT_TRUE(document);

@@ -7,26 +7,11 @@
 #include "channels/snapshot.h"
 #include "findings/error_text.h"
 #include "master/master_service.h"
-#include "tests/support/simulated_network.h"
+#include "tests/support/small_machines.h"
 
 /// Long buses with a project's defaults.
 namespace syncline::test {
 namespace {
-
-/// A drive of which only the controlword, a target, the statusword and a position are exchanged, so that a thousand fit
-/// into a millisecond of wire time.
-DeviceDescription small_servo() {
-  auto device = servo();
-  const auto keep = [](std::vector<Pdo>& pdos, std::initializer_list<std::uint16_t> indices) {
-    for (auto& pdo : pdos) {
-      std::erase_if(pdo.entries,
-                    [&](const auto& entry) { return std::ranges::find(indices, entry.index) == indices.end(); });
-    }
-  };
-  keep(device.rx_pdos, {0x6040});
-  keep(device.tx_pdos, {0x6041});
-  return device;
-}
 
 std::string run_to_op(std::size_t slaves, const DeviceDescription& device, const std::string& behaviour) {
   SimulatedNetwork network;

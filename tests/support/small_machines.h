@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
 #include "support/random.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline::test {
+
+/// A drive of which only controlword and statusword are exchanged, so that a thousand fit into a millisecond of wire
+/// time.
+inline DeviceDescription small_servo() {
+  auto device = servo();
+  const auto keep = [](std::vector<Pdo>& pdos, std::initializer_list<std::uint16_t> indices) {
+    for (auto& pdo : pdos) {
+      std::erase_if(pdo.entries,
+                    [&](const auto& entry) { return std::ranges::find(indices, entry.index) == indices.end(); });
+    }
+  };
+  keep(device.rx_pdos, {0x6040});
+  keep(device.tx_pdos, {0x6041});
+  return device;
+}
 
 /// A coupler-like terminal and two servo axes.
 inline void add_two_axes(SimulatedNetwork& network) {

@@ -8,11 +8,6 @@
 #include "protocol/sync_manager.h"
 
 namespace syncline {
-namespace {
-
-/// More than a mailbox queue of any slave.
-
-}  // namespace
 
 Status MailboxClient::collect() {
   for (int messages = 0; messages < kMostUnasked; ++messages) {

@@ -120,10 +120,8 @@ void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
   }
 }
 
-void Esc::put_same_buffers(std::uint32_t managers) {
-  if (renewed_by_signal_ != 0) count_renewals();
-  renew(managers, 1);
-}
+/// Signals that have not been counted yet may be so later: writes into a buffer are all alike.
+void Esc::put_same_buffers(std::uint32_t managers) { renew(managers, 1); }
 
 void Esc::show_pending(unsigned number) {
   const auto& bytes = pending_[number];

@@ -69,6 +69,69 @@ TEST(ModuleSlots, PlacesCountIncrementsOfThoseBefore) {
   EXPECT_FALSE(places[2].demanded);
 }
 
+/// ETG.2000, SlotGroup: a module's indices move by the number of its group, too, where it says so.
+TEST(ModuleSlots, PlacesMoveByTheirGroup) {
+  auto device = gateway();
+  device.slots->increments.slot_group_pdo = 0x40;
+  device.slots->increments.slot_group_index = 0x100;
+  device.slots->slots[1].slot_group = 3;
+  device.slots->slots[1].increments.slot_group_index = 0x200;
+  const auto places = slot_places(device);
+  ASSERT_EQ(places.size(), 4U);
+  EXPECT_EQ(places[0].group_pdo_offset, 0);
+  EXPECT_EQ(places[0].group_index_offset, 0);
+  EXPECT_EQ(places[2].group_pdo_offset, 0xC0);
+  EXPECT_EQ(places[2].group_index_offset, 0x600) << "the slot's own increment before that of all";
+  EXPECT_EQ(places[2].pdo_offset, 0x10);
+}
+
+/// Each index moves by what it depends on, and by nothing else.
+TEST(ModuleSlots, AModuleMovesWhatDependsOnItsPlace) {
+  SlotPlace place;
+  place.pdo_offset = 0x10;
+  place.index_offset = 0x800;
+  place.group_pdo_offset = 0x20;
+  place.group_index_offset = 0x1000;
+  for (const bool slot : {false, true}) {
+    for (const bool group : {false, true}) {
+      auto fixed = module(kAxis, 0x1600, 0x1A00, 0x6040, 16);
+      for (auto* pdo : {&fixed.rx_pdos[0], &fixed.tx_pdos[0]}) {
+        pdo->depend_on_slot = pdo->entries[0].depend_on_slot = slot;
+        pdo->depend_on_slot_group = pdo->entries[0].depend_on_slot_group = group;
+        pdo->exclude = {0x1650, 0x1651};
+        pdo->exclude_by_slot = {0x1651};
+      }
+      const auto made = module_at(fixed, place);
+      const auto pdo_moved = (slot ? 0x10 : 0) + (group ? 0x20 : 0);
+      const auto object_moved = (slot ? 0x800 : 0) + (group ? 0x1000 : 0);
+      EXPECT_EQ(made.rx_pdos[0].index, 0x1600 + pdo_moved);
+      EXPECT_EQ(made.tx_pdos[0].index, 0x1A00 + pdo_moved);
+      EXPECT_EQ(made.rx_pdos[0].entries[0].index, 0x6040 + object_moved);
+      EXPECT_EQ(made.tx_pdos[0].entries[0].index, 0x6041 + object_moved);
+      EXPECT_THAT(made.rx_pdos[0].exclude, ElementsAre(0x1650, 0x1661 + (group ? 0x20 : 0)));
+      EXPECT_FALSE(made.rx_pdos[0].depend_on_slot || made.rx_pdos[0].depend_on_slot_group);
+    }
+  }
+}
+
+/// Whatever was plugged first: the PDOs of the device, then those of the modules by their places.
+TEST(ModuleSlots, TheDevicesOwnPdosComeFirst) {
+  auto device = gateway();
+  device.slots->slots[1].modules[0].is_default = false;
+  device.slots->slots[1].min_instances = 0;
+  for (const std::uint16_t index : {0x1680, 0x1681, 0x1682}) {
+    device.rx_pdos.push_back(sample::pdo(index, "Own", 2, {{0x7FFF, 1, 8, "Own", "USINT"}}));
+  }
+  device.rx_pdos[2].sync_manager.reset();
+  auto slave = default_slave(device, 0);
+  ASSERT_THAT(slave.modules, IsEmpty());
+  ASSERT_TRUE(plug_module(slave, 0, kIo));
+  EXPECT_THAT(slave.assigned_rx_pdos, ElementsAre(0x1680, 0x1681, 0x1601));
+  slave.assigned_rx_pdos.push_back(0x1682);
+  ASSERT_TRUE(plug_module(slave, 2, kAxis));
+  EXPECT_THAT(slave.assigned_rx_pdos, ElementsAre(0x1680, 0x1681, 0x1682, 0x1601, 0x1610));
+}
+
 TEST(ModuleSlots, NoMoreThanTheDeviceTakes) {
   auto device = gateway();
   device.slots->slots[1].max_instances = 0xFFFF;

@@ -223,9 +223,42 @@ TEST(SlaveEdits, MoveToTheMasterThoughAnotherHangsAtNobody) {
   EXPECT_EQ(wiring(project), "- 0B 1B 2B ");
 }
 
+/// An order that is not what the wiring says stays, and a new slave stands behind the one that it hangs at.
+TEST(SlaveEdits, PutASlaveBehindItsNeighbourWhereTheOrderIsNotThatOfTheFrame) {
+  Project project;
+  ASSERT_TRUE(add_slave(project, kJunction, {}));
+  ASSERT_TRUE(add_slave_at(project, kDrive, {0, 2}));
+  ASSERT_TRUE(add_slave_at(project, kDrive, {0, 3}));
+  std::swap(project.slaves[1], project.slaves[2]);
+  ASSERT_EQ(wiring(project), "- 0C 0D ") << "a frame comes to port D first";
+  EXPECT_EQ(add_slave_at(project, kJunction, {1, 1}), 2U);
+  EXPECT_EQ(types(project), "junction drive junction drive ");
+  EXPECT_EQ(wiring(project), "- 0C 1B 0D ");
+}
+
+TEST(SlaveEdits, SayThatThereIsNoSuchSlave) {
+  auto project = plant();
+  const auto before = project;
+  for (const std::size_t none : {project.slaves.size(), project.slaves.size() + 1}) {
+    const EditedSlave edits[] = {add_slave(project, kDrive, none),    add_slave_before(project, kDrive, none),
+                                 remove_slave(project, none),         duplicate_slave(project, none),
+                                 move_slave_behind(project, none, 0), move_slave_behind(project, 0, none),
+                                 move_slave_before(project, none, 0), move_slave_before(project, 0, none),
+                                 move_slave_first(project, none),     move_slave_up(project, none),
+                                 move_slave_down(project, none),      rewire_slave(project, none, {0, 1})};
+    for (const auto& edit : edits) {
+      EXPECT_EQ(edit, EditedSlave(tl::unexpected(WiringObstacle::kNoSuchSlave))) << &edit - edits;
+    }
+  }
+  EXPECT_EQ(project, before);
+}
+
 TEST(SlaveEdits, TakeAPortThatNoSlaveHasForNone) {
   auto project = plant();
-  project.slaves[3].previous->port = 9;
+  for (const std::uint8_t port : {4, 9}) {
+    project.slaves[3].previous->port = port;
+    EXPECT_EQ(WiringTree::of(project.slaves).slaves()[3].previous, std::nullopt) << int{port};
+  }
   const auto tree = WiringTree::of(project.slaves);
   EXPECT_EQ(tree.slaves()[3].previous, std::nullopt);
   EXPECT_TRUE(tree.behind(2).empty());

@@ -34,6 +34,25 @@ TEST(MasterShift, LocksAfterTheSettleTimeAndStays) {
   }
 }
 
+/// What it says of itself: all that it moved the timer by, and nothing when somebody else moves it.
+TEST(MasterShift, CountsWhatItMovedTheTimerBy) {
+  for (const auto mode : {DcmMode::kMasterShift, DcmMode::kMasterShiftByApp}) {
+    MasterShift shift({.mode = mode, .set_value = {}}, kMillisecond, 400'000);
+    shift.start(0, 10'600'000, 10 * kMillisecond);
+    Nanoseconds moved = 0, schedule = 10 * kMillisecond;
+    for (int i = 0; i < 50; ++i) {
+      const auto action = shift.observe({schedule, schedule, schedule + 610'000});
+      EXPECT_NE(shift.state().adjust, 0) << i;
+      EXPECT_EQ(action.period_adjust, mode == DcmMode::kMasterShift ? shift.state().adjust : 0) << i;
+      moved += action.period_adjust;
+      EXPECT_EQ(shift.state().output_total, moved) << i;
+      schedule += kMillisecond + action.period_adjust;
+    }
+    shift.start(0, schedule, schedule);
+    EXPECT_EQ(shift.state().output_total, 0);
+  }
+}
+
 TEST(MasterShift, OneSidedWakeUpDelayIsNoBias) {
   // The mean lateness of this host is 2.4 us; a loop that saw it would send that much too early.
   DcmPlant plant(master_shifted(JitterProfile::desktop()));

@@ -48,6 +48,18 @@ TEST(PropagationDelay, LineWithoutTDiffIsWrongByHalfOfItAHop) {
   EXPECT_THAT(propagation_delays(nodes, {.t_diff_ns = 0}).delay_ns, ElementsAre(0, 380, 1180));
 }
 
+/// A millisecond from slave to slave is no cable; what is measured wrongly is left out.
+TEST(PropagationDelay, AHopHasALimit) {
+  const auto hop = [](std::uint32_t round_trip) {
+    const std::vector nodes{node({}, 0, {{0, 0}, {1, round_trip}}), node(0, 1, {{0, 9}})};
+    return propagation_delays(nodes, {.t_diff_ns = 0});
+  };
+  EXPECT_THAT(hop(2'000'000).delay_ns, ElementsAre(0, 1'000'000));
+  EXPECT_THAT(hop(2'000'000).findings, IsEmpty());
+  EXPECT_THAT(hop(2'000'002).delay_ns, ElementsAre(0, 0));
+  EXPECT_THAT(hop(2'000'002).findings, testing::Not(IsEmpty()));
+}
+
 TEST(PropagationDelay, TreeOfTheDataSheet) {
   const std::vector nodes{node({}, 0, {{0, 1000}, {1, 5680}}),
                           node(0, 1, {{0, 7000}, {1, 9260}, {2, 10'920}}),

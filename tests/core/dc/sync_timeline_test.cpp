@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/frame_time.h"
+#include "config/network_config.h"
+
 namespace syncline::dc {
 namespace {
 
@@ -20,6 +23,62 @@ SlaveTiming usual() {
   timing.delay = 2 * kMicrosecond;
   timing.wire = 10 * kMicrosecond;
   return timing;
+}
+
+/// A slave with SYNC0 and SYNC1 in a cycle of 1 ms.
+NetworkConfig one_drive() {
+  NetworkConfig config;
+  CyclicTask task;
+  task.cycle_time = kMillisecond;
+  CyclicCmd outputs;
+  outputs.command = Command::kLrw;
+  outputs.data_length = 100;
+  task.frames.emplace_back().commands = {outputs};
+  config.cyclic = {task};
+  config.dc.dcm.set_value = 300'000;
+  auto& slave = config.slaves.emplace_back();
+  slave.send = ImageRange{0, 16};
+  auto& dc = slave.dc.emplace();
+  dc.assign_activate = 0x0700;
+  dc.cycle_time0 = 500'000;
+  dc.cycle_time1 = 20'000;
+  dc.shift_time = 70'000;
+  return config;
+}
+
+TEST(SlaveTiming, IsThatOfItsConfiguration) {
+  auto config = one_drive();
+  const auto timing = slave_timing(config, 0);
+  ASSERT_TRUE(timing);
+  EXPECT_EQ(timing->bus_cycle, kMillisecond);
+  EXPECT_EQ(timing->set_value, 300'000);
+  EXPECT_EQ(timing->wire, outputs_wire_time(config, 0));
+  EXPECT_GT(timing->wire, 0);
+  EXPECT_EQ(timing->sync0.first, 70'000);
+  EXPECT_EQ(timing->sync0.period, 500'000);
+  EXPECT_EQ(timing->sync1, 20'000);
+  EXPECT_EQ(timing->delay, 0);
+  EXPECT_FALSE(timing->compute);
+  config.slaves[0].dc->assign_activate = 0x0300;
+  EXPECT_FALSE(slave_timing(config, 0)->sync1);
+  config.dc.dcm.set_value.reset();
+  EXPECT_EQ(slave_timing(config, 0)->set_value, 666'666);
+}
+
+TEST(SlaveTiming, IsNoneWithoutSync0) {
+  const auto config = one_drive();
+  EXPECT_FALSE(slave_timing(config, 1));
+  const auto without = [&](auto&& change) {
+    auto changed = config;
+    change(changed);
+    return !slave_timing(changed, 0);
+  };
+  EXPECT_TRUE(without([](auto& c) { c.slaves[0].dc.reset(); }));
+  EXPECT_TRUE(without([](auto& c) { c.slaves[0].dc->assign_activate = 0; }));
+  EXPECT_TRUE(without([](auto& c) { c.slaves[0].dc->assign_activate = 0x0100; }));
+  EXPECT_TRUE(without([](auto& c) { c.slaves[0].dc->cycle_time0 = 0; }));
+  EXPECT_TRUE(without([](auto& c) { c.cyclic.clear(); }));
+  EXPECT_FALSE(without([](auto& c) { c.slaves[0].dc->cycle_time0 = 1; }));
 }
 
 TEST(SyncTimeline, HasOutputsBehindTheReferenceClockAndTheirSync0) {

@@ -32,6 +32,22 @@ std::int64_t worst_delay_error(const ClockBed& bed, const DcNetwork& network) {
   return worst;
 }
 
+/// What the master's settings say, then what a slave's element DC says, then the first one with clocks.
+TEST(ConfiguredReferenceClock, IsTheOneThatIsNamedFirst) {
+  NetworkConfig config;
+  config.slaves.resize(5);
+  config.dc.enabled = true;
+  EXPECT_EQ(configured_reference_clock(config), std::nullopt);
+  for (const std::size_t slave : {1U, 2U, 4U}) config.slaves[slave].dc.emplace();
+  EXPECT_EQ(configured_reference_clock(config), 1);
+  config.slaves[2].dc->reference_clock = true;
+  EXPECT_EQ(configured_reference_clock(config), 2);
+  config.dc.reference_clock = 4;
+  EXPECT_EQ(configured_reference_clock(config), 4);
+  config.dc.enabled = false;
+  EXPECT_EQ(configured_reference_clock(config), std::nullopt);
+}
+
 TEST(DcSetup, RecoversTheDelaysOfRandomTreesWithin20ns) {
   EXPECT_TRUE(rc::check([] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();

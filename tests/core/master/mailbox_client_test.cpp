@@ -199,6 +199,23 @@ TEST(MailboxClient, EmergenciesWithoutEndAreNoAnswer) {
   EXPECT_LE(bed.emergencies.size(), 65U);
 }
 
+/// What lies there without having been asked for, until there is nothing more.
+TEST(MailboxClient, CollectsWhatLiesInTheMailbox) {
+  MailboxBed bed;
+  bed.slave->handler = [](const MailboxMessage&) {
+    return Messages{coe_message(coe::DownloadResponse{{0x2000, 0}}), coe_message(coe::Emergency{0x1000, 1, {}}),
+                    coe_message(coe::Emergency{0x2000, 1, {}})};
+  };
+  ASSERT_TRUE(CoeClient(*bed.client).download({0x2000, 0}, Bytes(2, 1)));
+  EXPECT_TRUE(bed.emergencies.empty());
+  ASSERT_TRUE(bed.client->collect());
+  ASSERT_EQ(bed.emergencies.size(), 2U);
+  EXPECT_EQ(bed.emergencies[1].error_code, 0x2000);
+  const auto sent = bed.link->injected().sent;
+  ASSERT_TRUE(bed.client->collect());
+  EXPECT_EQ(bed.link->injected().sent, sent + 1) << "a look at the SyncManager's status";
+}
+
 TEST(MailboxClient, TheProcessImagesBitSavesThePolling) {
   MailboxBed bed;
   Server server;

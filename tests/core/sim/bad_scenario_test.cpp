@@ -226,6 +226,7 @@ TEST(HostProfileFile, ContradictionsAreNamedWithLineAndKey) {
   expect("[wake_up]\nscale = 3\n", "quantiles", 1, "list of [part, ns]");
   expect("[stamps]\nquantiles = [[0, 1]]\n", "stamps", 1, "is not a key");
   expect("[stalls]\nper_second = 3\n", "quantiles", 1, "list of");
+  expect("[wake_up]\nquantiles = [[0, 10]]\n[stalls]\nper_second = 0.5\n", "quantiles", 3, "list of");
   expect("[stalls]\nper_second = 300\nquantiles = [[0, 5e6]]\n", "per_second", 2, "no time at all");
   expect("", "wake_up", 1, "a host profile has times for one of them");
   expect("# nothing\n[stalls]\nper_second = 0\n", "wake_up", 1, "a host profile has times for one of them");

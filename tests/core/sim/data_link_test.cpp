@@ -112,8 +112,12 @@ TEST(SimForwarding, ForeignFramesAreDestroyedAndCountedUnlessTheRuleIsOff) {
   EXPECT_EQ(errors(0), 0);
   EXPECT_EQ(probe.read(1, reg::kForwardedErrorCounter, 1).data[0], 1) << "counters are cleared slave by slave";
   probe.send(Command::kBwr, device_address(0, reg::kDlControl), {0x00});
-  EXPECT_FALSE(probe.bus->execute(foreign, probe.now).lost);
+  const auto returned = probe.bus->execute(foreign, probe.now);
+  EXPECT_FALSE(returned.lost);
   EXPECT_THAT(foreign, testing::Each(0x55));
+  const auto sent = probe.now;
+  probe.send(Command::kNop, 0, std::vector<std::uint8_t>(32));  // as long, and ours
+  EXPECT_EQ(returned.arrival_time, probe.arrival) << "from " << sent;
 }
 
 TEST(SimForwarding, TheAliasAnswersOnlyWhereItIsEnabled) {

@@ -60,6 +60,9 @@ void set_up(const SimConfig& config, std::vector<Move>& moves, std::uint32_t& en
     const auto station = static_cast<std::uint16_t>(1001 + i);
     const auto start = le_bytes(station);
     write(Command::kApwr, static_cast<std::uint16_t>(0 - i), reg::kStationAddress, {start.begin(), start.end()});
+    // Events that the slave tells in every datagram's IRQ.
+    const auto events = le_bytes(one_of<std::uint16_t>({0, 0, 0x0004, 0x0008, 0x0FFF}));
+    write(Command::kFpwr, station, reg::kEcatEventMask, {events.begin(), events.end()});
     unsigned fmmu = 0;
     const auto& managers = config.slaves[i].device.sync_managers;
     for (unsigned m = 0; m < managers.size(); ++m) {

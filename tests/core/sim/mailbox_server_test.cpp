@@ -168,6 +168,7 @@ TEST_F(Server, InformationListsAndDescribesWhatIsThere) {
   EXPECT_THAT(std::get<coe::ObjectList>(*tx).indices, ElementsAre(0x2000));
 
   const auto object = std::get<coe::ObjectDescription>(inform(coe::ObjectDescriptionRequest{0x2000}).value());
+  EXPECT_EQ(object.index, 0x2000);
   EXPECT_EQ(object.name, "Things");
   EXPECT_EQ(object.max_sub_index, 3);
   EXPECT_EQ(object.code, coe::ObjectCode::kRecord);
@@ -177,7 +178,13 @@ TEST_F(Server, InformationListsAndDescribesWhatIsThere) {
   EXPECT_EQ(entry.data_type, 0x06);
   EXPECT_EQ(entry.bit_length, 16);
   EXPECT_EQ(entry.access, coe::access::kRead | coe::access::kWrite | coe::access::kTxPdo);
+  EXPECT_EQ(entry.value_info, coe::value_info::kDefault);
   EXPECT_THAT(entry.default_value, ElementsAre(0x11, 0x11));
+  const auto unasked = std::get<coe::EntryDescription>(inform(coe::EntryDescriptionRequest{0x2000, 1, 0}).value());
+  EXPECT_EQ(unasked.index, 0x2000);
+  EXPECT_EQ(unasked.sub_index, 1);
+  EXPECT_EQ(unasked.value_info, 0);
+  EXPECT_THAT(unasked.default_value, testing::IsEmpty());
   const auto none = std::get<coe::InformationError>(inform(coe::EntryDescriptionRequest{0x2000, 9, 0}).value());
   EXPECT_EQ(none.abort_code, abort::kNoSubIndex);
 }
@@ -275,12 +282,14 @@ TEST_F(Server, FilesAreWrittenAndReadPacketByPacket) {
   EXPECT_EQ(file(foe::Data{1, Bytes(room, 1)}), foe::Message(foe::Ack{1}));
   EXPECT_EQ(file(foe::Data{2, Bytes(room, 2)}), foe::Message(foe::Ack{2}));
   EXPECT_EQ(file(foe::Data{3, {}}), foe::Message(foe::Ack{3})) << "an exact multiple ends with an empty packet";
+  EXPECT_EQ(std::get<foe::FileError>(file(foe::Data{4, {9}})).code, foe::error::kIllegal) << "it is written to its end";
   const auto first = std::get<foe::Data>(file(foe::ReadRequest{0, "a.bin"}));
   EXPECT_EQ(first.bytes, Bytes(room, 1));
   EXPECT_EQ(std::get<foe::Data>(file(foe::Ack{1})).bytes, Bytes(room, 2));
   EXPECT_TRUE(std::get<foe::Data>(file(foe::Ack{2})).bytes.empty());
   send(MailboxType::kFoe, foe::encode(foe::Ack{3}));
   EXPECT_FALSE(server().waiting());
+  EXPECT_EQ(std::get<foe::FileError>(file(foe::Ack{3})).code, foe::error::kIllegal) << "it is read to its end";
   EXPECT_EQ(std::get<foe::FileError>(file(foe::Data{7, {}})).code, foe::error::kIllegal);
   (void)file(foe::WriteRequest{0, "b"});
   EXPECT_EQ(std::get<foe::FileError>(file(foe::Data{2, {}})).code, foe::error::kPacketNumber);

@@ -52,6 +52,20 @@ TEST(SimSyncManager, StatusAndWhatBelongsToThePdiAreNotWritten) {
   EXPECT_THAT(probe.read(0, pdi, 1).data, ElementsAre(0));
 }
 
+TEST(SimSyncManager, ThereAreAsManyAsTheSlaveHas) {
+  auto slave = sim_slave("SL-1100");
+  slave.sync_manager_count = 3;
+  slave.fmmu_count = 2;
+  SimProbe probe(line({slave}));
+  EXPECT_EQ(probe.read(0, reg::kSyncManagerCount, 1).data[0], 3);
+  for (std::uint16_t byte = 0; byte < 8; ++byte) {
+    EXPECT_EQ(probe.read(0, static_cast<std::uint16_t>(reg::sync_manager(2) + byte), 1).wkc, 1) << byte;
+    EXPECT_EQ(probe.read(0, static_cast<std::uint16_t>(reg::sync_manager(3) + byte), 1).wkc, 0) << byte;
+  }
+  EXPECT_EQ(probe.read(0, reg::fmmu(1), 16).wkc, 1);
+  EXPECT_EQ(probe.read(0, reg::fmmu(2), 1).wkc, 0);
+}
+
 /// A mailbox that was full when it was switched off is empty when it is switched on again.
 TEST(SimSyncManager, IsEmptyWhenItIsSwitchedOnAgain) {
   SimProbe probe(line({sim_slave("SL-SV7", "servo-y")}));

@@ -47,6 +47,16 @@ TEST(ArrivalBathtub, RoomsAreThoseThatWereSeenAsFarAsTenPeriodsHadLess) {
   EXPECT_NEAR(rare->room, 900'100, 2);
 }
 
+/// Frames that come with a SYNC0 are early ones of the period that it begins.
+TEST(ArrivalBathtub, WhoComesWithSync0HasAPeriodLeft) {
+  for (const double phase : {0.0, 0.5, 3.0}) {
+    const auto found = bathtub_of(arrivals(100, [phase](std::size_t) { return phase; }));
+    ASSERT_FALSE(found.late.empty() || found.early.empty());
+    EXPECT_NEAR(found.early.front().room, phase, 1e-3);
+    EXPECT_NEAR(found.late.front().room, kPeriod - phase, 1e-3);
+  }
+}
+
 TEST(ArrivalBathtub, GoesOnAsTheRarestOnesBeginAndSaysSo) {
   // Late by an exponential time of 2 us: room at p is 600 us - 2 us * ln(1/p), known for every p.
   Random random(3);

@@ -47,6 +47,31 @@ CycleSample arriving(std::uint64_t cycle, Nanoseconds late) {
   return s;
 }
 
+/// Who was not looked at for long makes room, and is made again.
+TEST(ArrivalSeries, KeepsThoseThatWereAskedForLast) {
+  auto layout = arrival_layout();
+  layout.slaves = 40;
+  layout.sync0.assign(40, {kMillisecond, 40'000, 20'000, 1});
+  SampleStore store(layout);
+  auto delays = with_delays(0);
+  delays.slaves.resize(40, delays.slaves[1]);
+  store.append(delays);
+  for (std::uint64_t cycle = 1; cycle <= 500; ++cycle) {
+    const auto sample = arriving(cycle, 100'000);
+    store.append(std::span(&sample, 1));
+  }
+  for (std::size_t slave = 0; slave < ArrivalSeries::kMostKept; ++slave)
+    (void)store.series(Signal::kArrivalPhase, slave);
+  const auto full = store.memory_bytes();
+  const auto* const kept = &store.series(Signal::kArrivalPhase, 0);
+  for (std::size_t slave = ArrivalSeries::kMostKept; slave < 40; ++slave) {
+    EXPECT_EQ(store.series(Signal::kArrivalPhase, slave).count(INT64_MIN, INT64_MAX), 500U) << slave;
+    EXPECT_EQ(&store.series(Signal::kArrivalPhase, 0), kept) << "it is looked at all the time";
+    EXPECT_LE(store.memory_bytes(), full) << slave;
+  }
+  EXPECT_EQ(store.series(Signal::kArrivalPhase, 1).count(INT64_MIN, INT64_MAX), 500U) << "made again";
+}
+
 /// One series of the bus is enough for all of them, exactly, however often somebody looks meanwhile.
 TEST(ArrivalSeries, OfEachSlaveIsThatOfItsOwnGrid) {
   SampleStore store(arrival_layout());

@@ -44,6 +44,17 @@ TEST_F(RateSeriesTest, IsWhatWasCountedInTheSecondBefore) {
   EXPECT_EQ(rate.rates().heard(), kStart + 3000 * kMillisecond);
 }
 
+/// Where nothing new was counted, but somebody heard so: a second later, and not a moment later still.
+TEST_F(RateSeriesTest, IsOverWhenNothingWasHeardOfForASecond) {
+  hear(0, 0);
+  hear(100, 4);
+  hear(1099, 4);
+  EXPECT_EQ(at(1099), 4);
+  hear(1100, 4);
+  EXPECT_EQ(at(1100), 0);
+  EXPECT_EQ(at(1099), 4);
+}
+
 TEST_F(RateSeriesTest, WhatComesAndGoesAtOneMomentIsOneValue) {
   hear(0, 0);
   hear(100, 4);

@@ -62,6 +62,52 @@ TEST_F(RunHistoryTest, KnowsHowLongTheHostStoodStill) {
   EXPECT_EQ(recorder.history().stalls.first(), kSecond);
 }
 
+/// Of a slave's count only what is new: it stands still, or begins again.
+TEST_F(RunHistoryTest, CountsWhatASlaveHasMissedSinceItsLastReading) {
+  const auto read = [&](Nanoseconds time, int slave, std::uint32_t count) {
+    auto reading = sample(time);
+    reading.sm2_position = static_cast<decltype(reading.sm2_position)>(slave);
+    reading.slave_sm2_missed = count;
+    add(reading);
+  };
+  read(1 * kSecond, 0, 2);
+  read(2 * kSecond, 2, 5);
+  read(3 * kSecond, 0, 2);
+  read(4 * kSecond, -1, 90);
+  read(5 * kSecond, 3, 90);
+  read(6 * kSecond, 0, 3);
+  read(7 * kSecond, 0, 1);
+  read(8 * kSecond, 0, 4);
+  const auto& slaves = recorder.history().slaves;
+  EXPECT_EQ(slaves[0].missed.count(), 2U + 1U + 3U);
+  ASSERT_EQ(slaves[0].missed.list().size(), 3U);
+  EXPECT_EQ(slaves[0].missed.first(), kSecond);
+  EXPECT_EQ(slaves[0].missed.last(), 8 * kSecond);
+  EXPECT_EQ(slaves[1].missed.count(), 0U);
+  EXPECT_TRUE(slaves[1].missed.empty());
+  EXPECT_EQ(slaves[2].missed.count(), 5U);
+}
+
+TEST_F(RunHistoryTest, KnowsFromWhenToWhenAMailboxWasSilent) {
+  const auto look = [&](Nanoseconds time, std::uint64_t silences) {
+    Snapshot snapshot;
+    snapshot.time = time;
+    snapshot.slaves.resize(3);
+    snapshot.slaves[1].evidence.mailbox_silences = static_cast<decltype(SlaveEvidence::mailbox_silences)>(silences);
+    recorder.add(snapshot);
+  };
+  look(1 * kSecond, 0);
+  look(2 * kSecond, 1);
+  look(3 * kSecond, 1);
+  look(4 * kSecond, 3);
+  look(5 * kSecond, 3);
+  const auto& slave = recorder.history().slaves[1];
+  EXPECT_EQ(slave.mailbox_silences, 3U);
+  EXPECT_EQ(slave.silent_from, 2 * kSecond);
+  EXPECT_EQ(slave.silent_to, 4 * kSecond);
+  EXPECT_EQ(recorder.history().slaves[0].mailbox_silences, 0U);
+}
+
 /// Who goes changes the way of those behind it at once; the sweep that misses it comes a little later.
 TEST_F(RunHistoryTest, ALossBehindWhoGoesJustThenIsAChangedWay) {
   recorder.add(Event{kSecond, -1, events::Online{}});

@@ -7,6 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+#include "trace/sample_store.h"
+
 namespace syncline {
 namespace {
 

@@ -15,12 +15,12 @@
 namespace syncline {
 namespace {
 
-constexpr Nanoseconds kBegin = 830'000'000 * kSecond;
+constexpr Nanoseconds kStanding = 830'000'000 * kSecond;
 
 CycleSample follower_read(std::int64_t ms, std::int16_t slave) {
   CycleSample sample;
   sample.cycle = static_cast<std::uint64_t>(ms);
-  sample.send_time = kBegin + ms * kMillisecond;
+  sample.send_time = kStanding + ms * kMillisecond;
   sample.master_state = static_cast<std::uint8_t>(AlState::kOp);
   sample.slaves_sync = SyncState::kInSync;
   sample.slave_position = slave;

@@ -55,6 +55,15 @@ TEST(Spectrum, FindsInjectedLines) {
   }));
 }
 
+/// Mean and slope are no lines, wherever the window stands.
+TEST(Spectrum, AStraightLineHasNothing) {
+  std::vector<float> samples(1024);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = 4'000 - 3 * static_cast<float>(i);
+  const auto found = spectrum(samples, 0.001);
+  ASSERT_FALSE(found.amplitudes.empty());
+  for (const double amplitude : found.amplitudes) EXPECT_LT(amplitude, 1e-6);
+}
+
 TEST(Spectrum, NoiseHasNoLines) {
   std::mt19937 random(3);
   std::normal_distribution<float> noise(0, 50);

@@ -216,6 +216,21 @@ TEST(Stability, EndsEarlyWhenItIsToldTo) {
   EXPECT_TRUE(stability_octaves(Stretches<double>(&stretch, 1), 1, 1, &stop).empty());
 }
 
+/// Values that alternate between both ends come to it.
+TEST(Stability, TheBoundIsNoHigherThanNeeded) {
+  Points x(64);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = i % 2 == 0 ? 50 : -50;
+  const auto worst = at(x, 1, 0.5, 1e-9);
+  const auto bound = stability_bound(50, 0.5, 1e-9);
+  expect_same(bound.tau, worst.tau, "tau");
+  expect_same(bound.adev, worst.adev, "overlapping Allan deviation");
+  expect_same(bound.plain_adev, worst.plain_adev, "Allan deviation");
+  expect_same(bound.mdev, worst.mdev, "modified Allan deviation");
+  expect_same(bound.tdev, worst.tdev, "time deviation");
+  expect_same(bound.tie_rms, worst.tie_rms, "time interval error");
+  expect_same(bound.mtie, worst.mtie, "maximum time interval error");
+}
+
 TEST(Stability, NothingWithinTheLimitGoesAboveItsBound) {
   EXPECT_TRUE(rc::check([] {
     const auto size = *rc::gen::inRange<std::size_t>(4, 100);
