@@ -6,7 +6,8 @@
 #include "app/cli/esi_command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
-#include "app/composition/try_esi.h"
+#include "engine/try_esi.h"
+#include "eni/trial/eni_trial_files.h"
 #include "findings/error_text.h"
 
 namespace syncline::cli {
@@ -66,7 +67,7 @@ void try_devices(Context& context, const TryOptions& options) {
       if (options.all || device.outcome != TryOutcome::kPassed) print_device(context.console.out, device);
     };
   }
-  const auto report = try_esi(request);
+  const auto report = try_esi(request, eni::trial_files());
   if (!report) return context.fail_with(report.error());
   if (report->count(TryOutcome::kFailed) > 0 || !report->unreadable.empty()) context.exit_code = kAnswerIsNo;
   if (options.json) return context.print(report_json(*report));

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/cli/event_text.h"
+#include "channels/event_text.h"
 
 namespace syncline::cli {
 namespace {

@@ -12,9 +12,6 @@ struct Event;
 
 namespace syncline::cli {
 
-/// Its words without the time; they begin with "slave N" where it is about one. "" for events that only programs care
-/// about.
-[[nodiscard]] std::string event_words(const Event& event);
 /// One line for people, "" for events that only programs care about. Times are relative to `start`.
 [[nodiscard]] std::string event_text(const Event& event, Nanoseconds start);
 /// As docs/json.md describes it; null for events that only programs care about.

@@ -72,16 +72,18 @@ Result<Project> build(Context& context, const CreateOptions& options, RecoveredP
     request.cancel = &interrupt.interrupted();
     const auto scan = scan_bus(open_link(options.scan), request);
     if (!scan) return tl::unexpected(scan.error());
-    auto built = eni::project_from_scan(*scan, *catalogue);
+    eni::SlaveDescriber describe;
     if (options.read_dictionaries) {
-      const auto unread = describe_slaves(
-          built.project, [&] { return open_link(options.scan); }, request.cancel);
-      if (!unread) return tl::unexpected(unread.error());
-      for (const Error& error : *unread) built.warnings.push_back(finding_of(error));
-      if (interrupt.interrupted()) return fail(ErrorCode::kCancelled);
+      describe = [&](Project& project) {
+        return describe_slaves(
+            project, [&] { return open_link(options.scan); }, request.cancel);
+      };
     }
-    for (const auto& warning : built.warnings) context.warn(warning);
-    return std::move(built.project);
+    auto built = eni::project_from_scan(*scan, *catalogue, describe);
+    if (!built) return tl::unexpected(built.error());
+    if (describe && interrupt.interrupted()) return fail(ErrorCode::kCancelled);
+    for (const auto& warning : built->warnings) context.warn(warning);
+    return std::move(built->project);
   }
   std::vector<Identity> devices;
   for (const auto& text : options.devices) {

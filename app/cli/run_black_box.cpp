@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "app/cli/counted.h"
-#include "app/cli/event_text.h"
 #include "app/cli/options.h"
 #include "app/cli/terminal_reason.h"
-#include "channels/event.h"
 #include "channels/master_channels.h"
 #include "findings/error_text.h"
 
@@ -58,8 +56,7 @@ Status RunBlackBox::start(MasterChannels& channels, const std::string& file, con
 }
 
 void RunBlackBox::add(const Event& event) {
-  if (!box_) return;
-  if (auto words = event_words(event); !words.empty()) box_->note(event.time, std::move(words));
+  if (box_) box_->note(event);
 }
 
 void RunBlackBox::tell() {

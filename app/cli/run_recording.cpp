@@ -9,7 +9,6 @@
 
 #include "app/cli/duration.h"
 #include "app/cli/options.h"
-#include "app/cli/recorded_event.h"
 #include "diagnosis/run_diagnosis.h"
 #include "eni/format/eni_file.h"
 #include "support/whole_file.h"
@@ -20,13 +19,14 @@ namespace {
 constexpr std::uint64_t kMiB = 1ULL << 20;
 
 Result<RecordingAbout> about(const std::string& file, const std::string& link, const NetworkConfig& config) {
-  auto result = about_run(config);
-  result.program = std::string("synclinectl ") + SYNCLINE_VERSION;
-  result.link = link;
   auto text = read_whole_file(file);
   if (!text) return tl::unexpected(text.error());
-  result.documents.push_back({"project", std::filesystem::path(file).filename().string(), std::move(*text)});
-  result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(config)});
+  auto result = about_run(config);
+  add_source(result, {.program = std::string("synclinectl ") + SYNCLINE_VERSION,
+                      .link = link,
+                      .project_name = std::filesystem::path(file).filename().string(),
+                      .project_body = std::move(*text),
+                      .eni = eni::write_eni(config)});
   return result;
 }
 
@@ -59,36 +59,35 @@ Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, cons
     if (!longest) return tl::unexpected(longest.error());
     bounds.longest = *longest;
   }
-  bounds.by_clock = !virtual_time;
   bounds.most_bytes = options.most_mib * kMiB;
   bounds.keep_free_bytes = options.keep_free_mib * kMiB;
   auto what = about(file, link, config);
   if (!what) return tl::unexpected(what.error());
   what->watched = watched;
-  auto recorder = Recorder::start(options.file, *what, bounds, [where = recording.get()](const Recorder::Stop& stop) {
+  const auto stopped = [where = recording.get()](const Recorder::Stop& stop) {
     const std::lock_guard lock(where->mutex_);
     where->stop_ = stop;
-  });
-  if (!recorder) return tl::unexpected(recorder.error());
-  recording->recorder_ = std::move(*recorder);
+  };
+  auto session = RecordingSession::start(
+      {.path = options.file, .about = std::move(*what), .virtual_time = virtual_time, .bounds = bounds}, stopped);
+  if (!session) return tl::unexpected(session.error());
+  recording->session_ = std::move(*session);
   recording->file_ = options.file;
   return recording;
 }
 
 void RunRecording::add(std::span<const CycleSample> samples) {
-  if (!recorder_) return;
-  if (first_ == 0 && !samples.empty()) first_ = samples.front().send_time;
-  recorder_->add(samples);
+  if (!session_) return;
+  session_->add(samples);
   tell();
 }
 
 void RunRecording::add(const Snapshot& snapshot) {
-  if (recorder_) recorder_->add(snapshot);
+  if (session_) session_->add(snapshot);
 }
 
 void RunRecording::add(const Event& event) {
-  if (!recorder_) return;
-  if (auto recorded = recorded_event(event)) recorder_->add(std::move(*recorded));
+  if (session_) session_->add(event);
 }
 
 void RunRecording::tell() {
@@ -103,9 +102,9 @@ void RunRecording::tell() {
 }
 
 void RunRecording::finish(RunReport report) {
-  if (!recorder_) return;
-  report.told_from = first_;  // all times of a recording are told from there on
-  const auto status = recorder_->finish("end of the run", recorded(diagnose(report)));
+  if (!session_) return;
+  report.told_from = session_->told_from();  // all times of a recording are told from there on
+  const auto status = session_->finish("end of the run", recorded(diagnose(report)));
   const bool told = [this] {
     const std::lock_guard lock(mutex_);
     return !stop_;

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/cli/context.h"
-#include "record/recorder.h"
+#include "record/recording_session.h"
 
 namespace CLI {
 class App;
@@ -45,10 +45,9 @@ class RunRecording {
 
   Context& context_;
   std::string file_;
-  Nanoseconds first_ = 0;  // of its samples
   std::mutex mutex_;
   std::optional<Recorder::Stop> stop_;
-  std::unique_ptr<Recorder> recorder_;  // last: its thread uses what stands above
+  std::unique_ptr<RecordingSession> session_;  // last: its thread uses what stands above
 };
 
 }  // namespace syncline::cli

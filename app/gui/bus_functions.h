@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/cli/recorded_event.h"
 #include "app/composition/open_link.h"
 #include "app/composition/open_master.h"
 #include "capture/import_capture.h"
@@ -37,7 +36,6 @@ inline void connect_buses(ui::Environment& environment) {
     if (!compared) return tl::unexpected(compared.error());
     return ui::BusComparison{std::move(compared->differences), std::move(compared->findings)};
   };
-  environment.record_event = cli::recorded_event;
   environment.import_capture = [](const QString& path, const ImportProgress& progress) {
     return import_capture(path.toStdString(), {}, progress);
   };

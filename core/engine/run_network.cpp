@@ -6,13 +6,12 @@
 #include <utility>
 
 #include "capture/capture_tap.h"
-#include "channels/background_master.h"
-#include "channels/command.h"
 #include "channels/event.h"
 #include "channels/master_channels.h"
 #include "engine/background_master.h"
 #include "engine/capture_file.h"
 #include "engine/opened_link.h"
+#include "record/run_session.h"
 #include "support/clock.h"
 
 namespace syncline {
@@ -38,23 +37,19 @@ class CaptureWatch {
   const RunRequest& request_;
 };
 
-/// The consumer side of the channels.
+/// What whoever asked for the run gets of what the session drains.
 class Drain {
  public:
-  Drain(MasterChannels& channels, const NetworkConfig& config, const RunRequest& request, CaptureWatch& capture)
-      : channels_(channels), request_(request), capture_(capture), recorder_(config) {}
+  Drain(RunSession& session, const NetworkConfig& config, const RunRequest& request, CaptureWatch& capture)
+      : session_(session), request_(request), capture_(capture), recorder_(config) {}
 
   void operator()() {
     capture_.look();
-    const bool news = channels_.snapshot.read(snapshot_);
-    if (news && request_.on_snapshot) request_.on_snapshot(snapshot_);
-    samples_.clear();
-    channels_.samples.pop(samples_);
-    recorder_.add(samples_);
-    if (news) recorder_.add(snapshot_);
-    if (request_.on_samples && !samples_.empty()) request_.on_samples(samples_);
-    for (auto& event : channels_.events.drain()) {
-      recorder_.add(event);
+    const auto& news = session_.drain();
+    if (news.snapshot != nullptr && request_.on_snapshot) request_.on_snapshot(*news.snapshot);
+    news.feed(recorder_);
+    if (request_.on_samples && !news.samples.empty()) request_.on_samples(news.samples);
+    for (const auto& event : news.events) {
       if (request_.on_event) request_.on_event(event);
       if (const auto* failure = event.as<events::Failure>(); failure && !error_) error_ = failure->error;
       if (event.is<events::Online>()) ask();
@@ -65,41 +60,44 @@ class Drain {
   /// slaves were not left in INIT.
   std::optional<Error> rest() {
     take_answers();
-    const auto end = snapshot_.time;
+    const auto end = end_;
     std::optional<Error> left_behind;
-    for (const auto& event : channels_.events.drain()) {
+    for (const auto& event : session_.channels().events.drain()) {
       if (event.time <= end && request_.on_event) request_.on_event(event);
       const auto* failure = event.as<events::Failure>();
       if (event.time > end && failure && !error_) left_behind = failure->error;
     }
     return left_behind;
   }
-  [[nodiscard]] RunOutcome outcome() const { return {recorder_.finish(snapshot_), error_, {}}; }
-  [[nodiscard]] bool failed() const { return error_ && !snapshot_.online; }
+  /// As of now: the end of the run.
+  [[nodiscard]] RunOutcome outcome() {
+    end_ = session_.snapshot().time;
+    return {recorder_.finish(session_.snapshot()), error_, {}};
+  }
+  [[nodiscard]] bool failed() const { return error_ && !session_.snapshot().online; }
 
  private:
   void ask() {
     for (const auto& what : request_.requests) {
-      const auto id = channels_.requests.submit(what);
+      const auto id = session_.channels().requests.submit(what);
       if (id) asked_.emplace_back(*id, &what);
       if (!id && request_.on_answer) request_.on_answer(what, {.error = id.error()});
     }
   }
   void take_answers() {
     std::erase_if(asked_, [this](const auto& asked) {
-      const auto answer = channels_.requests.take(asked.first);
+      const auto answer = session_.channels().requests.take(asked.first);
       if (answer && request_.on_answer) request_.on_answer(*asked.second, *answer);
       return answer.has_value();
     });
   }
 
-  MasterChannels& channels_;
+  RunSession& session_;
   const RunRequest& request_;
   CaptureWatch& capture_;
   std::vector<std::pair<RequestId, const SlaveRequest*>> asked_;
   RunRecorder recorder_;
-  std::vector<CycleSample> samples_;
-  Snapshot snapshot_;
+  Nanoseconds end_ = 0;
   std::optional<Error> error_;
 };
 
@@ -119,46 +117,50 @@ class Relief {
 
 bool stopped(const RunRequest& request) { return request.stop != nullptr && request.stop->load(); }
 
-/// The master goes at the end, and takes the slaves to INIT whatever ends the run, an exception too.
-RunOutcome run_on(std::unique_ptr<BackgroundMaster> master, Clock& clock, const NetworkConfig& config,
-                  const RunRequest& request, CaptureWatch& capture) {
-  auto& channels = master->channels();
-  Drain drain(channels, config, request, capture);
-  if (request.watch.count > 0) channels.commands.push(request.watch);
-  channels.commands.push(GoOnlineCommand{config, request.target});
-  const auto end = clock.now() + request.duration;
-
-  if (clock.is_virtual()) {
-    std::optional<Relief> relief(std::in_place, channels, drain);
-    while (clock.now() < end && !stopped(request) && !drain.failed()) {
-      master->run_for(std::min(kDrainPeriod, end - clock.now()));
-      drain();
-    }
-    relief.reset();
-    auto outcome = drain.outcome();
-    channels.commands.push(GoOfflineCommand{});
-    while (master->online() && master->step()) {
-    }
-    outcome.left_behind = drain.rest();
-    return outcome;
+/// On the virtual clock: time passes as far as it is let.
+void pass_virtual(RunSession& session, Clock& clock, Nanoseconds end, const RunRequest& request, Drain& drain) {
+  const Relief relief(session.channels(), drain);
+  while (clock.now() < end && !stopped(request) && !drain.failed()) {
+    session.master()->run_for(std::min(kDrainPeriod, end - clock.now()));
+    drain();
   }
+}
 
-  master->start();
+void pass_real(RunSession& session, Clock& clock, Nanoseconds end, const RunRequest& request, Drain& drain) {
+  session.start();
   while (clock.now() < end && !stopped(request) && !drain.failed()) {
     clock.sleep_until(std::min(clock.now() + kDrainPeriod, end));
     drain();
   }
-  auto outcome = drain.outcome();
-  channels.cancel = stopped(request);
-  channels.commands.push(GoOfflineCommand{});
+}
+
+/// Until the slaves are in INIT, or have had time enough for it.
+void lead_down(RunSession& session, Clock& clock, const RunRequest& request) {
+  session.go_offline(!clock.is_virtual() && stopped(request));
+  if (clock.is_virtual()) {
+    if (session.master()->online()) session.run_down();
+    return;
+  }
   const auto patience = clock.now() + 10 * kSecond;
   Snapshot latest;
   latest.online = true;
   while (latest.online && clock.now() < patience) {
     clock.sleep_until(clock.now() + kDrainPeriod);
-    (void)channels.snapshot.read(latest);
+    (void)session.channels().snapshot.read(latest);
   }
-  master->stop();
+  session.master()->stop();
+}
+
+/// The master goes at the end, and takes the slaves to INIT whatever ends the run, an exception too.
+RunOutcome run_on(RunSession& session, Clock& clock, const NetworkConfig& config, const RunRequest& request,
+                  CaptureWatch& capture) {
+  Drain drain(session, config, request, capture);
+  (void)session.go_online(config, request.target, request.watch);
+  const auto end = clock.now() + request.duration;
+  clock.is_virtual() ? pass_virtual(session, clock, end, request, drain)
+                     : pass_real(session, clock, end, request, drain);
+  auto outcome = drain.outcome();
+  lead_down(session, clock, request);
   outcome.left_behind = drain.rest();
   return outcome;
 }
@@ -171,11 +173,15 @@ Result<RunOutcome> run_network(const NetworkConfig& config, Result<OpenedLink> l
   if (!state) return tl::unexpected(state.error());
   CaptureWatch capture(std::move(*state), request);
   auto& clock = *link->clock;  // the master keeps it as long as it lives
-  auto master = make_background_master(std::move(*link));
+  std::optional<RunSession> session(std::in_place);
+  // Where something throws, the way down to INIT is waited for all the same.
+  session->set_patience({.stop = std::chrono::minutes(1)});
+  session->take(make_background_master(std::move(*link)));
   if (request.on_ready) {
-    if (auto status = request.on_ready(master->channels()); !status) return tl::unexpected(status.error());
+    if (auto status = request.on_ready(session->channels()); !status) return tl::unexpected(status.error());
   }
-  auto outcome = run_on(std::move(master), clock, config, request, capture);
+  auto outcome = run_on(*session, clock, config, request, capture);
+  session.reset();
   capture.look();  // the tap went with the service
   return outcome;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "channels/event.h"
+#include "channels/event_text.h"
 #include "config/frame_time.h"
 #include "config/network_config.h"
 #include "protocol/frame.h"
@@ -61,6 +63,10 @@ BlackBox::~BlackBox() { (void)finish(); }
 void BlackBox::note(Nanoseconds time, std::string text) {
   const std::lock_guard lock(mutex_);
   if (!ending_ && !report_.error) notes_.push_back({time, shortened(std::move(text))});
+}
+
+void BlackBox::note(const Event& event) {
+  if (auto words = event_words(event); !words.empty()) note(event.time, std::move(words));
 }
 
 BlackBox::Report BlackBox::report() const {

@@ -19,6 +19,7 @@
 
 namespace syncline {
 
+struct Event;
 struct NetworkConfig;
 
 /// Keeps the last frames of a run on disk, in a thread of its own: what stands in the ring goes into the files of
@@ -58,6 +59,8 @@ class BlackBox {
   /// What happened at this time (host clock), for the first frame from then on: any thread. Those of a real run should
   /// come within kHeld; a later one says by how much it is late.
   void note(Nanoseconds time, std::string text);
+  /// The same of an event, in its English words; nothing of what only programs care about.
+  void note(const Event& event);
   /// The rest is on the disk; frames are no longer kept. The first error of all.
   Status finish();
   /// As of now; any thread.

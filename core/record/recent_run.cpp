@@ -7,10 +7,12 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
 #include "reasons/because.h"
+#include "record/recorded_event.h"
 #include "record/recording_writer.h"
 
 namespace syncline {
@@ -41,7 +43,11 @@ Status has_room(const std::string& path, std::size_t cycles, std::size_t variabl
 }
 
 Status write_all(RecordingWriter& writer, const RecentRun& run) {
-  auto event = run.events.begin();
+  std::vector<RecordedEvent> events;
+  for (const auto& event : run.events) {
+    if (auto words = recorded_event(event)) events.push_back(std::move(*words));
+  }
+  auto event = events.begin();
   for (const auto& chunk : run.samples) {
     const auto samples = chunk->samples();
     const auto begin = std::ranges::lower_bound(samples, run.from, {}, &CycleSample::send_time);
@@ -50,11 +56,11 @@ Status write_all(RecordingWriter& writer, const RecentRun& run) {
     batch.samples.assign(begin, end);
     if (batch.samples.empty()) continue;
     const auto until = batch.samples.back().send_time;
-    for (; event != run.events.end() && event->time <= until; ++event) batch.events.push_back(*event);
+    for (; event != events.end() && event->time <= until; ++event) batch.events.push_back(*event);
     if (auto status = writer.write(batch); !status) return status;
   }
   RecordingBatch rest;
-  for (; event != run.events.end(); ++event) rest.events.push_back(*event);
+  for (; event != events.end(); ++event) rest.events.push_back(*event);
   rest.notes = run.notes;
   if (!rest.empty()) {
     if (auto status = writer.write(rest); !status) return status;
@@ -153,6 +159,21 @@ std::unique_ptr<SampleStore> held_copy(const RunRecord& record, Nanoseconds unti
     }
   }
   return copy;
+}
+
+RecentRun take_recent(const RunRecord& record, const RecentSamples& recent, RecordingAbout about, Nanoseconds from,
+                      Nanoseconds to) {
+  RecentRun run;
+  run.about = std::move(about);
+  run.from = std::max(from, recent.begin());
+  run.to = to;
+  run.samples = recent.since(run.from);
+  run.held = held_copy(record, to);
+  const auto within = [&run](const auto& moment) { return moment.time >= run.from && moment.time <= run.to; };
+  std::ranges::copy_if(record.events(), std::back_inserter(run.events), within);
+  run.findings = recorded(record.findings(run.from));
+  std::ranges::copy_if(record.notes(), std::back_inserter(run.notes), within);
+  return run;
 }
 
 Status save_recent(const std::string& path, const RecentRun& run) {

@@ -105,6 +105,16 @@ BuiltProject project_from_scan(const BusScan& scan, const EsiCatalogue& catalogu
   return built;
 }
 
+Result<BuiltProject> project_from_scan(const BusScan& scan, const EsiCatalogue& catalogue,
+                                       const SlaveDescriber& describe) {
+  auto built = project_from_scan(scan, catalogue);
+  if (!describe) return built;
+  const auto unread = describe(built.project);
+  if (!unread) return tl::unexpected(unread.error());
+  for (const Error& error : *unread) built.warnings.push_back(finding_of(error));
+  return built;
+}
+
 Result<Project> project_from_devices(const std::vector<Identity>& devices, const EsiCatalogue& catalogue) {
   Project project;
   for (const Identity& identity : devices) {

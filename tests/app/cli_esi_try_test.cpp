@@ -6,8 +6,9 @@
 #include <fstream>
 #include <set>
 
-#include "app/composition/try_esi.h"
 #include "cli_runner.h"
+#include "engine/try_esi.h"
+#include "eni/trial/eni_trial_files.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
 
@@ -128,7 +129,7 @@ class EsiTry : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   [[nodiscard]] TryReport report() const {
-    auto report = try_esi({.path = folder_.string(), .threads = 1});
+    auto report = try_esi({.path = folder_.string(), .threads = 1}, eni::trial_files());
     EXPECT_TRUE(report);
     return report ? *std::move(report) : TryReport{};
   }
@@ -249,7 +250,7 @@ TEST_F(EsiTry, FailuresAndUnreadableFilesAreTheAnswerNo) {
 }
 
 TEST(EsiTryOwnFiles, EachReachesOp) {
-  const auto tried = try_esi({.path = test::source_dir() + "/resources/esi", .threads = 2});
+  const auto tried = try_esi({.path = test::source_dir() + "/resources/esi", .threads = 2}, eni::trial_files());
   ASSERT_TRUE(tried);
   EXPECT_GT(tried->devices.size(), 5U);
   for (const auto& device : tried->devices) {
@@ -267,7 +268,8 @@ TEST_P(EsiTrySamples, EveryDeviceReachesOpOrItsEsiContradictsItself) {
 #else
   const unsigned every = 1;
 #endif
-  const auto tried = try_esi({.path = (GetParam().folder / "esi").string(), .threads = 2, .every = every});
+  const auto tried =
+      try_esi({.path = (GetParam().folder / "esi").string(), .threads = 2, .every = every}, eni::trial_files());
   ASSERT_TRUE(tried);
   for (const auto& device : tried->devices) {
     EXPECT_NE(device.outcome, TryOutcome::kFailed)

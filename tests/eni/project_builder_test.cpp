@@ -197,5 +197,33 @@ TEST(LineWiring, UnknownPhysicsIsALine) {
   EXPECT_EQ(wired(slaves, 2), (PreviousPort{1, 1}));
 }
 
+TEST_F(ProjectBuilder, WhatSlavesTellThemselvesIsCompletedOnce) {
+  BusScan scan;
+  scan.slaves.resize(2);
+  int asked = 0;
+  const auto built = project_from_scan(scan, catalogue_, [&asked](Project& project) -> Result<std::vector<Error>> {
+    ++asked;
+    project.slaves[1].name = "told";
+    return std::vector<Error>{Error{ErrorCode::kNoResponse, "slave 0"}};
+  });
+  ASSERT_TRUE(built);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(built->project.slaves[1].name, "told");
+  const auto plain = project_from_scan(scan, catalogue_);
+  ASSERT_EQ(built->warnings.size(), plain.warnings.size() + 1);
+  EXPECT_EQ(built->warnings.back(), finding_of(Error{ErrorCode::kNoResponse, "slave 0"}));
+  const auto undescribed = project_from_scan(scan, catalogue_, {});
+  ASSERT_TRUE(undescribed);
+  EXPECT_EQ(undescribed->warnings.size(), plain.warnings.size());
+}
+
+TEST_F(ProjectBuilder, WhoCannotAskSaysSo) {
+  const auto built = project_from_scan({}, catalogue_, [](Project&) -> Result<std::vector<Error>> {
+    return tl::unexpected(Error{ErrorCode::kCancelled});
+  });
+  ASSERT_FALSE(built);
+  EXPECT_EQ(built.error().code, ErrorCode::kCancelled);
+}
+
 }  // namespace
 }  // namespace syncline::eni

@@ -62,7 +62,7 @@ std::vector<Room> rooms() {
        with(kValues, {"core/dc", "core/channels", "core/findings", "core/trace", "core/diagnosis", "core/sqlite"})},
       {"core/reports", with(kValues, {"core/channels", "core/trace", "core/record", "core/exports"})},
       {"core/capture", with(kValues, {"core/link", "core/findings", "core/trace", "core/record"})},
-      {"core/engine", with(kValues, {"core/channels", "core/compare", "core/sim", "core/link", "core/capture",
+      {"core/engine", with(planned, {"core/channels", "core/compare", "core/sim", "core/link", "core/capture",
                                      "core/master", "core/trace", "core/record"})},
   };
 }

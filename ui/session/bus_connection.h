@@ -16,7 +16,6 @@
 #include "compare/compare_configs.h"
 #include "config/project.h"
 #include "record/import_run.h"
-#include "record/recording.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"
 
@@ -71,13 +70,11 @@ struct Environment {
   QString demo_link;                 // LINK of the demonstration machine
   QStringList esi_folders;           // where the device descriptions lie
   QString version;
-  EepromRepairs eeprom_repairs{};  // none: nothing is offered
-  QString recovery_folder{};       // for unsaved work; "" = none is kept
-  QString templates_folder{};      // for projects that others begin with; "" = none are kept
-  QString settings_file{};         // for what the window remembers; "" = nothing
-  BusComparer compare_bus{};       // none: nothing is compared with a bus
-  /// An event as recordings hold it; none: recordings hold no events.
-  std::function<std::optional<RecordedEvent>(const Event&)> record_event{};
+  EepromRepairs eeprom_repairs{};    // none: nothing is offered
+  QString recovery_folder{};         // for unsaved work; "" = none is kept
+  QString templates_folder{};        // for projects that others begin with; "" = none are kept
+  QString settings_file{};           // for what the window remembers; "" = nothing
+  BusComparer compare_bus{};         // none: nothing is compared with a bus
   CaptureImporter import_capture{};  // none: captures are no recordings
 };
 

@@ -3,7 +3,6 @@
 
 #include <QFileInfo>
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "eni/format/eni_file.h"
@@ -35,31 +34,30 @@ void DiskRecording::connectRun() {
   connect(&run_, &NetworkRun::recordChanged, this, [this] { recent_.clear(); });
   connect(&run_, &NetworkRun::samplesArrived, this, [this](const std::vector<CycleSample>& samples) {
     recent_.add(samples);
-    if (!recorder_) return;
-    if (first_ == 0 && !samples.empty()) first_ = samples.front().send_time;
-    recorder_->add(samples);
-    tellStanding();
-    tellTriggers(false);
+    if (!session_) return;
+    session_->add(samples);
+    session_->follow(*run_.record());
   });
   connect(&run_, &NetworkRun::watchChanged, this, [this](const std::vector<WatchedVariable>& variables) {
-    if (recorder_) recorder_->tell(variables);
+    if (session_) session_->tell(variables);
   });
   connect(&run_, &NetworkRun::snapshotChanged, this, [this] {
-    if (recorder_) recorder_->add(run_.snapshot());
+    if (session_) session_->add(run_.snapshot());
   });
   connect(&run_, &NetworkRun::eventArrived, this, [this](const Event& event) {
-    if (!recorder_ || !environment_.record_event) return;
-    if (auto recorded = environment_.record_event(event)) recorder_->add(std::move(*recorded));
+    if (session_) session_->add(event);
   });
   connect(&run_, &NetworkRun::noteAdded, this, [this](const RunNote& note) {
-    if (recorder_) recorder_->add(note);
+    if (session_) session_->add(note);
   });
-  connect(&run_, &NetworkRun::triggerKept, this, [this] { triggers_new_ = true; });
+  connect(&run_, &NetworkRun::triggerKept, this, [this] {
+    if (session_) session_->note_triggers();
+  });
   connect(&findings_, &RunFindings::findingsChanged, this, [this] {
-    if (recorder_) recorder_->tell(found());
+    if (session_) session_->tell_findings(*run_.record());
   });
   connect(&run_, &NetworkRun::applied, this, [this] {
-    if (recorder_) recorder_->tell(project());
+    if (session_) session_->tell(project());
   });
   connect(&run_, &NetworkRun::phaseChanged, this, [this] {
     if (run_.phase() == NetworkRun::Phase::kOffline) stop();
@@ -75,84 +73,65 @@ RecordedDocument DiskRecording::project() const {
   const auto& [origin, path, config] = run_.origin();
   auto project = origin;
   if (views_) project.views = *views_;
-  return {"project", path.isEmpty() ? "project.syncline" : QFileInfo(path).fileName().toStdString(),
-          eni::write_project(project)};
+  return project_document(path.isEmpty() ? "project.syncline" : QFileInfo(path).fileName().toStdString(),
+                          eni::write_project(project));
 }
 
 RecordingAbout DiskRecording::about() const {
   const auto& run = *run_.record();
   auto result = about_run(run);
-  result.program = "syncline " + environment_.version.toStdString();
-  result.link = run_.link().toStdString();
-  result.documents.push_back(project());
-  result.documents.push_back({"configuration", "configuration.eni.xml", eni::write_eni(run.config())});
+  auto document = project();
+  add_source(result, {.program = "syncline " + environment_.version.toStdString(),
+                      .link = run_.link().toStdString(),
+                      .project_name = std::move(document.name),
+                      .project_body = std::move(document.body),
+                      .eni = eni::write_eni(run.config())});
   if (!run.triggers().empty()) result.documents.push_back(trigger_document(run.triggers()));
   return result;
 }
 
-/// A restless one finds more with every cycle: once a second is enough, and at the end.
-void DiskRecording::tellTriggers(bool at_end) {
-  const auto now = run_.record()->samples().last_time();
-  if (!triggers_new_ || (!at_end && now - triggers_told_ < kSecond)) return;
-  triggers_new_ = false;
-  triggers_told_ = now;
-  recorder_->tell(trigger_document(run_.record()->triggers()));
-}
-
-/// With the moments of the file that is written, which may have begun in the middle of the run.
-std::vector<RecordedFinding> DiskRecording::found() const {
-  return recorded(run_.record()->findings(first_ != 0 ? first_ : begun_));
-}
-
-void DiskRecording::tellStanding() {
-  const auto standing = run_.record()->standing();
-  if (standing == told_) return;
-  told_ = standing;
-  recorder_->tell(standing);
-}
-
 Status DiskRecording::start(const QString& path) {
-  if (recorder_ != nullptr) return {};
+  if (session_ != nullptr) return {};
   const auto phase = run_.phase();
   if (phase != NetworkRun::Phase::kStarting && phase != NetworkRun::Phase::kOnline)
     return fail(ErrorCode::kFileNotWritable, {}, because("no machine runs: go online first"));
   const int number = number_ + 1;
-  Recorder::Options options;
-  options.by_clock = !run_.isVirtual();
-  options.wait_for_disk = run_.isVirtual();
-  auto recorder = Recorder::start(path.toStdString(), about(), options, [this, number](const Recorder::Stop& stop) {
+  const auto& run = *run_.record();
+  const auto stopped = [this, number](const Recorder::Stop& stop) {
     post(*this, [this, number, stop] { onStopped(number, stop); });
-  });
-  if (!recorder) return tl::unexpected(recorder.error());
-  recorder_ = std::move(*recorder);
+  };
+  auto session = RecordingSession::start({.path = path.toStdString(),
+                                          .about = about(),
+                                          .virtual_time = run_.isVirtual(),
+                                          .bounds = {.wait_for_disk = run_.isVirtual()}},
+                                         stopped, run.samples().empty() ? 0 : run.samples().last_time());
+  if (!session) return tl::unexpected(session.error());
+  session_ = std::move(*session);
   number_ = number;
   path_ = path;
   file_.hold(path);
-  begun_ = run_.record()->samples().empty() ? 0 : run_.record()->samples().last_time();
-  told_ = run_.record()->standing();
-  first_ = 0;
-  recorder_->tell(found());
+  session_->begin(run);
   Q_EMIT changed();
   return {};
 }
 
 /// The recorder has ended by itself; by now it may be another one that records.
 void DiskRecording::onStopped(int number, const Recorder::Stop& stop) {
-  if (recorder_ != nullptr && number == number_) this->stop();
+  if (session_ != nullptr && number == number_) this->stop();
   if (const auto ending = ending_.find(number); ending != ending_.end()) ending->second.stop = stop;
 }
 
 void DiskRecording::stop() {
-  if (recorder_ == nullptr) return;
-  tellStanding();
-  if (views_) recorder_->tell(project());
-  tellTriggers(true);
+  if (session_ == nullptr) return;
+  if (views_) session_->tell(project());
+  auto findings = session_->close(*run_.record());
   const bool ended = run_.phase() == NetworkRun::Phase::kOffline;
   auto& ending = ending_[number_];
   ending.path = path_;
-  ending.thread = std::thread(
-      [this, number = number_, ended, recorder = std::shared_ptr<Recorder>(std::move(recorder_)), findings = found()] {
-        const auto status = recorder->finish(ended ? "end of the run" : "stopped by the user", findings);
+  ending.thread =
+      std::thread([this, number = number_, ended, session = std::shared_ptr<RecordingSession>(std::move(session_)),
+                   findings = std::move(findings)] {
+        const auto status = session->finish(ended ? "end of the run" : "stopped by the user", findings);
         post(*this, [this, number, status] { onFinished(number, status); });
       });
   Q_EMIT changed();
@@ -164,7 +143,7 @@ void DiskRecording::onFinished(int number, const Status& status) {
   found->second.thread.join();
   const auto [path, stop] = std::pair(found->second.path, found->second.stop);
   ending_.erase(found);
-  if (recorder_ == nullptr && ending_.empty()) file_.hold({});
+  if (session_ == nullptr && ending_.empty()) file_.hold({});
   std::optional<Error> error;
   if (!status) error = status.error();
   if (stop && stop->error) error = stop->error;
@@ -181,9 +160,7 @@ void DiskRecording::finish() {
 }
 
 Nanoseconds DiskRecording::duration() const {
-  if (recorder_ == nullptr || run_.record() == nullptr || run_.record()->samples().empty()) return 0;
-  const auto& samples = run_.record()->samples();
-  return samples.last_time() - std::max(begun_, samples.first_time());
+  return session_ == nullptr || run_.record() == nullptr ? 0 : session_->duration(*run_.record());
 }
 
 qint64 DiskRecording::bytes() const {
@@ -215,24 +192,9 @@ Status DiskRecording::saveRange(Nanoseconds from, Nanoseconds to, const QString&
   if (saving_)
     return fail(ErrorCode::kFileNotWritable, {}, because("another stretch is being written; try again in a moment"));
   if (saver_.joinable()) saver_.join();
-  const auto& record = *run_.record();
-  auto run = std::make_shared<RecentRun>();
-  run->about = about();
-  run->from = std::max(from, recent_.begin());
-  run->to = to;
-  run->samples = recent_.since(run->from);
-  run->held = held_copy(record, to);
-  std::vector<Event> events;
-  std::ranges::copy_if(record.events(), std::back_inserter(events),
-                       [from = run->from, to](const Event& event) { return event.time >= from && event.time <= to; });
-  run->findings = recorded(record.findings(run->from));
-  std::ranges::copy_if(record.notes(), std::back_inserter(run->notes),
-                       [from = run->from, to](const RunNote& note) { return note.time >= from && note.time <= to; });
+  auto run = std::make_shared<RecentRun>(take_recent(*run_.record(), recent_, about(), from, to));
   saving_ = true;
-  saver_ = std::thread([this, run, path, events = std::move(events), words_of = environment_.record_event] {
-    for (const auto& event : events) {
-      if (auto words = words_of ? words_of(event) : std::nullopt) run->events.push_back(std::move(*words));
-    }
+  saver_ = std::thread([this, run, path] {
     const auto status = save_recent(path.toStdString(), *run);
     post(*this, [this, path, status] {
       saving_ = false;

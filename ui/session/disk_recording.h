@@ -11,7 +11,7 @@
 #include "config/monitor_view.h"
 #include "reasons/because.h"
 #include "record/recent_run.h"
-#include "record/recorder.h"
+#include "record/recording_session.h"
 #include "support/result.h"
 #include "ui/files/held_file.h"
 
@@ -41,7 +41,7 @@ class DiskRecording final : public QObject {
   void stop();
   /// Stops and waits for the disk, also for those that were stopped before: for closing the window.
   void finish();
-  [[nodiscard]] bool isRecording() const { return recorder_ != nullptr; }
+  [[nodiscard]] bool isRecording() const { return session_ != nullptr; }
   [[nodiscard]] const QString& path() const { return path_; }
   /// Something is on its way to the disk, also after stop().
   [[nodiscard]] bool isWriting() const { return isRecording() || saving_ || !ending_.empty(); }
@@ -50,7 +50,7 @@ class DiskRecording final : public QObject {
   /// Of the run, in the file.
   [[nodiscard]] Nanoseconds duration() const;
   [[nodiscard]] qint64 bytes() const;
-  [[nodiscard]] std::uint64_t lostSamples() const { return recorder_ ? recorder_->lost_samples() : 0; }
+  [[nodiscard]] std::uint64_t lostSamples() const { return session_ ? session_->lost_samples() : 0; }
 
   /// How far back the memory reaches, and how far the budget lets it.
   [[nodiscard]] Nanoseconds remembered() const { return recent_.span(); }
@@ -85,9 +85,6 @@ class DiskRecording final : public QObject {
   };
   [[nodiscard]] RecordedDocument project() const;
   void connectRun();
-  [[nodiscard]] std::vector<RecordedFinding> found() const;
-  void tellStanding();
-  void tellTriggers(bool at_end);
   void onStopped(int number, const Recorder::Stop& stop);
   void onFinished(int number, const Status& status);
 
@@ -97,12 +94,7 @@ class DiskRecording final : public QObject {
   RecentSamples recent_;
   QString path_;
   HeldFile file_{because("the recording that is being written")};
-  Nanoseconds begun_ = 0;            // the newest sample when it was started
-  Nanoseconds first_ = 0;            // of its samples; 0: none yet
-  std::optional<RunStanding> told_;  // to the recorder
-  bool triggers_new_ = false;        // something was found that the recorder has not been told
-  Nanoseconds triggers_told_ = 0;
-  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<RecordingSession> session_;
   int number_ = 0;                // of the recording that goes on, or was the last one
   std::map<int, Ending> ending_;  // by number
   std::thread saver_;

@@ -27,8 +27,7 @@ FrameKeeper::FrameKeeper(NetworkRun& run, std::function<QString()> name, const E
     if (run_.phase() == NetworkRun::Phase::kOffline) stop();
   });
   connect(&run_, &NetworkRun::eventArrived, this, [this](const Event& event) {
-    if (!box_ || !environment_.record_event) return;
-    if (auto recorded = environment_.record_event(event)) box_->note(recorded->time, std::move(recorded->text));
+    if (box_) box_->note(event);
   });
 }
 

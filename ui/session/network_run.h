@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -9,15 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "channels/command.h"
-#include "channels/cycle_sample.h"
-#include "channels/event.h"
 #include "channels/image_contents.h"
-#include "channels/master_channels.h"
-#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "config/project.h"
 #include "record/run_record.h"
+#include "record/run_session.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
 #include "ui/session/variable_watch.h"
@@ -43,27 +38,14 @@ class NetworkRun final : public QObject {
   Q_OBJECT
 
  public:
-  /// kSilent: started or online, but its thread gives no sign of life; what it told before is not true any more.
-  enum class Phase { kOffline, kStarting, kOnline, kSilent, kStopping };
-  Q_ENUM(Phase)
-  /// What becomes of the master's thread.
-  enum class Sign {
-    kSilent,   // it has given no sign of life for some time
-    kAlive,    // it has given one again
-    kGivenUp,  // it did not end when it should: what it does is not known, nor the state of its slaves
-  };
-  Q_ENUM(Sign)
+  using Phase = RunSession::Phase;
+  using Sign = RunSession::Sign;
 
   explicit NetworkRun(MasterOpener opener, QObject* parent = nullptr);
   /// As shutDown() ends it.
   ~NetworkRun() override;
 
-  /// After how long without a sign of life a master is silent, and how long its end is waited for.
-  struct Patience {
-    std::chrono::milliseconds silence{2000};
-    std::chrono::milliseconds stop{3000};
-  };
-  void setPatience(const Patience& patience) { patience_ = patience; }
+  void setPatience(const RunSession::Patience& patience) { session_.set_patience(patience); }
 
   /// Opens the link and brings the bus to OP in the background.
   Status goOnline(const QString& link, RunOrigin origin);
@@ -101,14 +83,14 @@ class NetworkRun final : public QObject {
   /// Whether a virtual clock runs by itself; tests switch it off before going online and call advance().
   void setAutoAdvance(bool on) { auto_advance_ = on; }
 
-  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] Phase phase() const { return session_.phase(); }
   /// The run that was the last one left a master behind that did not end.
   [[nodiscard]] bool givenUp() const { return given_up_; }
-  [[nodiscard]] bool isVirtual() const;
+  [[nodiscard]] bool isVirtual() const { return session_.is_virtual(); }
   [[nodiscard]] const QString& link() const { return link_; }
   /// Of the run that goes on, or was the last one.
   [[nodiscard]] const RunOrigin& origin() const { return origin_; }
-  [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
+  [[nodiscard]] const Snapshot& snapshot() const { return session_.snapshot(); }
   /// The run that goes on, or was the last one; null before the first.
   [[nodiscard]] const RunRecord* record() const { return record_.get(); }
   [[nodiscard]] std::uint64_t droppedSamples() const;
@@ -119,7 +101,7 @@ class NetworkRun final : public QObject {
 
  Q_SIGNALS:
   void phaseChanged();
-  void signSeen(syncline::ui::NetworkRun::Sign sign);
+  void signSeen(syncline::RunSession::Sign sign);
   /// Another run has begun: the record before is gone when this returns.
   void recordChanged();
   void applyingChanged();
@@ -144,21 +126,14 @@ class NetworkRun final : public QObject {
   void tellDeaf();
   void tick();
   void hearHeart();
-  void fallSilent();
   void drain();
-  void handle(const Event& event);
   void takeAnswers();
   void close(std::chrono::milliseconds patience);
-  void setPhase(Phase phase);
+  void tellPhase();
 
   MasterOpener opener_;
   QTimer tick_;
-  QElapsedTimer stopping_since_;
-  Patience patience_;
-  QElapsedTimer heard_at_;   // of the window: the master's clock may be what stands still
-  std::uint64_t heard_ = 0;  // of its heart
-  Phase phase_ = Phase::kOffline;
-  Phase phase_before_silence_ = Phase::kOffline;
+  Phase told_phase_ = Phase::kOffline;  // by phaseChanged()
   bool given_up_ = false;
   bool auto_advance_ = true;
   QString link_;
@@ -166,10 +141,8 @@ class NetworkRun final : public QObject {
   std::optional<Applying> applying_;
   std::unique_ptr<RunRecord> record_;
   std::vector<VariableName> watched_;
-  Snapshot snapshot_;
   ImageContents image_;
-  std::vector<CycleSample> samples_;
-  std::unique_ptr<BackgroundMaster> master_;  // none: offline
+  RunSession session_;  // has a master as long as it is not offline; last: its end is that of the rest
 };
 
 }  // namespace syncline::ui

@@ -80,7 +80,7 @@ class NetworkRuns final : public QObject {
   void phaseChanged(int network);
   void snapshotChanged(int network);
   void eventArrived(int network, const syncline::Event& event);
-  void signSeen(int network, syncline::ui::NetworkRun::Sign sign);
+  void signSeen(int network, syncline::RunSession::Sign sign);
   void noteAdded(int network, const syncline::RunNote& note);
   /// The first cycle of a run has come, at this moment of its clock.
   void begun(int run, qint64 moment);

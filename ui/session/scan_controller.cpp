@@ -46,18 +46,16 @@ Result<ScanOutcome> ScanController::run(const QString& link, Depth depth) {
   std::vector<std::string> folders;
   for (const auto& folder : esi_folders_) folders.push_back(folder.toStdString());
   const auto warnings = eni::add_usual_sources(catalogue, std::move(folders));
-  auto built = eni::project_from_scan(*found, catalogue);
+  // Slaves without an ESI tell what they are, when they may be led to PREOP.
+  eni::SlaveDescriber describe;
+  if (describe_ && !found->look_only) describe = [&](Project& project) { return describe_(project, link, cancelled_); };
+  auto built = eni::project_from_scan(*found, catalogue, describe);
+  if (!built) return tl::unexpected(built.error());
   std::vector<Finding> unusable;
   for (const auto& error : warnings) unusable.push_back(finding_of(error));
-  built.warnings.insert(built.warnings.begin(), unusable.begin(), unusable.end());
-  // Slaves without an ESI tell what they are, when they may be led to PREOP.
-  if (describe_ && !found->look_only) {
-    const auto unread = describe_(built.project, link, cancelled_);
-    if (!unread) return tl::unexpected(unread.error());
-    for (const Error& error : *unread) built.warnings.push_back(finding_of(error));
-  }
+  built->warnings.insert(built->warnings.begin(), unusable.begin(), unusable.end());
   if (cancelled_) return fail(ErrorCode::kCancelled);
-  return ScanOutcome{std::move(built), found->look_only, found->running};
+  return ScanOutcome{std::move(*built), found->look_only, found->running};
 }
 
 /// In the scan's thread.

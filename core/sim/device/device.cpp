@@ -203,9 +203,9 @@ void Device::stay_in_op(Nanoseconds time) {
 
 void Device::al_control_written(Nanoseconds time) {
   if (esc_.device_emulation()) {
-    const auto control = esc_.memory().u16(reg::kAlControl);
+    const auto control = esc_.al().control();
     state_ = al_state_of(control);
-    esc_.memory().set<std::uint16_t>(reg::kAlStatus, control & 0x000F);
+    esc_.al().set_status(control & 0x000F);
     if (state_ == AlState::kSafeop || state_ == AlState::kOp) process_data_.map();
     on_state(state_);
     return;
@@ -217,8 +217,8 @@ void Device::al_control_written(Nanoseconds time) {
 void Device::report(AlState state, std::uint16_t code) {
   error_ = code != 0;
   const auto status = static_cast<std::uint16_t>(static_cast<unsigned>(state) | (error_ ? kAlErrorFlag : 0U));
-  esc_.memory().set<std::uint16_t>(reg::kAlStatusCode, code);
-  esc_.memory().set<std::uint16_t>(reg::kAlStatus, status);
+  esc_.al().set_code(code);
+  esc_.al().set_status(status);
   esc_.tell_al_status();
 }
 
@@ -231,7 +231,7 @@ bool Device::waits_for_sync(Nanoseconds waited) const {
 
 void Device::take_request(Nanoseconds time) {
   esc_.acknowledge_events(kAlEventControl);
-  const auto control = esc_.memory().u16(reg::kAlControl);
+  const auto control = esc_.al().control();
   const bool acknowledge = (control & kAlErrorFlag) != 0;
   const auto wanted = al_state_of(control);
   if (error_ && !acknowledge) return;  // nothing is executed until the error is acknowledged
@@ -265,9 +265,8 @@ void Device::take_request(Nanoseconds time) {
   report(state_, 0);
   // Explicit device identification: the answer stands where the AL status code would (ETG.1020, 18.4.1).
   if ((control & kIdentificationRequest) != 0) {
-    esc_.memory().set<std::uint16_t>(
-        reg::kAlStatus, static_cast<std::uint16_t>(esc_.memory().u16(reg::kAlStatus) | kIdentificationRequest));
-    esc_.memory().set<std::uint16_t>(reg::kAlStatusCode, config_.device_id);
+    esc_.al().set_status(static_cast<std::uint16_t>(esc_.al().status() | kIdentificationRequest));
+    esc_.al().set_code(config_.device_id);
   }
 }
 

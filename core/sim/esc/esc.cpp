@@ -7,7 +7,6 @@
 
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
-#include "protocol/station_alias.h"
 #include "sim/esc/esc_events.h"
 #include "sim/registers/esc_ranges.h"
 #include "sim/registers/short_copy.h"
@@ -40,15 +39,10 @@ void Esc::advance_others(Nanoseconds time) {
   }
   if (pdi_watchdog_.advance_to(time)) raise_event(kEventDlStatus);
   if (watchdog_.advance_to(time)) {
-    raise_al_event(kAlEventWatchdog);
+    requests_.raise_al(kAlEventWatchdog);
     if (listener_ != nullptr) listener_->process_data_watchdog_expired(time);
   }
   quiet_until_ = std::min({ports_.due(), sii_.due(), pdi_watchdog_.deadline(), watchdog_.deadline()});
-}
-
-bool Esc::has_address(std::uint16_t address) const {
-  const bool alias_on = listens_to_alias(memory_.u8(reg::kDlControlAlias));
-  return address == memory_.u16(reg::kStationAddress) || (alias_on && address == memory_.u16(reg::kStationAlias));
 }
 
 bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
@@ -60,13 +54,6 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   return true;
 }
 
-[[gnu::noinline]] void Esc::note_addresses() {
-  addresses_generation_ = generation_;
-  station_ = memory_.u16(reg::kStationAddress);
-  alias_ =
-      listens_to_alias(memory_.u8(reg::kDlControlAlias)) ? memory_.u16(reg::kStationAlias) : PassingFrame::kNoStation;
-}
-
 // Every slave and frame goes through this and frame_end(): calls inside would cost a fifth of all the time of a
 // simulation.
 [[gnu::flatten]] bool Esc::process(PassingFrame& frame, Nanoseconds time) {
@@ -76,11 +63,11 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
   if (renewed_by_signal_ != 0) count_renewals();
   if (cycles_.repeating) wake_up();
   frame_time_ = time;
-  if (maps_stale_) reload_maps();
-  frame.add_event(static_cast<std::uint16_t>(memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)));
+  if (managers_.stale()) reload_maps();
+  frame.add_event(requests_.told());
   touched_ = reset_.begun() || ports_.changed();
   if (const auto* plan = plan_for(frame)) {
-    if (any_pending_) open_buffers(*plan);
+    if (managers_.any_pending()) open_buffers(*plan);
     follow(*plan, frame.bytes().data());
     read_buffers(plan->read);
     take_up(*plan, frame.bytes().data());
@@ -102,7 +89,7 @@ bool Esc::mark_circulating(std::span<PassingDatagram> datagrams) {
 
 unsigned Esc::execute(const PassingDatagram& datagram) {
   touched_ = touched_ || !is_fixed_address(datagram.command) || datagram.command == Command::kFrmw ||
-             has_address(datagram.adp);
+             addresses_.has(datagram.adp);
   switch (datagram.command) {
     case Command::kNop:
       return 0;
@@ -113,11 +100,11 @@ unsigned Esc::execute(const PassingDatagram& datagram) {
     case Command::kAprw:
       return read_and_write(datagram, datagram.adp == 0);
     case Command::kFprd:
-      return read(datagram, has_address(datagram.adp));
+      return read(datagram, addresses_.has(datagram.adp));
     case Command::kFpwr:
-      return write(datagram, has_address(datagram.adp));
+      return write(datagram, addresses_.has(datagram.adp));
     case Command::kFprw:
-      return read_and_write(datagram, has_address(datagram.adp));
+      return read_and_write(datagram, addresses_.has(datagram.adp));
     case Command::kBrd:
       return read_memory(datagram.ado, datagram.data, true) ? kRead : 0;
     case Command::kBwr:
@@ -125,20 +112,20 @@ unsigned Esc::execute(const PassingDatagram& datagram) {
     case Command::kBrw:
       return read_and_write(datagram, true);
     case Command::kLrd:
-      return map_datagram(datagram, read_mappings_, false) ? kRead : 0;
+      return fmmus_.read(datagram, frame_time_) ? kRead : 0;
     case Command::kLwr:
-      return map_datagram(datagram, write_mappings_, true) ? kWritten : 0;
+      return fmmus_.write(datagram, frame_time_) ? kWritten : 0;
     case Command::kLrw: {
       if (!options_.logical_read_write) return 0;
       // The write side takes the bytes as they came in; the read side replaces them afterwards.
-      const bool written = map_datagram(datagram, write_mappings_, true);
-      const bool read = map_datagram(datagram, read_mappings_, false);
+      const bool written = fmmus_.write(datagram, frame_time_);
+      const bool read = fmmus_.read(datagram, frame_time_);
       return (read ? kRead : 0) + (written ? kReplaced : 0);
     }
     case Command::kArmw:
       return datagram.adp == 0 ? read(datagram, true) : write(datagram, true);
     case Command::kFrmw:
-      return has_address(datagram.adp) ? read(datagram, true) : write(datagram, true);
+      return addresses_.has(datagram.adp) ? read(datagram, true) : write(datagram, true);
   }
   return 0;
 }
@@ -160,21 +147,21 @@ unsigned Esc::read_and_write(const PassingDatagram& datagram, bool addressed) {
 }
 
 bool Esc::read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
-  if (address + out.size() <= buffers_begin_) return read_registers(address, out, or_into);
-  if (address + out.size() > EscMemory::kSize || !managers_allow(address, out.size(), false)) return false;
-  open_buffer(address, out.size());
+  if (address + out.size() <= managers_.begin()) return read_registers(address, out, or_into);
+  if (address + out.size() > EscMemory::kSize || !managers_.allow(address, out.size(), false)) return false;
+  managers_.open(address, out.size());
   if (!read_registers(address, out, or_into)) return false;
-  note_buffer_access(address, out.size(), false);
+  managers_.note_access(address, out.size(), false);
   return true;
 }
 
 bool Esc::read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into) {
   if (overlaps(address, out.size(), DcUnit::kShownBegin, DcUnit::kShownSize)) dc_.refresh_registers();
-  if (overlaps(address, out.size(), reg::kSyncManager, reg::kSyncManagersSize)) buffers_.show();
+  if (overlaps(address, out.size(), reg::kSyncManager, reg::kSyncManagersSize)) managers_.buffers().show();
   const bool latches = overlaps(address, out.size(), reg::kLatch0Status, kDcEnd - reg::kLatch0Status);
   if (latches) dc_.latches().before_read(address, out.size());
   const auto from = std::as_const(memory_).at(address, out.size());
-  if (is_readable(address, out.size())) {
+  if (memory_.is_readable(address, out.size())) {
     or_into ? short_or(from, out) : short_copy(from, out);
   } else if (!read_what_is_there(address, from, out, or_into)) {
     return false;
@@ -185,12 +172,6 @@ bool Esc::read_registers(std::uint16_t address, std::span<std::uint8_t> out, boo
     if (overlaps(address, out.size(), reg::kAlStatus, 2)) clear_event(kEventAlStatus);
   }
   return true;
-}
-
-/// The usual case: all of it is a register, or all of it is RAM.
-bool Esc::is_readable(std::uint16_t address, std::size_t length) const {
-  if (address >= EscMemory::kRegisterEnd) return address + length <= memory_.ram_end() && length > 0;
-  return length - 1 < EscMemory::kWord && memory_.all_have(EscMemory::kRead, address, length);
 }
 
 bool Esc::read_what_is_there(std::uint16_t address, std::span<const std::uint8_t> from, std::span<std::uint8_t> out,
@@ -207,7 +188,7 @@ bool Esc::read_what_is_there(std::uint16_t address, std::span<const std::uint8_t
 }
 
 bool Esc::write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data) {
-  if (address + data.size() > EscMemory::kSize || !buffer_allows(address, data.size(), true)) return false;
+  if (address + data.size() > EscMemory::kSize || !managers_.allow(address, data.size(), true)) return false;
   if (!protection_.allows(address, data.size())) return false;
   std::size_t closed = 0;  // bytes that cannot be written
   while (closed < data.size() &&
@@ -220,19 +201,17 @@ bool Esc::write_memory(Command command, std::uint16_t address, std::span<const s
     const bool system_time = address == reg::kSystemTime && data.size() >= 4;  // in every cycle
     if (!system_time && overlaps(address, data.size(), DcUnit::kShownBegin, DcUnit::kShownSize))
       dc_.refresh_registers();
-    writes_.push_back({address, static_cast<std::uint16_t>(data.size())});
-    short_copy(data, std::span(shadow_).subspan(shadow_size_));
-    shadow_size_ += data.size();
+    writes_.add(address, data);
     if (overlaps(address, data.size(), reg::kReceiveTimePort0, 4)) {
       latch_unit_ = true;
       latch_ports_ = latch_ports_ || command == Command::kBwr || command == Command::kFpwr;
     }
   }
-  note_buffer_access(address, data.size(), true);
+  managers_.note_access(address, data.size(), true);
   return true;
 }
 
-void Esc::commit_register(const Write& write, Nanoseconds time) {
+void Esc::commit_register(const FrameWrites::Write& write, Nanoseconds time) {
   if (write.address >= reg::kReceiveTimePort0) {  // nothing else has a meaning from here on
     if (write.address < kDcEnd) dc_.registers_written(write.address, write.length, time);
     return;
@@ -242,12 +221,8 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   };
   quiet_until_ = INT64_MIN;  // a setting for a while may begin or end by it
   if (hit(reg::kFmmu, 0x100) || hit(reg::kSyncManager, reg::kSyncManagersSize)) {
-    maps_stale_ = true;
-    if (hit(reg::kSyncManager, reg::kSyncManagersSize)) {  // set up anew
-      sm_begun_ = 0;
-      for (auto& bytes : pending_) bytes.clear();
-      any_pending_ = false;
-    }
+    managers_.outdate();
+    if (hit(reg::kSyncManager, reg::kSyncManagersSize)) managers_.set_up_anew();
   }
   if (hit(reg::kWatchdogDivider, reg::kWatchdogStatus - reg::kWatchdogDivider)) {
     watchdog_.settings_written();
@@ -266,13 +241,13 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
   if (listener_ == nullptr) return;
   for (unsigned i = 0; i < options_.sync_manager_count; ++i) {
     if (!hit(static_cast<std::uint16_t>(reg::sync_manager(i) + 6), 1)) continue;
-    raise_al_event(kAlEventSyncManagerSet);
+    requests_.raise_al(kAlEventSyncManagerSet);
     const auto sm = sync_manager(i);
     if (!sm.enabled() && (sm.control & SyncManager::kControlWatchdog) != 0) watchdog_.stop();
     listener_->sync_manager_set(i, time);
   }
   if (hit(reg::kAlControl, 2)) {
-    raise_al_event(kAlEventControl);
+    requests_.raise_al(kAlEventControl);
     listener_->al_control_written(time);
   }
 }
@@ -280,21 +255,11 @@ void Esc::commit_register(const Write& write, Nanoseconds time) {
 void Esc::frame_damaged() {
   writes_.clear();
   time_size_ = 0;
-  shadow_size_ = 0;
   latch_unit_ = latch_ports_ = false;
-  sm_written_ = sm_read_ = 0;
-  sm_begun_ = 0;
+  managers_.forget_transfers();
 }
 
-/// Where a SyncManager is and which way it goes can be written only while it is disabled (ESC data sheet II, 2.31).
-bool Esc::locked_by_sync_manager(std::uint32_t address) const {
-  if (address < reg::kSyncManager || address >= reg::kSyncManager + reg::kSyncManagersSize) return false;
-  const auto place = (address - reg::kSyncManager) % SyncManager::kSize;
-  return place < SyncManager::kPlaceOfStatus &&
-         sync_manager((address - reg::kSyncManager) / SyncManager::kSize).enabled();
-}
-
-void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
+void Esc::take_over(const FrameWrites::Write& write, std::span<const std::uint8_t> bytes) {
   // In every cycle: the system time.
   if (write.address >= reg::kSystemTime && write.length <= EscMemory::kWord &&
       memory_.all_have(EscMemory::kWrite, write.address, write.length)) {
@@ -302,13 +267,13 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
     return;
   }
   const bool sync_managers = overlaps(write.address, write.length, reg::kSyncManager, reg::kSyncManagersSize);
-  if (sync_managers) buffers_.show();
+  if (sync_managers) managers_.buffers().show();
   const bool sii = overlaps(write.address, write.length, reg::kSiiControl, 0x20);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const auto address = static_cast<std::uint32_t>(write.address + i);
     // Receive times are what the latch shows, never what was written to start it; the EEPROM may be busy.
     const bool receive_time = address >= reg::kReceiveTimePort0 && address < reg::kSystemTime;
-    if (sync_managers && locked_by_sync_manager(address)) continue;
+    if (sync_managers && managers_.locks_register(address)) continue;
     if ((memory_.rights(address) & EscMemory::kWrite) != 0 && !receive_time && !(sii && sii_.blocks(address))) {
       memory_.set<std::uint8_t>(static_cast<std::uint16_t>(address), bytes[i]);
     }
@@ -319,30 +284,24 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   dc_.advance_to(time);
   if (time_size_ != 0) dc_.system_time_received(std::exchange(time_size_, std::uint8_t{0}), time_received_, time);
   if (!writes_.empty() || latch_unit_ || reset_.begun()) commit_all(time);
-  if ((sm_written_ | sm_read_) != 0) end_transfers(time);
+  if ((managers_.written() | managers_.read()) != 0) end_transfers(time);
 }
 
 [[gnu::noinline]] void Esc::commit_all(Nanoseconds time) {
-  const auto is_time = [](const Write& write) {
-    return write.address >= reg::kSystemTime && write.address + write.length <= reg::kSystemTime + EscMemory::kWord;
-  };
-  // The system time comes in every cycle, and changes nothing that plans or waiting depend on.
-  if (!std::ranges::all_of(writes_, is_time)) {
+  if (!writes_.only_system_time()) {
     wake_up();
     settings_changed();
   }
-  std::size_t position = 0;
   bool reset_written = false, sii_command = false;
-  for (const auto& write : writes_) {
+  writes_.for_each([&](const FrameWrites::Write& write, std::span<const std::uint8_t> bytes) {
     if (write.address < reg::kReceiveTimePort0) {
       sii_command =
           sii_command || (overlaps(write.address, write.length, reg::kSiiControl, 2) && !sii_.blocks(reg::kSiiControl));
       reset_written = reset_written || overlaps(write.address, write.length, reg::kEscReset, 1);
     }
-    take_over(write, std::span(shadow_).subspan(position, write.length));
-    position += write.length;
+    take_over(write, bytes);
     commit_register(write, time);
-  }
+  });
   if (sii_command) {  // the enable bit and the command may come in two datagrams of one frame
     sii_.control_written(time);
     quiet_until_ = INT64_MIN;
@@ -350,7 +309,6 @@ void Esc::take_over(const Write& write, std::span<const std::uint8_t> bytes) {
   }
   if (reset_written || reset_.begun()) reset_.end_of_frame(reset_written);
   writes_.clear();
-  shadow_size_ = 0;
   if (latch_unit_) dc_.latch_processing_unit();
   if (latch_ports_) dc_.latch_ports(port_times_);
   latch_unit_ = latch_ports_ = false;
@@ -364,29 +322,40 @@ void Esc::restart_watchdog(Nanoseconds time) {
 }
 
 [[gnu::noinline]] void Esc::end_transfers(Nanoseconds time) {
-  if (!any_pending_) sm_read_ &= minded_ | mailboxes_;  // of the others nobody is told, and nothing changes
-  for (auto touched = sm_written_ | sm_read_; touched != 0; touched &= touched - 1) {
+  const auto written = managers_.written();
+  auto read = managers_.read();
+  if (!managers_.any_pending())
+    read &= minded_ | managers_.mailboxes();  // of the others nobody is told, and nothing changes
+  for (auto touched = written | read; touched != 0; touched &= touched - 1) {
     const auto i = static_cast<unsigned>(std::countr_zero(touched));
     const auto bit = 1U << i;
-    if ((sm_written_ & bit) != 0) {
-      if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, true);
-      if ((sync_managers_[i].control & SyncManager::kControlWatchdog) != 0) restart_watchdog(time);
+    const auto& manager = managers_.decoded(i);
+    if ((written & bit) != 0) {
+      if (manager.is_mailbox()) set_mailbox_full(i, true);
+      if ((manager.control & SyncManager::kControlWatchdog) != 0) restart_watchdog(time);
       if ((renewed_by_transfer_.by & bit) != 0) renew(renewed_by_transfer_.renewed, 1);
       if ((minded_ & bit) != 0) {
         raise_buffer_event(i);
         if (listener_ != nullptr) listener_->sync_manager_written(i, time);
       }
     }
-    if ((sm_read_ & bit) != 0) {
-      if (sync_managers_[i].is_mailbox()) set_mailbox_full(i, false);
-      if (any_pending_) show_pending(i);
+    if ((read & bit) != 0) {
+      if (manager.is_mailbox()) set_mailbox_full(i, false);
+      if (managers_.any_pending()) managers_.show_pending(i);
       if ((minded_ & bit) != 0) {
         raise_buffer_event(i);
         if (listener_ != nullptr) listener_->sync_manager_read(i, time);
       }
     }
   }
-  sm_written_ = sm_read_ = 0;
+  managers_.set_transfers(0, 0);
+}
+
+/// Their registers were written: what is decoded of them is decoded again.
+void Esc::reload_maps() {
+  settings_changed();
+  managers_.reload();
+  fmmus_.reload();
 }
 
 }  // namespace syncline::sim

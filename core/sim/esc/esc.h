@@ -4,32 +4,37 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"
 #include "sim/dc/dc_unit.h"
+#include "sim/esc/al_registers.h"
 #include "sim/esc/esc_ports.h"
+#include "sim/esc/event_requests.h"
+#include "sim/esc/fmmu_unit.h"
 #include "sim/esc/frame_plan.h"
+#include "sim/esc/frame_planner.h"
+#include "sim/esc/frame_writes.h"
 #include "sim/esc/passing_frame.h"
 #include "sim/esc/pdi_watchdog.h"
 #include "sim/esc/process_data_watchdog.h"
 #include "sim/esc/repeated_cycles.h"
 #include "sim/esc/reset_sequence.h"
 #include "sim/esc/sii_interface.h"
-#include "sim/esc/three_buffers.h"
+#include "sim/esc/station_addresses.h"
+#include "sim/esc/sync_managers.h"
 #include "sim/registers/esc_memory.h"
 #include "sim/registers/write_protection.h"
 
 namespace syncline::sim {
 
 /// EtherCAT slave controller: executes the datagrams of passing frames on its register file and RAM
-/// (ESC data sheet I, chapters 2 to 8). Register writes become effective at the end of the frame.
+/// (ESC data sheet I, chapters 2 to 8). Register writes become effective at the end of the frame. Its units (ports,
+/// SyncManagers, FMMUs, clock, EEPROM, watchdogs, events ...) have their registers and what follows from them; here is
+/// what they do together in the course of a frame.
 class Esc {
  public:
   struct Options {
@@ -67,22 +72,15 @@ class Esc {
   void frame_at_port(unsigned port, Nanoseconds time, bool first);
   /// Which datagrams for single slaves are for this one, until its settings change: as PassingFrame::is_for() takes
   /// them.
-  struct Address {
-    std::uint32_t station = 0, alias = 0;
-  };
-  [[nodiscard]] Address address() {
-    if (addresses_generation_ != generation_) note_addresses();
-    return {station_, alias_};
-  }
+  [[nodiscard]] StationAddresses::Pair address() { return addresses_.of(generation_); }
   /// As long as its settings stay, no frame is its matter that is not for it.
   [[nodiscard]] bool is_indifferent() const {
-    return memory_.u16(reg::kEcatEventMask) == 0 && !reset_.begun() && !ports_.port0_automatically_closed();
+    return requests_.none_is_told() && !reset_.begun() && !ports_.port0_automatically_closed();
   }
   /// Every frame is: it carries the ESC's events, ends its reset sequence or shows that it circulates. It stays so
   /// until settings or events change.
   [[nodiscard]] bool looks_at_all_frames() const {
-    return reset_.begun() || ports_.port0_automatically_closed() ||
-           (memory_.u16(reg::kEcatEventRequest) & memory_.u16(reg::kEcatEventMask)) != 0;
+    return reset_.begun() || ports_.port0_automatically_closed() || requests_.told() != 0;
   }
   /// Counts the changes of the settings, and those of the ECAT event request, there, too, where those of many ESCs come
   /// together.
@@ -166,16 +164,18 @@ class Esc {
   /// Brings those up to date that are only when somebody reads them.
   void refresh_registers() {
     dc_.refresh_registers();
-    buffers_.show();
+    managers_.buffers().show();
   }
-  [[nodiscard]] SyncManager sync_manager(unsigned number) const;
-  [[nodiscard]] bool has_sync_manager(unsigned number) const { return buffers_.has(number); }
+  [[nodiscard]] SyncManager sync_manager(unsigned number) const { return managers_.in_registers(number); }
+  [[nodiscard]] bool has_sync_manager(unsigned number) const { return managers_.has(number); }
   /// Its memory, cut where a master has set it up beyond the address space.
-  [[nodiscard]] std::span<std::uint8_t> sync_manager_area(unsigned number);
-  [[nodiscard]] std::span<const std::uint8_t> sync_manager_area(unsigned number) const;
+  [[nodiscard]] std::span<std::uint8_t> sync_manager_area(unsigned number) { return managers_.area(number); }
+  [[nodiscard]] std::span<const std::uint8_t> sync_manager_area(unsigned number) const {
+    return managers_.area(number);
+  }
   void set_mailbox_full(unsigned number, bool full);
   /// Repeat request of the master against the PDI's acknowledgement (0x0806 bit 1, 0x0807 bit 1).
-  [[nodiscard]] bool repeat_requested(unsigned number) const;
+  [[nodiscard]] bool repeat_requested(unsigned number) const { return managers_.repeat_requested(number); }
   void acknowledge_repeat(unsigned number);
   /// The PDI locks the memory of a SyncManager against the master, or gives it free (0x0807 bit 0).
   void deactivate_sync_manager(unsigned number, bool deactivated);
@@ -192,10 +192,11 @@ class Esc {
     wake_up();
     sync_silent_ = silent;
   }
+  [[nodiscard]] AlRegisters& al() { return al_; }
   /// The PDI has written the AL status: the ECAT event request tells the master (0x0210, bit 3).
   void tell_al_status();
   /// The PDI has dealt with these bits of the AL event request (0x0220).
-  void acknowledge_events(std::uint32_t events);
+  void acknowledge_events(std::uint32_t events) { requests_.acknowledge_al(events); }
   /// The PDI deals with the events of SyncManagers as soon as it is told of them: nobody sees them pending.
   void serve_promptly(bool promptly) { prompt_ = promptly; }
   /// The device has not read yet what the master wrote to this SyncManager; or does so now.
@@ -222,11 +223,6 @@ class Esc {
   [[nodiscard]] const std::vector<std::uint8_t>& sii_content() const { return sii_.content(); }
 
  private:
-  static constexpr std::size_t kMaxFrameBody = 0x0800;  // the length in the EtherCAT header has 11 bits
-  struct Write {
-    std::uint16_t address;
-    std::uint16_t length;
-  };
   void mind_signals();
   /// What the device has written again with the SYNC signals that nobody minds, up to now.
   void count_renewals();
@@ -238,23 +234,20 @@ class Esc {
   /// All that time does to an ESC but its clock.
   void advance_others(Nanoseconds time);
   void raise_event(std::uint16_t event);
-  void raise_al_event(std::uint32_t event);
   /// Of SyncManager `number`.
   void raise_buffer_event(unsigned number);
   void clear_event(std::uint16_t event);
+  void request_changed();
   /// What its working counter grows by.
   [[nodiscard]] unsigned execute(const PassingDatagram& datagram);
   [[nodiscard]] unsigned read(const PassingDatagram& datagram, bool addressed);
   [[nodiscard]] unsigned write(const PassingDatagram& datagram, bool addressed);
   [[nodiscard]] unsigned read_and_write(const PassingDatagram& datagram, bool addressed);
-  /// Its station address, or its alias where that is on.
-  [[nodiscard]] bool has_address(std::uint16_t address) const;
   /// Has a datagram for single slaves that is for this one. Its addresses are remembered as long as the settings stay.
   [[nodiscard]] bool is_called_by(const PassingFrame& frame) {
-    if (addresses_generation_ != generation_) note_addresses();
-    return frame.is_for(station_, alias_);
+    const auto& [station, alias] = addresses_.of(generation_);
+    return frame.is_for(station, alias);
   }
-  void note_addresses();
   void settings_changed() {
     as_usual_ = false;
     ++generation_;
@@ -263,30 +256,15 @@ class Esc {
   bool read_memory(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
   /// Registers, and RAM that is no SyncManager's matter.
   bool read_registers(std::uint16_t address, std::span<std::uint8_t> out, bool or_into);
-  [[nodiscard]] bool is_readable(std::uint16_t address, std::size_t length) const;
   /// Registers with gaps between them.
   bool read_what_is_there(std::uint16_t address, std::span<const std::uint8_t> from, std::span<std::uint8_t> out,
                           bool or_into) const;
-  /// Copies `bits` between a datagram and the memory, whole bytes at once where the mapping is aligned.
-  void copy_mapped(std::span<std::uint8_t> datagram, std::uint64_t datagram_bit, std::uint64_t memory_bit,
-                   std::uint64_t bits, bool writing);
   bool write_memory(Command command, std::uint16_t address, std::span<const std::uint8_t> data);
-  /// The first byte of a buffer is read: the newest one, whatever became of the transfer before.
-  void open_buffer(std::uint32_t address, std::size_t length);
-  void show_pending(unsigned number);
   void read_latches(std::uint16_t address, std::size_t length);
   void follow_latch_events();
   void sync_fired(SyncGenerator::Signal signal, Nanoseconds time);
-  /// Whether the SyncManagers let the master at this memory now.
-  [[nodiscard]] bool buffer_allows(std::uint32_t address, std::size_t length, bool write) const {
-    return address + length <= buffers_begin_ || managers_allow(address, length, write);  // registers, nearly always
-  }
-  [[nodiscard]] bool managers_allow(std::uint32_t address, std::size_t length, bool write) const;
-  void end_transfer(unsigned number, bool write);
-  void note_buffer_access(std::uint32_t address, std::size_t length, bool write);
-  void take_over(const Write& write, std::span<const std::uint8_t> bytes);
-  [[nodiscard]] bool locked_by_sync_manager(std::uint32_t address) const;
-  void commit_register(const Write& write, Nanoseconds time);
+  void take_over(const FrameWrites::Write& write, std::span<const std::uint8_t> bytes);
+  void commit_register(const FrameWrites::Write& write, Nanoseconds time);
   /// Forwarding rule for a circulating frame; false: it is destroyed.
   [[nodiscard]] bool mark_circulating(std::span<PassingDatagram> datagrams);
   void load_configuration();
@@ -296,16 +274,6 @@ class Esc {
   // Plans of frames (esc_plans.cpp).
   /// Null: the datagrams must be executed.
   [[nodiscard]] const FramePlan* plan_for(PassingFrame& frame);
-  void make_plan(FramePlan& plan, PassingFrame& frame) const;
-  [[nodiscard]] bool plan_datagram(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
-                                   std::size_t offset) const;
-  [[nodiscard]] bool plan_reading(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
-                                  std::size_t offset) const;
-  [[nodiscard]] bool plan_time(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
-                               std::size_t offset) const;
-  [[nodiscard]] bool any_have(std::uint8_t right, std::uint16_t address, std::size_t length) const;
-  [[nodiscard]] bool plan_logical(FramePlan& plan, const PassingDatagram& datagram, std::size_t number,
-                                  std::size_t offset) const;
   /// `first`: of the steps; those before are done.
   void follow(const FramePlan& plan, std::uint8_t* frame, unsigned first = 0);
   /// One that is not usual. `memory`: the ESC's, from the step's address on.
@@ -322,7 +290,7 @@ class Esc {
   [[nodiscard]] bool becomes_usual();
   /// What frames do to it depends on more than its settings, or they do more than its plans say.
   [[nodiscard]] bool has_something_under_way() const {
-    return maps_stale_ || any_pending_ || reset_.begun() || ports_.changed() || protection_.lifted() ||
+    return managers_.stale() || managers_.any_pending() || reset_.begun() || ports_.changed() || protection_.lifted() ||
            ports_.port0_automatically_closed();
   }
   [[nodiscard]] bool pass_at_once(const FramePlan& plan, PassingFrame& frame, bool asked, Nanoseconds begin,
@@ -375,40 +343,24 @@ class Esc {
     std::uint32_t by = 0, renewed = 0;  // bit per SyncManager
   };
   Renewal renewed_by_transfer_;
-  // Bit per SyncManager: a transfer has touched its first byte and not yet its last; lasts over frames.
-  std::uint32_t sm_begun_ = 0;
   bool as_usual_ = false;                       // has_something_under_way() has said no
   std::uint16_t events_ = 0, told_events_ = 0;  // ECAT event request, and what of it frames carry, since then
   RepeatedCycles cycles_;
-  ThreeBuffers buffers_;
+  SyncManagers managers_;
   std::array<FramePlan, FramePlan::kPlaces> plans_{};
 
+  AlRegisters al_;
+  EventRequests requests_;
+  StationAddresses addresses_;
   SiiInterface sii_;
   PdiWatchdog pdi_watchdog_;
   WriteProtection protection_;
   ResetSequence reset_;
+  FmmuUnit fmmus_;
+  FramePlanner planner_;
   Listener* listener_ = nullptr;
-  /// An active FMMU; with the buffered SyncManager that it maps as a whole, where nothing but the write protection can
-  /// forbid such an access: the usual case, which is then decided once and not in each frame.
-  struct Mapping {
-    Fmmu fmmu;
-    std::optional<unsigned> whole_buffer{};
-  };
-  [[nodiscard]] bool plan_mapping(FramePlan& plan, const PassingDatagram& datagram, const Mapping& mapping,
-                                  bool writing, std::size_t offset) const;
-  [[nodiscard]] std::optional<unsigned> find_whole_buffer(const Fmmu& fmmu) const;
-  [[nodiscard]] bool map_datagram(const PassingDatagram& datagram, std::span<const Mapping> mappings, bool writing);
-  /// What one FMMU maps of a datagram, byte by byte or bit by bit.
-  [[nodiscard]] bool map_part(const PassingDatagram& datagram, const Fmmu& fmmu, bool writing);
-  std::vector<Mapping> write_mappings_, read_mappings_;
-  std::vector<SyncManager> sync_managers_;  // decoded
-  bool maps_stale_ = true;
-  std::vector<std::uint8_t> active_managers_;                         // those that are on and have a length
-  std::uint32_t mailboxes_ = 0;                                       // bit per SyncManager, on or not
-  std::uint32_t buffers_begin_ = 0;                                   // where the first SyncManager's memory begins
-  std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;          // of the settings; here or of a whole bus
-  std::uint64_t* event_changes_ = &own_changes_;                      // of the ECAT event request, likewise
-  std::uint32_t addresses_generation_ = 0, station_ = 0, alias_ = 0;  // the addresses of that generation
+  std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;  // of the settings; here or of a whole bus
+  std::uint64_t* event_changes_ = &own_changes_;              // of the ECAT event request, likewise
   bool sync_silent_ = false, prompt_ = false;
 
   // Of the frame that is passing:
@@ -417,12 +369,7 @@ class Esc {
   std::uint64_t time_received_ = 0;
   std::array<std::optional<Nanoseconds>, 4> port_times_{};
   bool latch_unit_ = false, latch_ports_ = false;
-  std::vector<Write> writes_;
-  std::array<std::uint8_t, kMaxFrameBody> shadow_{};  // bytes of writes_, in order
-  std::size_t shadow_size_ = 0;
-  std::uint32_t sm_written_ = 0, sm_read_ = 0;      // bit per SyncManager
-  std::vector<std::vector<std::uint8_t>> pending_;  // of each SyncManager, not yet shown; empty: nothing
-  bool any_pending_ = false;
+  FrameWrites writes_;
 };
 
 }  // namespace syncline::sim

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <bit>
 
 #include "protocol/registers.h"
 #include "sim/esc/esc.h"
 #include "sim/esc/esc_events.h"
-#include "sim/registers/short_copy.h"
 
 /// What the device's side of an ESC sees and does: events, SyncManagers, pins.
 namespace syncline::sim {
@@ -18,64 +16,28 @@ void Esc::set_listener(Listener* listener) {
 }
 
 void Esc::raise_event(std::uint16_t event) {
-  const auto request = memory_.u16(reg::kEcatEventRequest);
-  if ((request & event) == event) return;
-  memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request | event));
+  if (requests_.raise(event)) request_changed();
+}
+
+void Esc::clear_event(std::uint16_t event) {
+  if (requests_.clear(event)) request_changed();
+}
+
+void Esc::request_changed() {
   as_usual_ = false;
   ++*event_changes_;
 }
 
 void Esc::tell_al_status() { raise_event(kEventAlStatus); }
 
-void Esc::raise_al_event(std::uint32_t event) {
-  memory_.set<std::uint32_t>(reg::kAlEventRequest, memory_.u32(reg::kAlEventRequest) | event);
-}
-
 void Esc::raise_buffer_event(unsigned number) { prompt_ ? take_written(number) : leave_written(number); }
 
-void Esc::leave_written(unsigned number) { raise_al_event(kAlEventSyncManager0 << number); }
+void Esc::leave_written(unsigned number) { requests_.raise_al(kAlEventSyncManager0 << number); }
 
 void Esc::take_written(unsigned number) { acknowledge_events(kAlEventSyncManager0 << number); }
 
-void Esc::acknowledge_events(std::uint32_t events) {
-  const auto request = memory_.u32(reg::kAlEventRequest);
-  if ((request & events) != 0) memory_.set<std::uint32_t>(reg::kAlEventRequest, request & ~events);
-}
-
-void Esc::clear_event(std::uint16_t event) {
-  const auto request = memory_.u16(reg::kEcatEventRequest);
-  if ((request & event) == 0) return;
-  memory_.set<std::uint16_t>(reg::kEcatEventRequest, static_cast<std::uint16_t>(request & ~event));
-  as_usual_ = false;
-  ++*event_changes_;
-}
-
-SyncManager Esc::sync_manager(unsigned number) const {
-  return SyncManager::decode(memory_.at(reg::sync_manager(number), SyncManager::kSize).first<SyncManager::kSize>());
-}
-
-std::span<std::uint8_t> Esc::sync_manager_area(unsigned number) {
-  const auto area = std::as_const(*this).sync_manager_area(number);
-  return memory_.at(static_cast<std::uint32_t>(area.data() - memory_.at(0, 0).data()), area.size());
-}
-
-std::span<const std::uint8_t> Esc::sync_manager_area(unsigned number) const {
-  if (!maps_stale_ && number < sync_managers_.size()) {
-    const auto& sm = sync_managers_[number];
-    return memory_.at(sm.start, std::min<std::size_t>(sm.length, EscMemory::kSize - sm.start));
-  }
-  const auto start = memory_.u16(reg::sync_manager(number));
-  const auto length = memory_.u16(static_cast<std::uint16_t>(reg::sync_manager(number) + 2));
-  return memory_.at(start, std::min<std::size_t>(length, EscMemory::kSize - start));
-}
-
 void Esc::set_mailbox_full(unsigned number, bool full) {
-  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 5);
-  const auto status = memory_.u8(address);
-  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(full ? status | SyncManager::kStatusMailboxFull
-                                                                    : status & ~SyncManager::kStatusMailboxFull));
-  if (!maps_stale_ && number < sync_managers_.size())
-    sync_managers_[number].status = memory_.u8(address);  // which no plan depends on
+  managers_.set_mailbox_full(number, full);
   // The ECAT event request mirrors the state of the first eight SyncManagers (0x0210, bits 11..4).
   if (number < 8) {
     const auto event = static_cast<std::uint16_t>(kEventSyncManager0 << number);
@@ -83,53 +45,24 @@ void Esc::set_mailbox_full(unsigned number, bool full) {
   }
 }
 
-bool Esc::repeat_requested(unsigned number) const {
-  const auto base = reg::sync_manager(number);
-  return ((memory_.u8(static_cast<std::uint16_t>(base + 6)) ^ memory_.u8(static_cast<std::uint16_t>(base + 7))) &
-          kRepeatBit) != 0;
-}
-
 void Esc::acknowledge_repeat(unsigned number) {
-  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 7);
-  memory_.set<std::uint8_t>(address, static_cast<std::uint8_t>(memory_.u8(address) ^ kRepeatBit));
-  maps_stale_ = true;
+  managers_.acknowledge_repeat(number);
   as_usual_ = false;
 }
 
 void Esc::deactivate_sync_manager(unsigned number, bool deactivated) {
-  const auto address = static_cast<std::uint16_t>(reg::sync_manager(number) + 7);
-  const auto control = memory_.u8(address);
-  memory_.set<std::uint8_t>(
-      address, static_cast<std::uint8_t>(deactivated ? control | kPdiDeactivated : control & ~kPdiDeactivated));
-  maps_stale_ = true;
+  managers_.deactivate(number, deactivated);
   as_usual_ = false;
 }
 
 void Esc::put_buffer(unsigned number, std::span<const std::uint8_t> bytes) {
-  if (number >= pending_.size()) return;
-  const auto area = sync_manager_area(number);
+  if (!managers_.has(number)) return;
   put_same_buffers(1U << number);
-  bytes = bytes.first(std::min(bytes.size(), area.size()));
-  if ((sm_begun_ & (1U << number)) != 0) {
-    pending_[number].assign(bytes.begin(), bytes.end());
-    any_pending_ = true;
-    as_usual_ = false;
-  } else {
-    if (any_pending_) pending_[number].clear();
-    short_copy(bytes, area);
-  }
+  if (!managers_.put(number, bytes)) as_usual_ = false;
 }
 
 /// Signals that have not been counted yet may be so later: writes into a buffer are all alike.
 void Esc::put_same_buffers(std::uint32_t managers) { renew(managers, 1); }
-
-void Esc::show_pending(unsigned number) {
-  const auto& bytes = pending_[number];
-  if (bytes.empty()) return;
-  const auto area = sync_manager_area(number);
-  std::copy_n(bytes.begin(), std::min(bytes.size(), area.size()), area.begin());
-  pending_[number].clear();
-}
 
 bool Esc::latch_input(unsigned number, bool level, Nanoseconds time) {
   const bool output = (memory_.u8(reg::kSyncLatchConfiguration) >> (2 + 4 * number) & 1U) != 0;
@@ -140,7 +73,7 @@ bool Esc::latch_input(unsigned number, bool level, Nanoseconds time) {
 
 void Esc::follow_latch_events() {
   dc_.latches().master_event() ? raise_event(kEventLatch) : clear_event(kEventLatch);
-  dc_.latches().pdi_event() ? raise_al_event(kAlEventLatch) : acknowledge_events(kAlEventLatch);
+  dc_.latches().pdi_event() ? requests_.raise_al(kAlEventLatch) : acknowledge_events(kAlEventLatch);
 }
 
 void Esc::read_latches(std::uint16_t address, std::size_t length) {
@@ -153,7 +86,7 @@ void Esc::sync_fired(SyncGenerator::Signal signal, Nanoseconds time) {
   if (sync_silent_) return;
   const unsigned number = signal == SyncGenerator::Signal::kSync0 ? 0 : 1;
   const bool mapped = (memory_.u8(reg::kSyncLatchConfiguration) >> (3 + 4 * number) & 1U) != 0;
-  if (mapped) raise_al_event(kAlEventSync0 << number);
+  if (mapped) requests_.raise_al(kAlEventSync0 << number);
   if (listener_ != nullptr) listener_->sync_signal(signal, time);
 }
 
@@ -166,7 +99,7 @@ void Esc::leave_signals_unminded(std::uint32_t renewed) {
 void Esc::leave_transfers_unminded(std::uint32_t managers) {
   if (!options_.counts_at_once) return;
   // What is pending since the device hung is dealt with at the next transfer.
-  const auto pending = memory_.u32(reg::kAlEventRequest) / kAlEventSyncManager0;
+  const auto pending = requests_.al_requested() / kAlEventSyncManager0;
   minded_ = ~managers | pending;
 }
 
@@ -180,7 +113,7 @@ void Esc::renew_at_transfers(unsigned by, std::uint32_t renewed) {
 
 void Esc::renew(std::uint32_t managers, std::uint64_t times) {
   for (; managers != 0; managers &= managers - 1)
-    buffers_.write(static_cast<unsigned>(std::countr_zero(managers)), times);
+    managers_.buffers().write(static_cast<unsigned>(std::countr_zero(managers)), times);
 }
 
 void Esc::mind_signals() {

@@ -20,6 +20,12 @@ class EscPorts {
 
   explicit EscPorts(EscMemory& memory);
 
+  void implement_registers() {
+    memory_.implement(reg::kDlControl, 4, EscMemory::kReadWrite);
+    memory_.implement(reg::kDlStatus, 2, EscMemory::kRead);
+    memory_.implement(reg::kRxErrorCounter, 0x0E, EscMemory::kReadWrite);
+    memory_.implement(reg::kLostLinkCounter, 4, EscMemory::kReadWrite);
+  }
   void set_link(unsigned port, bool up);
   /// 0x0100 was written: loop control, and whether it is for one second only.
   void control_written(Nanoseconds time);

@@ -37,13 +37,16 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
       ports_(memory_),
       dc_(config.oscillator, config.dc, power_on, seed, memory_),
       watchdog_(memory_),
-      buffers_(memory_, options.sync_manager_count),
+      managers_(memory_, options.sync_manager_count),
+      al_(memory_),
+      requests_(memory_),
+      addresses_(memory_),
       sii_(std::move(sii), config.sii, memory_),
       pdi_watchdog_(memory_),
       protection_(memory_),
       reset_(memory_),
-      sync_managers_(options.sync_manager_count),
-      pending_(options.sync_manager_count) {
+      fmmus_(memory_, managers_, protection_, dc_, options.fmmu_count),
+      planner_(memory_, managers_, fmmus_, protection_, addresses_, options.logical_read_write) {
   implement_registers();
   load_configuration();
   std::uint16_t features = 0;  // FMMUs map bits
@@ -58,51 +61,29 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
   if (!options.logical_read_write) features |= kNoLogicalReadWrite;
   if (!options.physical_read_write) features |= kNoPhysicalReadWrite;
   memory_.set<std::uint16_t>(reg::kFeatures, features);
-  memory_.set<std::uint16_t>(reg::kAlControl, 0x0001);
-  memory_.set<std::uint16_t>(reg::kAlStatus, 0x0001);
   memory_.set<std::uint16_t>(reg::kWatchdogDivider, 2498);
-  memory_.set<std::uint16_t>(reg::kWatchdogPdi, 1000);
-  memory_.set<std::uint16_t>(reg::kWatchdogProcessData, 1000);
   memory_.set<std::uint16_t>(reg::kWatchdogStatus, 1);
 }
 
 void Esc::implement_registers() {
-  constexpr auto r = EscMemory::kRead;
-  constexpr auto rw = EscMemory::kReadWrite;
-  memory_.implement(reg::kType, 10, r);
-  memory_.implement(reg::kStationAddress, 2, rw);
-  memory_.implement(reg::kStationAlias, 2, r);
+  memory_.implement(reg::kType, 10, EscMemory::kRead);
+  memory_.implement(reg::kPdiControl, 2, EscMemory::kRead);
+  memory_.implement(reg::kPdiConfiguration, 4, EscMemory::kRead);
+  memory_.implement(reg::kWatchdogDivider, 2, EscMemory::kReadWrite);  // of both watchdogs
+  memory_.implement(reg::kWatchdogStatus, 4, EscMemory::kRead);
+  memory_.implement(reg::kDigitalOutputs, 4, EscMemory::kReadWrite);
+  memory_.implement(reg::kUserRam, 0x80, EscMemory::kReadWrite);
+  addresses_.implement_registers();
   protection_.implement_registers();
-  memory_.implement(reg::kEscReset, 1, rw);
-  memory_.implement(reg::kDlControl, 4, rw);
-  memory_.implement(reg::kDlStatus, 2, r);
-  memory_.implement(reg::kAlControl, 2, rw);
-  memory_.implement(reg::kAlStatus, 2, r);
-  memory_.implement(reg::kAlStatusCode, 2, r);
-  memory_.implement(reg::kPdiControl, 2, r);
-  memory_.implement(reg::kPdiConfiguration, 4, r);
-  memory_.implement(reg::kEcatEventMask, 2, rw);
-  memory_.implement(reg::kAlEventMask, 4, r);
-  memory_.implement(reg::kEcatEventRequest, 2, r);
-  memory_.implement(reg::kAlEventRequest, 4, r);
-  memory_.implement(reg::kRxErrorCounter, 0x0E, rw);
-  memory_.implement(reg::kLostLinkCounter, 4, rw);
-  memory_.implement(reg::kWatchdogDivider, 2, rw);
-  memory_.implement(reg::kWatchdogPdi, 2, rw);
-  memory_.implement(reg::kWatchdogProcessData, 2, rw);
-  memory_.implement(reg::kWatchdogStatus, 4, r);
-  memory_.implement(reg::kSiiConfiguration, 1, rw);
-  memory_.implement(reg::kSiiPdiAccess, 1, r);
-  memory_.implement(reg::kSiiControl, 14, rw);
-  memory_.implement(reg::kDigitalOutputs, 4, rw);
-  memory_.implement(reg::kUserRam, 0x80, rw);
-  memory_.implement(reg::kFmmu, static_cast<std::uint16_t>(16 * options_.fmmu_count), rw);
-  memory_.implement(reg::kSyncManager, static_cast<std::uint16_t>(8 * options_.sync_manager_count), rw);
-  for (unsigned i = 0; i < options_.sync_manager_count;
-       ++i) {  // status, and what belongs to the PDI (ESC data sheet II, 2.31)
-    memory_.implement(static_cast<std::uint16_t>(reg::sync_manager(i) + 5), 1, r);
-    memory_.implement(static_cast<std::uint16_t>(reg::sync_manager(i) + 7), 1, r);
-  }
+  reset_.implement_registers();
+  ports_.implement_registers();
+  al_.implement_registers();
+  requests_.implement_registers();
+  watchdog_.implement_registers();
+  pdi_watchdog_.implement_registers();
+  sii_.implement_registers();
+  fmmus_.implement_registers();
+  managers_.implement_registers();
 }
 
 void Esc::load_configuration() {

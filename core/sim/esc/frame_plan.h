@@ -19,6 +19,9 @@ struct FramePlan {
   static constexpr std::size_t kPlaces = 32;         // frames that are remembered: a cycle of 1,000 drives has 15
   static constexpr std::size_t kMostDatagrams = 16;  // of such a frame
   static constexpr std::size_t kMostSteps = 12;      // what does more is executed
+  static constexpr std::uint8_t kTellsDlStatus = 0x01, kTellsAlStatus = 0x02;  // detail of kOrRegister
+  static constexpr unsigned kMemoryBit = 4;                                    // detail of kGiveBit
+  static constexpr std::uint8_t kNarrowTime = 4, kWideTime = 8;                // bytes, of time_size
   using Counters = std::array<std::uint16_t, kMostDatagrams>;
 
   /// In the order in which they are done: the usual ones, first, go by their number, without a look at each. None sees

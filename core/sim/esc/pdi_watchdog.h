@@ -14,6 +14,11 @@ class PdiWatchdog {
  public:
   explicit PdiWatchdog(EscMemory& memory) : memory_(memory), timer_(memory, reg::kWatchdogPdi) {}
 
+  /// 100 ms from power-on, with the usual divider.
+  void implement_registers() {
+    memory_.implement(reg::kWatchdogPdi, 2, EscMemory::kReadWrite);
+    memory_.set<std::uint16_t>(reg::kWatchdogPdi, 1000);
+  }
   [[nodiscard]] Nanoseconds deadline() const { return timer_.deadline(); }
   /// The last access was at `time`.
   void pdi_stops(Nanoseconds time) { timer_.restart(time); }

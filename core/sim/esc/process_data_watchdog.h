@@ -13,6 +13,11 @@ class ProcessDataWatchdog {
  public:
   explicit ProcessDataWatchdog(EscMemory& memory) : memory_(memory), timer_(memory, reg::kWatchdogProcessData) {}
 
+  /// 100 ms from power-on, with the usual divider.
+  void implement_registers() {
+    memory_.implement(reg::kWatchdogProcessData, 2, EscMemory::kReadWrite);
+    memory_.set<std::uint16_t>(reg::kWatchdogProcessData, 1000);
+  }
   void trigger(Nanoseconds time) {
     timer_.restart(time);
     if (expired_) show(false);

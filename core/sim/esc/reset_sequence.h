@@ -15,6 +15,7 @@ class ResetSequence {
  public:
   explicit ResetSequence(EscMemory& memory) : memory_(memory) {}
 
+  void implement_registers() { memory_.implement(reg::kEscReset, 1, EscMemory::kReadWrite); }
   /// A part of it has come: the next frame counts, whatever it is.
   [[nodiscard]] bool begun() const { return step_ != 0; }
   [[nodiscard]] bool complete() const { return step_ == kSequence.size(); }

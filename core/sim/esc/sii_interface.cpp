@@ -45,6 +45,12 @@ void SiiInterface::show(std::uint16_t flags) {
   memory_.set<std::uint16_t>(reg::kSiiControl, static_cast<std::uint16_t>(status));
 }
 
+void SiiInterface::implement_registers() {
+  memory_.implement(reg::kSiiConfiguration, 1, EscMemory::kReadWrite);
+  memory_.implement(reg::kSiiPdiAccess, 1, EscMemory::kRead);
+  memory_.implement(reg::kSiiControl, 14, EscMemory::kReadWrite);
+}
+
 bool SiiInterface::blocks(std::uint32_t address) const {
   if (address < reg::kSiiControl || address >= reg::kSiiConfiguration + 16U) return false;
   return done_at_.has_value() || (memory_.u8(reg::kSiiConfiguration) & 0x01) != 0 ||

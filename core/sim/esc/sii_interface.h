@@ -18,6 +18,7 @@ class SiiInterface {
  public:
   SiiInterface(std::vector<std::uint8_t> content, const SimSiiConfig& config, EscMemory& memory);
 
+  void implement_registers();
   /// The master must not write this register now: the EEPROM is busy or belongs to the PDI.
   [[nodiscard]] bool blocks(std::uint32_t address) const;
   /// A frame that wrote 0x0500 or 0x0501 is over.

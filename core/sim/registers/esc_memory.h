@@ -34,6 +34,18 @@ class EscMemory {
     const auto wanted = (kEachByte * right) >> (8 * (kWord - length));
     return (load_le<std::uint64_t>(std::span(rights_).subspan(address, kWord)) & wanted) == wanted;
   }
+  /// The same with any one of any number.
+  [[nodiscard]] bool any_have(std::uint8_t right, std::uint32_t address, std::size_t length) const {
+    for (std::size_t i = 0; i < length; ++i) {
+      if ((rights(static_cast<std::uint32_t>(address + i)) & right) != 0) return true;
+    }
+    return false;
+  }
+  /// The usual case: all of it is a register, or all of it is RAM.
+  [[nodiscard]] bool is_readable(std::uint32_t address, std::size_t length) const {
+    if (address >= kRegisterEnd) return address + length <= ram_end_ && length > 0;
+    return length - 1 < kWord && all_have(kRead, address, length);
+  }
   [[nodiscard]] std::uint32_t ram_end() const { return ram_end_; }
 
   [[nodiscard]] std::span<std::uint8_t> at(std::uint32_t address, std::size_t length) {

@@ -32,7 +32,7 @@ class AddressTable {
 
   struct Slave {
     const Esc* esc = nullptr;
-    Esc::Address address;
+    StationAddresses::Pair address;
   };
   std::uint64_t changes_ = 0;
   std::vector<Slave> slaves_;

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "app/composition/try_device.h"
+#include "engine/try_device.h"
 #include "support/result.h"
 
 namespace syncline {
+
+class TrialFiles;
 
 struct TryRequest {
   std::string path;                                     // an ESI file, or a folder of them with those below it
@@ -27,7 +29,7 @@ struct TryReport {
   [[nodiscard]] std::size_t count(TryOutcome outcome) const;
 };
 
-/// Tries every device of every file. kFileNotFound and kFileNotReadable of the folder.
-[[nodiscard]] Result<TryReport> try_esi(const TryRequest& request);
+/// Tries every device of every file; `files` reads and writes them. kFileNotFound and kFileNotReadable of the folder.
+[[nodiscard]] Result<TryReport> try_esi(const TryRequest& request, const TrialFiles& files);
 
 }  // namespace syncline

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/recorded_event.h"
+#include "record/recorded_event.h"
 
 #include <string>
 #include <utility>
 
-#include "app/cli/event_name.h"
-#include "app/cli/event_text.h"
+#include "channels/event.h"
+#include "channels/event_name.h"
+#include "channels/event_text.h"
 #include "record/recording.h"
 #include "record/typed_values.h"
 
-namespace syncline::cli {
+namespace syncline {
 
 std::optional<RecordedEvent> recorded_event(const Event& event) {
   auto words = event_words(event);
@@ -18,4 +19,4 @@ std::optional<RecordedEvent> recorded_event(const Event& event) {
                        encode_event(event.what)};
 }
 
-}  // namespace syncline::cli
+}  // namespace syncline

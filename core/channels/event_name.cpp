@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/event_name.h"
+#include "channels/event_name.h"
 
 #include <variant>
 
 #include "channels/event.h"
 
-namespace syncline::cli {
+namespace syncline {
 namespace {
 
 using Name = std::string_view;
@@ -63,4 +63,4 @@ struct Names {
 
 std::string_view event_name(const Event& event) { return std::visit(Names{}, event.what); }
 
-}  // namespace syncline::cli
+}  // namespace syncline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/try_device.h"
+#include "engine/try_device.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,7 @@
 #include "config/sim_config.h"
 #include "engine/background_master.h"
 #include "engine/opened_link.h"
-#include "eni/check/eni_check.h"
-#include "eni/format/eni_file.h"
+#include "engine/trial_files.h"
 #include "families/device_family.h"
 #include "families/families.h"
 #include "findings/error_text.h"
@@ -34,6 +33,7 @@ namespace {
 constexpr Nanoseconds kLimit = 60 * kSecond;  // virtual time to reach OP
 constexpr Nanoseconds kSlice = 20 * kMillisecond;
 constexpr std::uint64_t kCycles = 50;  // in OP
+constexpr const char* kExportedName = "exported.xml";
 
 /// Where a try ended, and why.
 struct Stop {
@@ -159,25 +159,25 @@ Step<NetworkConfig> compiled(const Project& project) {
 }
 
 /// Structure and meaning of the exported file; notes and warnings are no failures.
-Step<void> checked(const std::string& text) {
-  const auto check = eni::check_eni_text(text, "exported.xml");
-  if (!check) return failed(TryStep::kCheck, describe(check.error()));
-  const auto error = std::ranges::find(check->findings, Severity::kError, &Finding::severity);
-  if (error == check->findings.end()) return {};
+Step<void> checked(const std::string& text, const TrialFiles& files) {
+  const auto findings = files.check_eni(text, kExportedName);
+  if (!findings) return failed(TryStep::kCheck, describe(findings.error()));
+  const auto error = std::ranges::find(*findings, Severity::kError, &Finding::severity);
+  if (error == findings->end()) return {};
   return failed(TryStep::kCheck, fmt::format("{}: {} (line {})", error->code, facts_text(*error), error->place.line));
 }
 
 /// The configuration as it stands in the exported file, which another master would get.
-Step<NetworkConfig> exported(const NetworkConfig& config, const std::string& keep) {
-  const auto text = eni::write_eni(config);
+Step<NetworkConfig> exported(const NetworkConfig& config, const TrialFiles& files, const std::string& keep) {
+  const auto text = files.eni_of(config);
   if (!keep.empty()) {
-    if (auto saved = eni::save_eni(config, keep); !saved) return failed(TryStep::kExport, describe(saved.error()));
+    if (auto saved = files.save_eni(config, keep); !saved) return failed(TryStep::kExport, describe(saved.error()));
   }
-  auto again = eni::parse_eni(text, "exported.xml");
+  auto again = files.read_eni(text, kExportedName);
   if (!again) return failed(TryStep::kExport, describe(again.error()));
   const auto differences = compare_networks(config, *again);
   if (!differences.empty()) return failed(TryStep::kExport, describe(differences.front()));
-  if (auto fine = checked(text); !fine) return tl::unexpected(fine.error());
+  if (auto fine = checked(text, files); !fine) return tl::unexpected(fine.error());
   return std::move(*again);
 }
 
@@ -242,13 +242,14 @@ Step<Run> run(const NetworkConfig& config, const SimConfig& sim) {
   return run;
 }
 
-Step<Run> all_steps(const DeviceDescription& device, const std::string& keep, TriedDevice& tried) {
+Step<Run> all_steps(const DeviceDescription& device, const TrialFiles& files, const std::string& keep,
+                    TriedDevice& tried) {
   if (auto sensible = describable(device); !sensible) return tl::unexpected(sensible.error());
   const auto project = project_of(device);
   tried.modules = static_cast<std::uint32_t>(project.slaves.front().modules.size());
   auto config = compiled(project);
   if (!config) return tl::unexpected(config.error());
-  auto again = exported(*config, keep);
+  auto again = exported(*config, files, keep);
   if (!again) return tl::unexpected(again.error());
   return run(*again, simulated(project.slaves.front()));
 }
@@ -285,9 +286,9 @@ std::string_view step_name(TryStep step) {
   return "";
 }
 
-TriedDevice try_device(const DeviceDescription& device, const std::string& keep) {
+TriedDevice try_device(const DeviceDescription& device, const TrialFiles& files, const std::string& keep) {
   TriedDevice tried{.file = device.source, .identity = device.identity, .type = device.type, .name = device.name};
-  const auto run = all_steps(device, keep, tried);
+  const auto run = all_steps(device, files, keep, tried);
   if (run) {
     tried.wkc_expected = run->wkc_expected;
     tried.cycles = run->good;

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/event_text.h"
+#include "channels/event_text.h"
 
 #include <gtest/gtest.h>
 
-#include "app/cli/event_name.h"
+#include "channels/event.h"
+#include "channels/event_finding.h"
+#include "channels/event_name.h"
+#include "findings/finding.h"
 #include "tests/support/every_event.h"
 
-namespace syncline::cli {
+namespace syncline {
 namespace {
 
 TEST(EventText, EveryKindHasANameAndAllButProgressHaveWords) {
   for (const auto& event : test::one_of_each()) {
     EXPECT_FALSE(event_name(event).empty()) << event.what.index();
-    const auto json = event_json(event, 0);
-    EXPECT_EQ(json.is_null() || json["code"].get<std::string>().starts_with("event-") || event.is<events::Failure>(),
-              true)
-        << event.what.index();
+    const auto finding = event_finding(event);
+    EXPECT_TRUE(!finding || finding->code.starts_with("event-") || event.is<events::Failure>()) << event.what.index();
     const bool silent = event.is<events::ScanProgress>() || event.is<events::MasterStopped>();
     EXPECT_EQ(event_words(event).empty(), silent) << event.what.index();
   }
@@ -73,4 +74,4 @@ TEST(EventText, SaysWhatAProgramMayHaveLearnedToRead) {
 }
 
 }  // namespace
-}  // namespace syncline::cli
+}  // namespace syncline

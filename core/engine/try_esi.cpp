@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/composition/try_esi.h"
+#include "engine/try_esi.h"
 
 #include <malloc.h>
 
@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "eni/esi/esi_reader.h"
+#include "engine/trial_files.h"
 #include "findings/error_text.h"
 #include "support/distinct_files.h"
 #include "support/input_file.h"
@@ -107,8 +107,8 @@ Status check_kept(const TryRequest& request, const std::vector<std::string>& fil
 /// Files are taken by the threads one by one; each has its place in the report.
 class Trial {
  public:
-  Trial(const TryRequest& request, FoundFiles found)
-      : request_(request), files_(std::move(found.files)), of_file_(files_.size()) {
+  Trial(const TryRequest& request, const TrialFiles& formats, FoundFiles found)
+      : request_(request), formats_(formats), files_(std::move(found.files)), of_file_(files_.size()) {
     report_.unreadable = std::move(found.unreadable);
   }
 
@@ -134,13 +134,13 @@ class Trial {
 
   /// Reading takes a few times a file's size: large ones are read one after the other, and what that had goes back to
   /// the system before the devices are tried.
-  [[nodiscard]] Result<eni::EsiFile> read(const std::string& path) {
+  [[nodiscard]] Result<TrialDevices> read(const std::string& path) {
     constexpr std::uintmax_t kLarge = 1U << 20;
     std::error_code none;
     const auto size = std::filesystem::file_size(path, none);
-    if (none || size < kLarge) return eni::read_esi(path);
+    if (none || size < kLarge) return formats_.read_devices(path);
     const std::lock_guard lock(reading_);
-    auto file = eni::read_esi(path);
+    auto file = formats_.read_devices(path);
     ::malloc_trim(0);
     return file;
   }
@@ -154,7 +154,7 @@ class Trial {
     }
     for (const Error& error : file->rejected) done(number, rejected(error));
     for (std::size_t i = 0; i < file->devices.size() && !stopped(); i += std::max(request_.every, 1U)) {
-      done(number, try_device(file->devices[i], kept_file(files_[number], i)));
+      done(number, try_device(file->devices[i], formats_, kept_file(files_[number], i)));
     }
   }
 
@@ -172,6 +172,7 @@ class Trial {
   }
 
   const TryRequest& request_;
+  const TrialFiles& formats_;
   std::vector<std::string> files_;
   std::vector<std::vector<TriedDevice>> of_file_;
   std::atomic<std::size_t> next_{0};
@@ -185,11 +186,11 @@ std::size_t TryReport::count(TryOutcome outcome) const {
   return static_cast<std::size_t>(std::ranges::count(devices, outcome, &TriedDevice::outcome));
 }
 
-Result<TryReport> try_esi(const TryRequest& request) {
+Result<TryReport> try_esi(const TryRequest& request, const TrialFiles& files) {
   auto found = files_of(request.path);
   if (!found) return tl::unexpected(found.error());
   if (auto status = check_kept(request, found->files); !status) return tl::unexpected(status.error());
-  return Trial(request, std::move(*found)).run();
+  return Trial(request, files, std::move(*found)).run();
 }
 
 }  // namespace syncline

@@ -4,12 +4,10 @@
 #include <string_view>
 
 namespace syncline {
-struct Event;
-}  // namespace syncline
 
-namespace syncline::cli {
+struct Event;
 
 /// The "kind" of an event as docs/json.md lists it.
 [[nodiscard]] std::string_view event_name(const Event& event);
 
-}  // namespace syncline::cli
+}  // namespace syncline

@@ -10,6 +10,7 @@
 namespace syncline {
 
 struct DeviceDescription;
+class TrialFiles;
 
 enum class TryOutcome : std::uint8_t { kPassed, kExcepted, kFailed };
 /// What was done with a device when it did not pass; kDone when it did.
@@ -36,6 +37,7 @@ struct TriedDevice {
 /// Makes a project with the ESI's defaults of the one device, compiles it, writes its ENI, checks it, reads it again
 /// and runs what was read on the simulated device of the same description, on the virtual clock, until it has been in
 /// OP for some cycles. `keep`: file for the ENI; "" = none. Bounded in time. Any thread.
-[[nodiscard]] TriedDevice try_device(const DeviceDescription& device, const std::string& keep = {});
+[[nodiscard]] TriedDevice try_device(const DeviceDescription& device, const TrialFiles& files,
+                                     const std::string& keep = {});
 
 }  // namespace syncline

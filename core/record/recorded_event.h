@@ -4,13 +4,11 @@
 #include <optional>
 
 namespace syncline {
+
 struct Event;
 struct RecordedEvent;
-}  // namespace syncline
-
-namespace syncline::cli {
 
 /// As recordings hold it, in English; nothing for events that only programs care about.
 [[nodiscard]] std::optional<RecordedEvent> recorded_event(const Event& event);
 
-}  // namespace syncline::cli
+}  // namespace syncline
