@@ -8,6 +8,9 @@ namespace {
 
 constexpr auto kNone = std::string_view::npos;
 
+bool ends_name(char c) { return c == '>' || c == '/' || c == '<' || c == ' ' || (c >= '\t' && c <= '\r'); }
+bool begins_name(char c) { return !ends_name(c) && c != '-' && c != '.' && (c < '0' || c > '9'); }
+
 class OpenElements {
  public:
   explicit OpenElements(std::string_view text) : text_(text) {}
@@ -18,16 +21,23 @@ class OpenElements {
   }
 
  private:
-  /// Steps behind it; false where it does not end.
+  /// Steps behind it; false where it does not end. By its second character first: most of a file are tags.
   bool markup() {
-    const auto rest = text_.substr(at_);
-    if (rest.starts_with("<!--")) return skip_to("-->", 4);
-    if (rest.starts_with("<![CDATA[")) return skip_to("]]>", 9);
-    if (rest.starts_with("<?")) return skip_to("?>", 2);
-    if (rest.starts_with("<!")) return skip_to(">", 2);
-    if (!rest.starts_with("</")) return start_tag();
-    if (!open_.empty()) open_.pop_back();
-    return skip_to(">", 2);
+    switch (at_ + 1 < text_.size() ? text_[at_ + 1] : '>') {
+      case '/':
+        if (!open_.empty()) open_.pop_back();
+        return skip_to(">", 2);
+      case '?':
+        return skip_to("?>", 2);
+      case '!': {
+        const auto rest = text_.substr(at_);
+        if (rest.starts_with("<!--")) return skip_to("-->", 4);
+        if (rest.starts_with("<![CDATA[")) return skip_to("]]>", 9);
+        return skip_to(">", 2);
+      }
+      default:
+        return start_tag();
+    }
   }
 
   bool skip_to(std::string_view end, std::size_t from) {
@@ -39,22 +49,20 @@ class OpenElements {
 
   bool start_tag() {
     const auto begin = at_ + 1;
-    const auto name = text_.substr(begin, text_.find_first_of(" \t\r\n/><", begin) - begin);
-    if (name.find_first_of("-.0123456789") == 0 || name.empty()) return false;
-    const auto end = end_of_tag(begin + name.size());
-    if (end == kNone || text_[end - 1] != '/') open_.push_back(name);
-    at_ = end + 1;
-    return end != kNone;
-  }
-
-  /// Of its ">", which may also stand in the values of attributes.
-  [[nodiscard]] std::size_t end_of_tag(std::size_t from) const {
-    auto at = text_.find_first_of(">\"'", from);
-    while (at != kNone && text_[at] != '>') {
-      at = text_.find(text_[at], at + 1);
-      if (at != kNone) at = text_.find_first_of(">\"'", at + 1);
+    if (begin >= text_.size() || !begins_name(text_[begin])) return false;
+    auto end = begin;
+    while (end < text_.size() && !ends_name(text_[end])) ++end;
+    const auto name = text_.substr(begin, end - begin);
+    // Its ">" may also stand in the values of attributes.
+    for (; end < text_.size() && text_[end] != '>'; ++end) {
+      if (text_[end] != '"' && text_[end] != '\'') continue;
+      end = text_.find(text_[end], end + 1);
+      if (end == kNone) break;
     }
-    return at;
+    const bool complete = end < text_.size();
+    if (!complete || text_[end - 1] != '/') open_.push_back(name);
+    at_ = end + 1;
+    return complete;
   }
 
   std::string_view text_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "fuzz/kept_corpus.h"
 #include "fuzz/targets.h"
 #include "support/random.h"
 
@@ -33,6 +34,20 @@ TEST_P(FuzzTargets, SurviveTheirCorpusAndThousandsOfDamagedInputs) {
       run(target, bytes);
     }
   }
+}
+
+/// Each of them is the only one to reach something, with what a fuzzer knew when it was found.
+TEST_P(FuzzTargets, SurviveWhatAFuzzerHasFound) {
+  const auto kept = kept_corpus(GetParam().name);
+  const auto corpus = GetParam().corpus();
+  const bool too_large = std::ranges::all_of(corpus, [](const Bytes& good) { return good.size() > kMostKept; });
+  ASSERT_TRUE(!kept.empty() || too_large) << "scripts/fuzz --keep";
+  std::size_t bytes = 0;
+  for (const auto& input : kept) {
+    bytes += input.size();
+    run(GetParam(), input);
+  }
+  EXPECT_LE(bytes, kMostKept);
 }
 
 TEST_P(FuzzTargets, SurviveRandomBytesOfEveryLength) {

@@ -20,26 +20,37 @@ constexpr const char* kName = "fuzz.xml";
 /// The errors of a file name it.
 void promise_place(const Error& error) { promise(error.file == kName); }
 
-/// One command of each kind, and nothing between the elements.
-std::string short_eni(const DeviceDescription& device) {
+template <class List>
+void shorten(List& list) {
+  list.resize(std::min<std::size_t>(list.size(), 1));
+}
+
+/// One command, PDO and variable of each kind.
+NetworkConfig short_config(const DeviceDescription& device) {
   Project project;
   project.slaves.push_back(default_slave(device, 0));
   auto config = compile(project)->config;
-  const auto shorten = [](auto& list) { list.resize(std::min<std::size_t>(list.size(), 1)); };
   shorten(config.master.init_cmds);
   for (auto& slave : config.slaves) {
     shorten(slave.init_cmds);
+    shorten(slave.pdos);
+    for (auto& configured : slave.pdos) shorten(configured.pdo.entries);
     if (slave.mailbox) shorten(slave.mailbox->coe_commands);
     if (slave.mailbox) shorten(slave.mailbox->profiles);
   }
   shorten(config.image.inputs);
   shorten(config.image.outputs);
+  return config;
+}
+
+/// With nothing between the elements.
+Bytes short_eni(const NetworkConfig& config) {
   std::string text;
   for (const char c : eni::write_eni(config)) {
     if (c == ' ' && (text.empty() || text.back() == '>')) continue;
     if (c != '\n') text += c;
   }
-  return text;
+  return bytes_of_text(text);
 }
 
 void configure(const DeviceDescription& device) {
@@ -94,8 +105,15 @@ std::vector<Bytes> esis() {
   return corpus;
 }
 
+/// Short ones, of which more are tried: what a drive has beside a terminal stands in two files.
 std::vector<Bytes> enis() {
-  return {bytes_of_text(short_eni(sample::digital_output())), bytes_of_text(short_eni(sample::servo()))};
+  auto mailbox = short_config(sample::servo()), cycles = mailbox;
+  mailbox.cyclic.clear();
+  mailbox.image = {};
+  mailbox.slaves.front().pdos.clear();
+  cycles.slaves.front().mailbox.reset();
+  cycles.slaves.front().init_cmds.clear();
+  return {short_eni(short_config(sample::digital_output())), short_eni(mailbox), short_eni(cycles)};
 }
 
 std::vector<Bytes> projects() {
