@@ -7,6 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+
 namespace syncline {
 namespace {
 
