@@ -15,7 +15,7 @@
 #include "protocol/sii.h"
 #include "support/jitter_profile.h"
 #include "tests/support/event_match.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 #include "tests/support/test_bus.h"
 
 namespace syncline {
