@@ -10,6 +10,7 @@
 #include "channels/master_channels.h"
 #include "channels/snapshot.h"
 #include "compile/compile.h"
+#include "config/project.h"
 #include "findings/error_text.h"
 #include "master/master_service.h"
 #include "protocol/sii.h"
