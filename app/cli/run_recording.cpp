@@ -11,7 +11,9 @@
 #include "app/cli/options.h"
 #include "diagnosis/run_diagnosis.h"
 #include "eni/format/eni_file.h"
+#include "record/recording.h"
 #include "support/whole_file.h"
+#include "trace/run_report.h"
 
 namespace syncline::cli {
 namespace {
@@ -53,7 +55,7 @@ Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, cons
                                                           bool virtual_time) {
   std::unique_ptr<RunRecording> recording(new RunRecording(context));
   if (options.file.empty()) return recording;
-  Recorder::Options bounds;
+  RecordingBounds bounds;
   if (!options.longest.empty()) {
     const auto longest = parse_duration(options.longest);
     if (!longest) return tl::unexpected(longest.error());
@@ -64,12 +66,12 @@ Result<std::unique_ptr<RunRecording>> RunRecording::start(Context& context, cons
   auto what = about(file, link, config);
   if (!what) return tl::unexpected(what.error());
   what->watched = watched;
-  const auto stopped = [where = recording.get()](const Recorder::Stop& stop) {
+  const auto stopped = [where = recording.get()](const RecordingStop& stop) {
     const std::lock_guard lock(where->mutex_);
     where->stop_ = stop;
   };
-  auto session = RecordingSession::start(
-      {.path = options.file, .about = std::move(*what), .virtual_time = virtual_time, .bounds = bounds}, stopped);
+  auto session =
+      RecordingSession::start({.path = options.file, .virtual_time = virtual_time, .bounds = bounds}, *what, stopped);
   if (!session) return tl::unexpected(session.error());
   recording->session_ = std::move(*session);
   recording->file_ = options.file;

@@ -11,6 +11,12 @@
 #include "app/cli/context.h"
 #include "record/recording_session.h"
 
+namespace syncline {
+class WatchLists;
+struct NetworkConfig;
+struct RunReport;
+}  // namespace syncline
+
 namespace CLI {
 class App;
 }  // namespace CLI
@@ -46,7 +52,7 @@ class RunRecording {
   Context& context_;
   std::string file_;
   std::mutex mutex_;
-  std::optional<Recorder::Stop> stop_;
+  std::optional<RecordingStop> stop_;
   std::unique_ptr<RecordingSession> session_;  // last: its thread uses what stands above
 };
 

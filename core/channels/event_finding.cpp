@@ -277,7 +277,7 @@ Told ToldByEvent::operator()(const events::Emergency& e) const {
 }
 
 Told ToldByEvent::operator()(const events::DiagnosisTold& e) const {
-  using Type = DiagnosisMessage::Type;
+  using Type = DiagnosisMessageType;
   const auto severity = e.type == Type::kInfo      ? Severity::kNote
                         : e.type == Type::kWarning ? Severity::kWarning
                                                    : Severity::kError;

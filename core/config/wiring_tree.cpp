@@ -123,13 +123,6 @@ std::vector<std::size_t> WiringTree::group(std::size_t slave) const {
   return all;
 }
 
-std::vector<std::size_t> WiringTree::subtree(std::size_t slave) const {
-  std::vector<std::size_t> all;
-  collect(slave, all);
-  std::ranges::sort(all);
-  return all;
-}
-
 bool WiringTree::is_free(std::size_t slave, std::uint8_t port) const {
   if (port_kind(*slaves_[slave].device, port) == PortKind::kNone || at_port(slave, port)) return false;
   return port != slaves_[slave].entry;

@@ -41,8 +41,6 @@ class WiringTree {
   [[nodiscard]] std::optional<std::size_t> branches_from(std::size_t slave) const;
   /// The slave and its branches, ascending; not what continues its line.
   [[nodiscard]] std::vector<std::size_t> group(std::size_t slave) const;
-  /// The slave and all that is behind it, ascending.
-  [[nodiscard]] std::vector<std::size_t> subtree(std::size_t slave) const;
   /// A port of the slave at which nothing hangs and that is not the one towards the master.
   [[nodiscard]] bool is_free(std::size_t slave, std::uint8_t port) const;
   /// Port for the line to go on: that of next(), else the first free one like the entry.

@@ -174,8 +174,6 @@ std::string_view variant_of(const Error& error) {
 
 }  // namespace
 
-std::string_view error_name(ErrorCode code) { return name_of(code); }
-
 Finding finding_of(const Error& error) {
   const FindingWords& row = kErrors[row_of(error.code).value_or(0)];
   Finding finding{row.code, row.severity};

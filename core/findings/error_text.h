@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "support/result.h"
 
@@ -11,10 +10,8 @@ namespace syncline {
 
 struct Finding;
 
-/// Code of its row, for programs: "file-not-found", "state-refused". Each ErrorCode has one.
-[[nodiscard]] std::string_view error_name(ErrorCode code);
-
-/// The error as a finding, with the figures that its row shows. Placeholders:
+/// The error as a finding, with the figures that its row shows. Each ErrorCode has a row, whose code is for programs:
+/// "file-not-found", "state-refused". Placeholders:
 ///   {subject} {detail} {file} {expected} {received}  the fields as they are
 ///   {where}    "file:line", "file" when there is no line
 ///   {because}  ": detail", nothing when there is no detail

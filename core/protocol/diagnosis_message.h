@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "protocol/diagnosis_message_type.h"
 #include "support/result.h"
 
 namespace syncline {
 
 /// One message of the diagnosis history, object 0x10F3 from sub-index 6 on (ETG.1020, 16).
 struct DiagnosisMessage {
-  enum class Type : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
+  using Type = DiagnosisMessageType;
   struct Parameter {
     std::uint16_t flags = 0;  // bits 15..12: 0 a basic type (bits 11..0), 1 octets, 2 and 3 text; else its size
     std::vector<std::uint8_t> data;

@@ -18,7 +18,7 @@ inline constexpr int kLargest<dc::SyncObstacle> = static_cast<int>(dc::SyncObsta
 template <>
 inline constexpr int kLargest<dc::DelayWarning> = static_cast<int>(dc::DelayWarning::kUnexplainedPort);
 template <>
-inline constexpr int kLargest<DiagnosisMessage::Type> = static_cast<int>(DiagnosisMessage::Type::kError);
+inline constexpr int kLargest<DiagnosisMessageType> = static_cast<int>(DiagnosisMessageType::kError);
 template <>
 inline constexpr int kLargest<events::ReferenceClockChanged::What> =
     static_cast<int>(events::ReferenceClockChanged::What::kNoSystemTime);

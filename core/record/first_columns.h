@@ -6,6 +6,7 @@
 
 #include "support/result.h"
 #include "support/types.h"
+#include "trace/min_max_series.h"
 #include "trace/signals.h"
 
 namespace syncline {

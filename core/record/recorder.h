@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "record/recording_bounds.h"
 #include "record/recording_writer.h"
 
 namespace syncline {
@@ -20,19 +21,8 @@ namespace syncline {
 /// take its time. A commit a second; what a kill takes is at most what came since the last one.
 class Recorder {
  public:
-  struct Options {
-    std::uint64_t most_bytes = 0;                  // of the file; 0: as much as the disk has
-    Nanoseconds longest = 0;                       // of the run; 0: until the end
-    std::uint64_t keep_free_bytes = 256ULL << 20;  // of the disk: others need it, too
-    bool wait_for_disk = true;                     // false: what the disk is too slow for is lost, and counted
-    Nanoseconds commit_every = kSecond;            // of the run's time
-    bool by_clock = true;  // commits also when nothing has come for so long; not on virtual time
-  };
-  /// It ends before the run does.
-  struct Stop {
-    std::string why;
-    std::optional<Error> error;  // kFileNotWritable: the disk is full or fails; none: a bound that was asked for
-  };
+  using Options = RecordingBounds;
+  using Stop = RecordingStop;
   /// `on_stopped` is called once, in the recorder's thread. kFileNotWritable as RecordingWriter::create().
   [[nodiscard]] static Result<std::unique_ptr<Recorder>> start(const std::string& path, const RecordingAbout& about,
                                                                const Options& options,

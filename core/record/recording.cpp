@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "findings/recording_words.h"
+#include "record/run_record.h"
 #include "record/typed_values.h"
 
 namespace syncline {

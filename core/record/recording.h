@@ -7,12 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "record/run_record.h"
+#include "findings/finding.h"
+#include "record/run_limits.h"
 #include "trace/sync0_slaves.h"
 #include "trace/watch_lists.h"
 
 /// What stands in a recording besides samples: given by who records, read back as it was.
 namespace syncline {
+
+class RunRecord;
+struct NetworkConfig;
 
 struct RecordedDocument {
   std::string kind;  // "project", "configuration"; one of each

@@ -21,6 +21,7 @@
 #include "record/recording.h"
 #include "record/recording_rows.h"
 #include "record/recording_schema.h"
+#include "record/run_note.h"
 #include "sqlite/sqlite_database.h"
 
 namespace syncline {

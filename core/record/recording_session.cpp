@@ -6,6 +6,9 @@
 
 #include "channels/event.h"
 #include "record/recorded_event.h"
+#include "record/recorder.h"
+#include "record/run_note.h"
+#include "record/run_record.h"
 #include "record/trigger_document.h"
 
 namespace syncline {
@@ -21,16 +24,20 @@ void add_source(RecordingAbout& about, RecordingSource source) {
   about.documents.push_back({"configuration", "configuration.eni.xml", std::move(source.eni)});
 }
 
-Result<std::unique_ptr<RecordingSession>> RecordingSession::start(Request request,
-                                                                  std::function<void(const Recorder::Stop&)> on_stopped,
+Result<std::unique_ptr<RecordingSession>> RecordingSession::start(Request request, const RecordingAbout& about,
+                                                                  std::function<void(const RecordingStop&)> on_stopped,
                                                                   Nanoseconds begun) {
   request.bounds.by_clock = !request.virtual_time;
-  auto recorder = Recorder::start(request.path, request.about, request.bounds, std::move(on_stopped));
+  auto recorder = Recorder::start(request.path, about, request.bounds, std::move(on_stopped));
   if (!recorder) return tl::unexpected(recorder.error());
   std::unique_ptr<RecordingSession> session(new RecordingSession(begun));
   session->recorder_ = std::move(*recorder);
   return session;
 }
+
+RecordingSession::RecordingSession(Nanoseconds begun) : begun_(begun) {}
+
+RecordingSession::~RecordingSession() = default;
 
 void RecordingSession::add(std::span<const CycleSample> samples) {
   if (first_ == 0 && !samples.empty()) first_ = samples.front().send_time;
@@ -81,6 +88,12 @@ void RecordingSession::tell_triggers(const RunRecord& run, bool at_end) {
   triggers_new_ = false;
   triggers_told_ = now;
   recorder_->tell(trigger_document(run.triggers()));
+}
+
+std::uint64_t RecordingSession::lost_samples() const { return recorder_->lost_samples(); }
+
+Status RecordingSession::finish(const std::string& why, std::span<const RecordedFinding> findings) {
+  return recorder_->finish(why, findings);
 }
 
 Nanoseconds RecordingSession::duration(const RunRecord& run) const {

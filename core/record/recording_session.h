@@ -8,11 +8,21 @@
 #include <string>
 #include <vector>
 
-#include "record/recorder.h"
+#include "channels/cycle_sample.h"
+#include "record/recording_bounds.h"
+#include "record/run_limits.h"
 
 namespace syncline {
 
+class Recorder;
+class RunRecord;
 struct Event;
+struct RecordedDocument;
+struct RecordedFinding;
+struct RecordingAbout;
+struct RunNote;
+struct Snapshot;
+struct WatchedVariable;
 
 /// What a recording says of where its run comes from.
 struct RecordingSource {
@@ -31,14 +41,17 @@ class RecordingSession {
  public:
   struct Request {
     std::string path;
-    RecordingAbout about;
     bool virtual_time = false;
-    Recorder::Options bounds{};  // but `by_clock`, which follows from the clock
+    RecordingBounds bounds{};  // but `by_clock`, which follows from the clock
   };
   /// `begun`: host clock of the newest sample by now, from which on findings count where no other comes; 0: none. See
   /// Recorder::start() for `on_stopped` and for the errors.
   [[nodiscard]] static Result<std::unique_ptr<RecordingSession>> start(
-      Request request, std::function<void(const Recorder::Stop&)> on_stopped, Nanoseconds begun = 0);
+      Request request, const RecordingAbout& about, std::function<void(const RecordingStop&)> on_stopped,
+      Nanoseconds begun = 0);
+  ~RecordingSession();
+  RecordingSession(const RecordingSession&) = delete;
+  RecordingSession& operator=(const RecordingSession&) = delete;
 
   void add(std::span<const CycleSample> samples);
   void add(const Snapshot& snapshot);
@@ -64,14 +77,12 @@ class RecordingSession {
   [[nodiscard]] Nanoseconds told_from() const { return first_ != 0 ? first_ : begun_; }
   /// Of the run, in the file, by `run`'s samples.
   [[nodiscard]] Nanoseconds duration(const RunRecord& run) const;
-  [[nodiscard]] std::uint64_t lost_samples() const { return recorder_->lost_samples(); }
+  [[nodiscard]] std::uint64_t lost_samples() const;
   /// The rest is on the disk. The first error of all.
-  Status finish(const std::string& why, std::span<const RecordedFinding> findings) {
-    return recorder_->finish(why, findings);
-  }
+  Status finish(const std::string& why, std::span<const RecordedFinding> findings);
 
  private:
-  explicit RecordingSession(Nanoseconds begun) : begun_(begun) {}
+  explicit RecordingSession(Nanoseconds begun);
   void tell_standing(const RunRecord& run);
   void tell_triggers(const RunRecord& run, bool at_end);
 

@@ -12,7 +12,9 @@
 #include "channels/snapshot.h"
 #include "record/recording.h"
 #include "record/recording_rows.h"
+#include "record/run_note.h"
 #include "sqlite/sqlite_database.h"
+#include "trace/sample_store.h"
 
 namespace syncline {
 

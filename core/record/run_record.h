@@ -12,6 +12,7 @@
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "findings/finding.h"
+#include "record/run_limits.h"
 #include "record/run_note.h"
 #include "trace/kept_trigger.h"
 #include "trace/reference_times.h"
@@ -22,27 +23,6 @@
 namespace syncline {
 
 struct CycleSample;
-
-/// What the run is held against, out of the configuration that runs.
-struct RunLimits {
-  Nanoseconds cycle_time = kMillisecond;
-  std::uint32_t deviation_ns = 0;  // of the slaves: 2^n - 1; 0: not monitored
-  Nanoseconds dcm_error_ns = 0;    // of the master; 0: no master synchronisation
-  bool operator==(const RunLimits&) const = default;
-};
-[[nodiscard]] RunLimits limits_of(const NetworkConfig& config);
-[[nodiscard]] RunLimits limits_of(Nanoseconds cycle_time, const DcMasterSettings& dc);
-/// The magnitude that a signal is held against, in its unit; 0: none.
-[[nodiscard]] double limit_of(const RunLimits& limits, Signal signal);
-/// Register 0x0930 as the configuration sets it.
-[[nodiscard]] std::uint16_t speed_counter_start_of(const NetworkConfig& config);
-
-/// What of a run may change while it goes on; who records it tells what is now.
-struct RunStanding {
-  RunLimits limits;
-  std::optional<Nanoseconds> armed;  // host clock, see SyncOverview
-  bool operator==(const RunStanding&) const = default;
-};
 
 /// One run: the configuration that runs and whatever came of it, for as long as somebody looks. Owned by who runs it;
 /// plots, tables, exports and recordings read here. Not thread-safe: lives where the channels are drained.

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "channels/master_channels.h"
 #include "config/network_config.h"
 
 namespace syncline {
@@ -33,6 +34,8 @@ void RunSession::take(std::unique_ptr<BackgroundMaster> master) {
   snapshot_ = Snapshot{};
   over_ = false;
 }
+
+MasterChannels& RunSession::channels() const { return master_->channels(); }
 
 bool RunSession::send(MasterCommand command) { return channels().commands.push(std::move(command)); }
 

@@ -11,10 +11,11 @@
 #include "channels/command.h"
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
-#include "channels/master_channels.h"
 #include "channels/snapshot.h"
 
 namespace syncline {
+
+struct MasterChannels;
 
 /// What the channels of a run held since they were looked at before.
 struct RunNews {
@@ -65,7 +66,7 @@ class RunSession {
   void take(std::unique_ptr<BackgroundMaster> master);
   /// Null: there is none.
   [[nodiscard]] BackgroundMaster* master() const { return master_.get(); }
-  [[nodiscard]] MasterChannels& channels() const { return master_->channels(); }
+  [[nodiscard]] MasterChannels& channels() const;
   [[nodiscard]] bool is_virtual() const { return master_ && master_->is_virtual(); }
   /// False: nobody takes commands any more.
   [[nodiscard]] bool send(MasterCommand command);

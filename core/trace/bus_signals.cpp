@@ -235,7 +235,9 @@ constexpr auto kCycleValues = []<std::size_t... rows>(std::index_sequence<rows..
 
 }  // namespace
 
-std::span<const SignalInfo> bus_signals() { return kBusRows; }
+void put_bus_signals(SignalTable& table) {
+  for (const auto& row : kBusRows) put_signal(table, row);
+}
 
 CycleValues cycle_values(Signal signal) { return kCycleValues[static_cast<std::size_t>(signal)]; }
 

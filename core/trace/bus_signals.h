@@ -4,12 +4,12 @@
 #include <span>
 
 #include "channels/cycle_sample.h"
-#include "trace/signals.h"
+#include "trace/signal_table.h"
 
 namespace syncline {
 
-/// The rows of the bus in the table of signals.
-[[nodiscard]] std::span<const SignalInfo> bus_signals();
+/// Puts the rows of the bus into the table of signals.
+void put_bus_signals(SignalTable& table);
 
 /// What SignalInfo::of_cycle gives for each of the samples, as it is drawn; not-a-number where the cycle has none.
 /// `out` has room for as many.

@@ -29,7 +29,7 @@ struct MeaningOf {
     return fault_or_order(e.error_code != 0);
   }  // 0: none any more
   EventMeaning operator()(const events::DiagnosisTold& e) const {
-    return e.type == DiagnosisMessage::Type::kError ? kFault : kNews;
+    return e.type == DiagnosisMessageType::kError ? kFault : kNews;
   }
   EventMeaning operator()(const events::PortErrors&) const { return kFault; }
   EventMeaning operator()(const events::WatchdogExpired&) const { return kFault; }

@@ -2,19 +2,18 @@
 #include "trace/signals.h"
 
 #include <algorithm>
-#include <array>
 
 #include "trace/bus_signals.h"
+#include "trace/signal_table.h"
 #include "trace/slave_signals.h"
 
 namespace syncline {
 namespace {
 
-std::array<SignalInfo, kSignalCount> make_table() {
-  std::array<SignalInfo, kSignalCount> table{};
-  for (const auto part : {bus_signals(), slave_signals()}) {
-    for (const auto& signal : part) table[static_cast<std::size_t>(signal.id)] = signal;
-  }
+SignalTable make_table() {
+  SignalTable table{};
+  put_bus_signals(table);
+  put_slave_signals(table);
   return table;
 }
 

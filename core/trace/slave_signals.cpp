@@ -2,13 +2,11 @@
 #include "trace/slave_signals.h"
 
 #include <array>
-#include <vector>
 
 #include "channels/slave_evidence.h"
 #include "channels/slave_status.h"
 #include "channels/snapshot.h"
 #include "protocol/dc_registers.h"
-#include "trace/signals.h"
 
 namespace syncline {
 namespace {
@@ -138,7 +136,7 @@ constexpr std::array kSlaveRows{
 };
 
 template <std::size_t Port>
-void add_port(std::vector<SignalInfo>& rows) {
+void put_port(SignalTable& table) {
   // Texts that live as long as the program: the table holds views.
   static constexpr const char* kKeys[kPorts][kPortSignals] = {
       {"port0_invalid_frames", "port0_receive_errors", "port0_forwarded_errors", "port0_lost_links"},
@@ -159,25 +157,19 @@ void add_port(std::vector<SignalInfo>& rows) {
       of_port<Port, &PortErrors::invalid_frames>, of_port<Port, &PortErrors::receive_errors>,
       of_port<Port, &PortErrors::forwarded_errors>, of_port<Port, &PortErrors::lost_links>};
   for (std::size_t kind = 0; kind < kPortSignals; ++kind) {
-    rows.push_back(count(port_signal(Port, static_cast<PortSignal>(kind)), kKeys[Port][kind], kNames[Port][kind],
-                         kRegisters[Port][kind], counts[kind]));
+    put_signal(table, count(port_signal(Port, static_cast<PortSignal>(kind)), kKeys[Port][kind], kNames[Port][kind],
+                            kRegisters[Port][kind], counts[kind]));
   }
-}
-
-std::vector<SignalInfo> make_rows() {
-  std::vector<SignalInfo> rows(kSlaveRows.begin(), kSlaveRows.end());
-  add_port<0>(rows);
-  add_port<1>(rows);
-  add_port<2>(rows);
-  add_port<3>(rows);
-  return rows;
 }
 
 }  // namespace
 
-std::span<const SignalInfo> slave_signals() {
-  static const auto kAll = make_rows();
-  return kAll;
+void put_slave_signals(SignalTable& table) {
+  for (const auto& row : kSlaveRows) put_signal(table, row);
+  put_port<0>(table);
+  put_port<1>(table);
+  put_port<2>(table);
+  put_port<3>(table);
 }
 
 }  // namespace syncline

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
+#include "trace/signal_table.h"
 
 namespace syncline {
 
-struct SignalInfo;
-
-/// The rows of each slave in the table of signals.
-[[nodiscard]] std::span<const SignalInfo> slave_signals();
+/// Puts the rows of each slave into the table of signals.
+void put_slave_signals(SignalTable& table);
 
 }  // namespace syncline

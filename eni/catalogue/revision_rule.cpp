@@ -46,8 +46,6 @@ const Rule* find_rule(std::string_view name) {
 
 }  // namespace
 
-bool is_revision_rule(std::string_view rule) { return find_rule(rule) != nullptr; }
-
 bool revision_fits(std::string_view rule, std::uint32_t esi_revision, std::uint32_t scanned_revision) {
   const auto* const known = find_rule(rule);
   return known != nullptr && known->fits(esi_revision, scanned_revision);

@@ -9,9 +9,8 @@
 /// the low and the high word of the revision number, G is "greater".
 namespace syncline::eni {
 
-/// NONE, EQ, EQ_OR_G, LW_EQ, LW_EQ_HW_EQ_OR_G, HW_EQ, HW_EQ_LW_EQ_OR_G.
-[[nodiscard]] bool is_revision_rule(std::string_view rule);
-/// False for a rule that is not known: nobody said that such a device may stand in.
+/// `rule`: NONE, EQ, EQ_OR_G, LW_EQ, LW_EQ_HW_EQ_OR_G, HW_EQ, HW_EQ_LW_EQ_OR_G. False for a rule that is not known:
+/// nobody said that such a device may stand in.
 [[nodiscard]] bool revision_fits(std::string_view rule, std::uint32_t esi_revision, std::uint32_t scanned_revision);
 /// "the revision or a newer one"; empty for a rule that is not known.
 [[nodiscard]] std::string revision_rule_words(std::string_view rule);

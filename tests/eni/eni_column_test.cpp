@@ -14,6 +14,7 @@
 #include "settings/settings_keys.h"
 #include "settings/settings_table.h"
 #include "tests/support/eni_effect.h"
+#include "tests/support/own_devices.h"
 #include "tests/support/random_project.h"
 #include "tests/support/sample_devices.h"
 

@@ -11,7 +11,7 @@
 #include "sim/sim_bus.h"
 #include "support/byte_order.h"
 #include "support/clock.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 
 namespace syncline::fuzz {
 namespace {

@@ -15,7 +15,7 @@
 #include "sim/sim_bus.h"
 #include "support/clock.h"
 #include "support/simulated_network.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 
 namespace syncline {
 namespace {

@@ -4,7 +4,7 @@
 #include "protocol/al_state.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 #include "tests/support/small_machines.h"
 
 namespace syncline {

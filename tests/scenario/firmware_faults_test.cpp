@@ -10,7 +10,7 @@
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 
 namespace syncline {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "support/random.h"
 #include "tests/scenario/machine_run.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 #include "tests/support/small_machines.h"
 
 namespace syncline {

@@ -6,7 +6,7 @@
 #include "channels/sm2_missed_status.h"
 #include "channels/snapshot.h"
 #include "master/master_service.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {

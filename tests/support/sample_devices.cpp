@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "eni/esi/esi_reader.h"
-#include "tests/support/source_dir.h"
-
 namespace syncline::sample {
 
 Pdo pdo(std::uint16_t index, std::string name, std::optional<std::uint8_t> manager, std::vector<PdoEntry> entries) {
@@ -137,10 +134,5 @@ Project project(std::vector<DeviceDescription> devices) {
 }
 
 Project small_machine() { return project({coupler(), digital_input(), digital_output(), servo()}); }
-
-DeviceDescription own(const std::string& type) {
-  const auto file = eni::read_esi(test::source_dir() + "/resources/esi/" + type + ".xml");
-  return file && !file->devices.empty() ? file->devices.front() : DeviceDescription{};
-}
 
 }  // namespace syncline::sample

@@ -35,7 +35,4 @@ namespace syncline::sample {
 /// Coupler, digital input, digital output, servo.
 [[nodiscard]] Project small_machine();
 
-/// The first device of resources/esi/TYPE.xml; an empty description where the file cannot be read.
-[[nodiscard]] DeviceDescription own(const std::string& type);
-
 }  // namespace syncline::sample

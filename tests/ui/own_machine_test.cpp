@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "support/ui_test_support.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/own_devices.h"
 #include "ui/dialogs/link_chooser.h"
 #include "ui/main_window.h"
 #include "ui/session/workspace.h"

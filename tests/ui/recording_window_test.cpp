@@ -72,7 +72,7 @@ class RecordingWindow : public testing::Test {
   }
   void advance(int seconds) {
     for (int i = 0; i < seconds * 10; ++i) workspace_.live().advance(100 * kMillisecond);
-    workspace_.runFindings().refresh();
+    workspace_.runs().current().findings.refresh();
   }
   void goOffline() {
     workspace_.live().goOffline();

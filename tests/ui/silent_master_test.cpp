@@ -14,6 +14,7 @@
 #include <mutex>
 #include <vector>
 
+#include "channels/master_channels.h"
 #include "compile/compile.h"
 #include "engine/background_master.h"
 #include "link/link.h"

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <algorithm>
 
+#include "record/import_run.h"
 #include "ui/dialogs/black_box_dialog.h"
 #include "ui/dialogs/commissioning_dialog.h"
 #include "ui/dialogs/error_dialog.h"

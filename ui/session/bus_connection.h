@@ -15,9 +15,12 @@
 #include "channels/values/bus_scan.h"
 #include "compare/compare_configs.h"
 #include "config/project.h"
-#include "record/import_run.h"
 #include "support/result.h"
 #include "ui/session/eeprom_repair.h"
+
+namespace syncline {
+struct ImportedRun;
+}  // namespace syncline
 
 namespace syncline::ui {
 

@@ -8,6 +8,9 @@
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
 #include "reasons/because.h"
+#include "record/recent_run.h"
+#include "record/recording_session.h"
+#include "record/run_record.h"
 #include "record/trigger_document.h"
 #include "ui/files/held_file.h"
 #include "ui/session/network_run.h"
@@ -97,14 +100,12 @@ Status DiskRecording::start(const QString& path) {
     return fail(ErrorCode::kFileNotWritable, {}, because("no machine runs: go online first"));
   const int number = number_ + 1;
   const auto& run = *run_.record();
-  const auto stopped = [this, number](const Recorder::Stop& stop) {
+  const auto stopped = [this, number](const RecordingStop& stop) {
     post(*this, [this, number, stop] { onStopped(number, stop); });
   };
-  auto session = RecordingSession::start({.path = path.toStdString(),
-                                          .about = about(),
-                                          .virtual_time = run_.isVirtual(),
-                                          .bounds = {.wait_for_disk = run_.isVirtual()}},
-                                         stopped, run.samples().empty() ? 0 : run.samples().last_time());
+  auto session = RecordingSession::start(
+      {.path = path.toStdString(), .virtual_time = run_.isVirtual(), .bounds = {.wait_for_disk = run_.isVirtual()}},
+      about(), stopped, run.samples().empty() ? 0 : run.samples().last_time());
   if (!session) return tl::unexpected(session.error());
   session_ = std::move(*session);
   number_ = number;
@@ -116,7 +117,7 @@ Status DiskRecording::start(const QString& path) {
 }
 
 /// The recorder has ended by itself; by now it may be another one that records.
-void DiskRecording::onStopped(int number, const Recorder::Stop& stop) {
+void DiskRecording::onStopped(int number, const RecordingStop& stop) {
   if (session_ != nullptr && number == number_) this->stop();
   if (const auto ending = ending_.find(number); ending != ending_.end()) ending->second.stop = stop;
 }
@@ -166,6 +167,8 @@ Nanoseconds DiskRecording::duration() const {
 qint64 DiskRecording::bytes() const {
   return path_.isEmpty() ? 0 : QFileInfo(path_).size() + QFileInfo(path_ + QStringLiteral("-wal")).size();
 }
+
+std::uint64_t DiskRecording::lostSamples() const { return session_ ? session_->lost_samples() : 0; }
 
 Nanoseconds DiskRecording::memoryReach() const {
   return run_.record() == nullptr ? 0 : recent_.reach(run_.record()->limits().cycle_time);

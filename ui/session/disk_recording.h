@@ -10,10 +10,16 @@
 
 #include "config/monitor_view.h"
 #include "reasons/because.h"
-#include "record/recent_run.h"
-#include "record/recording_session.h"
+#include "record/recent_samples.h"
+#include "record/recording_bounds.h"
 #include "support/result.h"
 #include "ui/files/held_file.h"
+
+namespace syncline {
+class RecordingSession;
+struct RecordedDocument;
+struct RecordingAbout;
+}  // namespace syncline
 
 namespace syncline::ui {
 
@@ -50,7 +56,7 @@ class DiskRecording final : public QObject {
   /// Of the run, in the file.
   [[nodiscard]] Nanoseconds duration() const;
   [[nodiscard]] qint64 bytes() const;
-  [[nodiscard]] std::uint64_t lostSamples() const { return session_ ? session_->lost_samples() : 0; }
+  [[nodiscard]] std::uint64_t lostSamples() const;
 
   /// How far back the memory reaches, and how far the budget lets it.
   [[nodiscard]] Nanoseconds remembered() const { return recent_.span(); }
@@ -80,12 +86,12 @@ class DiskRecording final : public QObject {
   /// One that was stopped, until the disk has it.
   struct Ending {
     QString path;
-    std::optional<Recorder::Stop> stop;  // why it ended by itself
+    std::optional<RecordingStop> stop;  // why it ended by itself
     std::thread thread;
   };
   [[nodiscard]] RecordedDocument project() const;
   void connectRun();
-  void onStopped(int number, const Recorder::Stop& stop);
+  void onStopped(int number, const RecordingStop& stop);
   void onFinished(int number, const Status& status);
 
   NetworkRun& run_;

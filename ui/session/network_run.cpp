@@ -5,7 +5,9 @@
 #include <thread>
 #include <utility>
 
+#include "channels/master_channels.h"
 #include "reasons/because.h"
+#include "record/run_record.h"
 
 namespace syncline::ui {
 namespace {
@@ -15,6 +17,12 @@ constexpr std::chrono::milliseconds kTickInterval{33};
 constexpr std::chrono::milliseconds kLastWait{300};
 
 }  // namespace
+
+/// Given to the master, who has not answered yet.
+struct NetworkRun::Applying {
+  CommandId id = 0;
+  RunOrigin origin;
+};
 
 NetworkRun::NetworkRun(MasterOpener opener, QObject* parent) : QObject(parent), opener_(std::move(opener)) {
   tick_.setInterval(kTickInterval);
@@ -92,7 +100,7 @@ void NetworkRun::apply(RunOrigin origin) {
   if (!session_.master() || applying_) return;
   const auto id = session_.channels().commands.ask(ConfigureDcmCommand{origin.project.master.dc.dcm});
   if (!id) return tellDeaf();
-  applying_ = {*id, std::move(origin)};
+  applying_ = std::make_unique<Applying>(Applying{*id, std::move(origin)});
   Q_EMIT applyingChanged();
 }
 

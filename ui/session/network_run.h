@@ -11,7 +11,7 @@
 #include "channels/image_contents.h"
 #include "config/network_config.h"
 #include "config/project.h"
-#include "record/run_record.h"
+#include "record/run_note.h"
 #include "record/run_session.h"
 #include "support/result.h"
 #include "ui/session/bus_connection.h"
@@ -19,6 +19,8 @@
 
 namespace syncline {
 class FrameRing;
+class RunRecord;
+struct KeptTrigger;
 class RequestDesk;
 }  // namespace syncline
 
@@ -65,7 +67,7 @@ class NetworkRun final : public QObject {
   /// under way.
   void apply(RunOrigin origin);
   /// Given to the master, who has not answered yet.
-  [[nodiscard]] bool applying() const { return applying_.has_value(); }
+  [[nodiscard]] bool applying() const { return applying_ != nullptr; }
 
   /// What stands in the process image now, at most 0.1 s old; null when nothing runs. Valid until the next call.
   [[nodiscard]] const ImageContents* image();
@@ -118,10 +120,7 @@ class NetworkRun final : public QObject {
   void drained();
 
  private:
-  struct Applying {
-    CommandId id = 0;
-    RunOrigin origin;
-  };
+  struct Applying;
   void send(MasterCommand command);
   void tellDeaf();
   void tick();
@@ -138,7 +137,7 @@ class NetworkRun final : public QObject {
   bool auto_advance_ = true;
   QString link_;
   RunOrigin origin_;
-  std::optional<Applying> applying_;
+  std::unique_ptr<Applying> applying_;
   std::unique_ptr<RunRecord> record_;
   std::vector<VariableName> watched_;
   ImageContents image_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/session/project_document.h"
 #include "ui/text/link_text.h"
 

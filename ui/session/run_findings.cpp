@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/session/network_run.h"
 
 namespace syncline::ui {

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/session/live_session.h"
 #include "ui/session/project_document.h"
 

@@ -63,7 +63,6 @@ class Workspace final : public QObject {
   /// What the user begins projects with.
   [[nodiscard]] TemplateStore& templates() { return templates_; }
   [[nodiscard]] WindowMemory& memory() { return memory_; }
-  [[nodiscard]] RunFindings& runFindings() { return runs_.current().findings; }
   /// What is kept on disk of the run of the network in work.
   [[nodiscard]] DiskRecording& disk() { return runs_.current().disk; }
   /// A recording that is shown in place of the live run, while nothing runs.

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "config/identity.h"
-#include "protocol/diagnosis_message.h"
+#include "protocol/diagnosis_message_type.h"
 
 /// What slaves tell of themselves, by mailbox and by their counters, and what is seen of cables.
 namespace syncline::events {
@@ -21,7 +21,7 @@ struct Emergency {
 /// New in its history 0x10F3.
 struct DiagnosisTold {
   std::uint32_t code = 0;
-  DiagnosisMessage::Type type = DiagnosisMessage::Type::kInfo;
+  DiagnosisMessageType type = DiagnosisMessageType::kInfo;
   std::uint16_t text_id = 0;     // of the ESI's DiagMessages, 0: none
   std::uint64_t time_stamp = 0;  // ns: DC system time, or since power-on; 0: none
 };

@@ -200,12 +200,4 @@ std::vector<SlaveWiring> find_wiring(std::span<const PortReport> slaves) {
   return EntrySearch(slaves, std::move(entries)).run();
 }
 
-std::vector<std::optional<PreviousPort>> find_topology(std::span<const DlStatus> slaves) {
-  std::vector<PortReport> reports;
-  for (const auto& status : slaves) reports.push_back({status, {}});
-  std::vector<std::optional<PreviousPort>> previous;
-  for (const auto& wiring : find_wiring(reports)) previous.push_back(wiring.previous);
-  return previous;
-}
-
 }  // namespace syncline

@@ -12,11 +12,6 @@
 
 namespace syncline {
 
-/// Predecessor and its port for every slave, from the DL status of all slaves in frame order: frames
-/// leave a slave by its open ports in the order 3, 1, 2. Every slave is taken as connected by its port 0.
-/// Empty for the first slave and where the open ports do not explain the position. Pure.
-[[nodiscard]] std::vector<std::optional<PreviousPort>> find_topology(std::span<const DlStatus> slaves);
-
 /// What one slave says about its ports.
 struct PortReport {
   DlStatus dl_status;
@@ -38,7 +33,8 @@ struct SlaveWiring {
 /// (counters wrap; differences are small). Without receive times port 0, or the first open one where that is closed.
 [[nodiscard]] std::uint8_t entry_port(const PortReport& slave);
 
-/// The whole tree, for slaves in the order in which frames pass their processing units. A slave that is
+/// The whole tree, for slaves in the order in which frames pass their processing units: frames leave a slave by its
+/// open ports in the order 3, 1, 2. No predecessor where the open ports do not explain the position. A slave that is
 /// connected by another port than 0 forwards before it processes, so slaves behind its ports between the
 /// entry and port 0 come before it. Where the order does not fit, the entries of slaves without receive times are taken
 /// as what explains most. Pure.

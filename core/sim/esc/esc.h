@@ -349,15 +349,16 @@ class Esc {
   SyncManagers managers_;
   std::array<FramePlan, FramePlan::kPlaces> plans_{};
 
-  AlRegisters al_;
-  EventRequests requests_;
-  StationAddresses addresses_;
   SiiInterface sii_;
   PdiWatchdog pdi_watchdog_;
+  AlRegisters al_;
+  FramePlanner planner_;
+  // Of every frame that must be executed, and therefore together, too:
+  FmmuUnit fmmus_;
+  StationAddresses addresses_;
+  EventRequests requests_;
   WriteProtection protection_;
   ResetSequence reset_;
-  FmmuUnit fmmus_;
-  FramePlanner planner_;
   Listener* listener_ = nullptr;
   std::uint64_t own_changes_ = 0, *changes_ = &own_changes_;  // of the settings; here or of a whole bus
   std::uint64_t* event_changes_ = &own_changes_;              // of the ECAT event request, likewise

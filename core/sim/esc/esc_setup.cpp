@@ -38,15 +38,15 @@ Esc::Esc(const SimSlaveConfig& config, std::vector<std::uint8_t> sii, const Opti
       dc_(config.oscillator, config.dc, power_on, seed, memory_),
       watchdog_(memory_),
       managers_(memory_, options.sync_manager_count),
-      al_(memory_),
-      requests_(memory_),
-      addresses_(memory_),
       sii_(std::move(sii), config.sii, memory_),
       pdi_watchdog_(memory_),
-      protection_(memory_),
-      reset_(memory_),
+      al_(memory_),
+      planner_(memory_, managers_, fmmus_, protection_, addresses_, options.logical_read_write),
       fmmus_(memory_, managers_, protection_, dc_, options.fmmu_count),
-      planner_(memory_, managers_, fmmus_, protection_, addresses_, options.logical_read_write) {
+      addresses_(memory_),
+      requests_(memory_),
+      protection_(memory_),
+      reset_(memory_) {
   implement_registers();
   load_configuration();
   std::uint16_t features = 0;  // FMMUs map bits

@@ -19,7 +19,7 @@ namespace syncline::sim {
 class SyncManagers {
  public:
   SyncManagers(EscMemory& memory, unsigned count)
-      : buffers_(memory, count), memory_(memory), managers_(count), pending_(count) {}
+      : memory_(memory), managers_(count), pending_(count), buffers_(memory, count) {}
 
   void implement_registers();
 
@@ -97,18 +97,17 @@ class SyncManagers {
   [[nodiscard]] bool each_allows(std::uint32_t address, std::size_t length, bool write) const;
   [[gnu::noinline]] void open_pending(std::uint32_t address, std::size_t length);
 
-  // Of every frame first.
-  ThreeBuffers buffers_;
-  std::uint32_t begun_ = 0;  // a transfer has touched its first byte and not yet its last; lasts over frames
-  std::uint32_t written_ = 0, read_ = 0;
-  std::uint32_t begin_ = 0;
-  bool stale_ = true, any_pending_ = false;
-
   EscMemory& memory_;
   std::vector<SyncManager> managers_;
   std::vector<std::uint8_t> active_;
-  std::uint32_t mailboxes_ = 0;
   std::vector<std::vector<std::uint8_t>> pending_;  // of each, not yet shown; empty: nothing
+  std::uint32_t mailboxes_ = 0;
+  std::uint32_t written_ = 0, read_ = 0;
+  std::uint32_t begin_ = 0;
+  bool stale_ = true, any_pending_ = false;
+  // Of every frame, and therefore last: an ESC has the plans of its frames behind this.
+  ThreeBuffers buffers_;
+  std::uint32_t begun_ = 0;  // a transfer has touched its first byte and not yet its last; lasts over frames
 };
 
 }  // namespace syncline::sim

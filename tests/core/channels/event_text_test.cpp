@@ -7,6 +7,7 @@
 #include "channels/event_finding.h"
 #include "channels/event_name.h"
 #include "findings/finding.h"
+#include "protocol/diagnosis_message.h"
 #include "tests/support/every_event.h"
 
 namespace syncline {

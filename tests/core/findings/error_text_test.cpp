@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 #include <utility>
 
@@ -20,10 +21,13 @@ using testing::HasSubstr;
 Reason others(std::string text) { return Reason::verbatim(std::move(text)); }
 
 TEST(ErrorText, EveryCodeHasARowWhosePlaceholdersAreKnown) {
+  std::set<std::string> codes;
   for (int i = 0; i <= static_cast<int>(ErrorCode::kCatalogue); ++i) {
-    EXPECT_NE(find_finding_words(error_name(static_cast<ErrorCode>(i))), nullptr) << i;
     Error error;
     error.code = static_cast<ErrorCode>(i);
+    const auto code = finding_of(error).code;
+    EXPECT_NE(find_finding_words(code), nullptr) << i;
+    EXPECT_TRUE(codes.insert(std::string(code)).second) << code << " is the row of another one, too";
     error.subject = "SUBJECT";
     error.detail = others("DETAIL");
     error.file = "FILE";

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "config/network_config.h"
 #include "record/recording_writer.h"
 #include "record/sample_columns.h"
 #include "tests/core/record/made_samples.h"

@@ -6,10 +6,12 @@
 
 #include <memory>
 
+#include "channels/event.h"
 #include "config/network_config.h"
 #include "made_samples.h"
 #include "record/recorded_event.h"
 #include "record/recording_reader.h"
+#include "record/run_record.h"
 #include "record/trigger_document.h"
 #include "tests/support/temporary_folder.h"
 
@@ -25,7 +27,7 @@ class RecordedRun : public testing::Test {
   std::unique_ptr<RecordingSession> start(Nanoseconds begun = 0) {
     auto about = about_run(*record_);
     add_source(about, {"test 1", "sim:demo", "m.syncline", "the project", "<the ENI/>"});
-    auto session = RecordingSession::start({.path = path(), .about = about, .virtual_time = true}, {}, begun);
+    auto session = RecordingSession::start({.path = path(), .virtual_time = true}, about, {}, begun);
     EXPECT_TRUE(session) << session.error().detail.text();
     return std::move(*session);
   }
@@ -113,7 +115,7 @@ TEST_F(RecordedRun, TellsWhatTriggersFoundAtItsEndAtTheLatest) {
 TEST_F(RecordedRun, IsNoneWhereThereIsAFileAlready) {
   auto session = start();
   ASSERT_TRUE(session->finish("end of the run", {}));
-  const auto second = RecordingSession::start({.path = path(), .about = about_run(*record_)}, {});
+  const auto second = RecordingSession::start({.path = path()}, about_run(*record_), {});
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().code, ErrorCode::kFileNotWritable);
 }

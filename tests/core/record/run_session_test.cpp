@@ -8,6 +8,7 @@
 #include <string>
 
 #include "channels/background_master.h"
+#include "channels/master_channels.h"
 #include "config/network_config.h"
 
 namespace syncline {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "channels/cycle_sample.h"
+#include "channels/event.h"
 #include "config/cyclic_frame.h"
 #include "config/frame_time.h"
 #include "config/network_config.h"

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "channels/event.h"
 #include "channels/snapshot.h"
 #include "support/random.h"
 #include "trace/bus_signals.h"
