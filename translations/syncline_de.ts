@@ -3877,7 +3877,7 @@ Einstellung %2</translation>
         </message>
         <message>
             <source>none in the range shown</source>
-            <translation>keine im Bereich</translation>
+            <translation>keine</translation>
         </message>
         <message>
             <source>%1: %2/s</source>
@@ -4583,6 +4583,78 @@ Einstellung %2</translation>
 </context>
 <context>
     <name>Setting</name>
+    <message>
+        <source>VoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>VoE-Nachricht, die bei diesen Übergängen gesendet wird, K zählt ab 0; die Nummer hinter der letzten fügt eine an.</translation>
+    </message>
+    <message>
+        <source>VoE start-up message</source>
+        <translation>VoE-Startnachricht</translation>
+    </message>
+    <message>
+        <source>FoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>FoE-Nachricht, die bei diesen Übergängen gesendet wird, K zählt ab 0; die Nummer hinter der letzten fügt eine an.</translation>
+    </message>
+    <message>
+        <source>FoE start-up message</source>
+        <translation>FoE-Startnachricht</translation>
+    </message>
+    <message>
+        <source>EoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>EoE-Nachricht, die bei diesen Übergängen gesendet wird, K zählt ab 0; die Nummer hinter der letzten fügt eine an.</translation>
+    </message>
+    <message>
+        <source>EoE start-up message</source>
+        <translation>EoE-Startnachricht</translation>
+    </message>
+    <message>
+        <source>AoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>AoE-Nachricht, die bei diesen Übergängen gesendet wird, K zählt ab 0; die Nummer hinter der letzten fügt eine an.</translation>
+    </message>
+    <message>
+        <source>AoE start-up message</source>
+        <translation>AoE-Startnachricht</translation>
+    </message>
+    <message>
+        <source>TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [# comment]; nothing removes it</source>
+        <translation>TRANSITIONS write REGISTER=HEX oder read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [# Kommentar]; nichts entfernt es</translation>
+    </message>
+    <message>
+        <source>TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [after] [# comment]; nothing removes it</source>
+        <translation>TRANSITIONS write REGISTER=HEX oder read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [after] [# Kommentar]; nichts entfernt es</translation>
+    </message>
+    <message>
+        <source>TRANSITIONS data=HEX [fixed] [off] [timeout=MS] [# comment]; nothing removes it</source>
+        <translation>TRANSITIONS data=HEX [fixed] [off] [timeout=MS] [# Kommentar]; nichts entfernt es</translation>
+    </message>
+    <message>
+        <source>Added to the SYNC0 shift of slaves that are based on the input reference.</source>
+        <translation>Kommt zur SYNC0-Verschiebung der Slaves, die auf die Eingangsreferenz bezogen sind.</translation>
+    </message>
+    <message>
+        <source>The input shift of the master is added to the shift of SYNC0, so that inputs are latched for the next frame; auto as in the ESI.</source>
+        <translation>Zur Verschiebung von SYNC0 kommt die Eingangsverschiebung des Masters, sodass Eingänge für den nächsten Frame erfasst werden; auto wie in der ESI.</translation>
+    </message>
+    <message>
+        <source>Input reference</source>
+        <translation>Eingangsreferenz</translation>
+    </message>
+    <message>
+        <source>Register of all slaves that is written or read at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>Register aller Slaves, das bei diesen Übergängen geschrieben oder gelesen wird, K zählt ab 0; die Nummer hinter der letzten fügt eines an.</translation>
+    </message>
+    <message>
+        <source>Register command of the master</source>
+        <translation>Registerkommando des Masters</translation>
+    </message>
+    <message>
+        <source>Register of the slave that is written or read at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>Register des Slaves, das bei diesen Übergängen geschrieben oder gelesen wird, K zählt ab 0; die Nummer hinter der letzten fügt eines an.</translation>
+    </message>
+    <message>
+        <source>Register command</source>
+        <translation>Registerkommando</translation>
+    </message>
         <message>
             <source>Name</source>
             <translation>Name</translation>
@@ -5806,6 +5878,130 @@ Einstellung %2</translation>
 </context>
 <context>
     <name>SlaveStartupPage</name>
+    <message>
+        <source>Behind the slaves' commands of the transition instead of before them (ENI InitCmd/BeforeSlave)</source>
+        <translation>Hinter den Kommandos der Slaves bei diesem Übergang statt davor (ENI InitCmd/BeforeSlave)</translation>
+    </message>
+    <message>
+        <source>After the slaves</source>
+        <translation>Nach den Slaves</translation>
+    </message>
+    <message>
+        <source>Bits of the expected value that count, in hexadecimal; empty: all (ENI Validate/DataMask)</source>
+        <translation>Bits des erwarteten Werts, die zählen, hexadezimal; leer: alle (ENI Validate/DataMask)</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>What a read has to bring, in hexadecimal; empty: anything (ENI Validate/Data)</source>
+        <translation>Was gelesen werden muss, hexadezimal; leer: beliebig (ENI Validate/Data)</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Write: bytes in hexadecimal, in the order of the wire; read: how many bytes (ENI InitCmd/Data)</source>
+        <translation>Schreiben: Bytes hexadezimal, in der Reihenfolge der Leitung; Lesen: wie viele Bytes (ENI InitCmd/Data)</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Byte address in the ESC: 0x09A8 (ENI InitCmd/Ado)</source>
+        <translation>Byteadresse im ESC: 0x09A8 (ENI InitCmd/Ado)</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Off: the command stays in the project and is not in the ENI</source>
+        <translation>Aus: das Kommando bleibt im Projekt und ist nicht in der ENI</translation>
+    </message>
+    <message>
+        <source>Written or read; of a slave by its station address, of the master to all slaves (ENI InitCmd/Cmd)</source>
+        <translation>Schreiben oder lesen; bei einem Slave über seine Stationsadresse, beim Master an alle Slaves (ENI InitCmd/Cmd)</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>ms for the expected value to come (ENI Validate/Timeout)</source>
+        <translation>ms, bis der erwartete Wert da ist (ENI Validate/Timeout)</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Binnen</translation>
+    </message>
+    <message>
+        <source>a write has at least one byte</source>
+        <translation>geschrieben wird mindestens ein Byte</translation>
+    </message>
+    <message>
+        <source>a read takes 1 to %1 bytes</source>
+        <translation>gelesen werden 1 bis %1 Bytes</translation>
+    </message>
+    <message>
+        <source>"%1" is no register like 0x09A8</source>
+        <translation>„%1“ ist kein Register wie 0x09A8</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Nachricht</translation>
+    </message>
+    <message>
+        <source>What follows the mailbox header, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>Was auf den Mailbox-Kopf folgt, hexadezimal, in der Reihenfolge der Leitung (ENI InitCmd/Data)</translation>
+    </message>
+    <message>
+        <source>FoE request, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>FoE-Anfrage, hexadezimal, in der Reihenfolge der Leitung (ENI InitCmd/Data)</translation>
+    </message>
+    <message>
+        <source>EoE header and data, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>EoE-Kopf und Daten, hexadezimal, in der Reihenfolge der Leitung (ENI InitCmd/Data)</translation>
+    </message>
+    <message>
+        <source>AoE header and data, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>AoE-Kopf und Daten, hexadezimal, in der Reihenfolge der Leitung (ENI InitCmd/Data)</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigenes</translation>
+    </message>
+    <message>
+        <source>ESI</source>
+        <translation>ESI</translation>
+    </message>
+    <message>
+        <source>ESI: as the device's description has it; own: added or changed here</source>
+        <translation>ESI: wie die Gerätebeschreibung es hat; eigenes: hier hinzugefügt oder geändert</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>start-up message</source>
+        <translation>Startnachricht</translation>
+    </message>
+    <message>
+        <source>Messages (%1)</source>
+        <translation>Nachrichten (%1)</translation>
+    </message>
         <message>
             <source>INIT to PREOP</source>
             <translation>INIT nach PREOP</translation>
@@ -6445,6 +6641,10 @@ Einstellung %2</translation>
 </context>
 <context>
     <name>RecordEditor</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
         <message>
             <source>Selected</source>
             <translation>Gewählt</translation>
@@ -10447,6 +10647,33 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 </context>
 <context>
     <name>InitCommandsPage</name>
+    <message numerus="yes">
+        <source>%n command(s), in the order of the ENI. Those of mailboxes are set on the page Start-up of a slave, those of registers below.</source>
+        <translation>
+            <numerusform>%n Kommando, in der Reihenfolge der ENI. Die der Mailboxen stehen auf der Seite Start eines Slaves, die der Register unten.</numerusform>
+            <numerusform>%n Kommandos, in der Reihenfolge der ENI. Die der Mailboxen stehen auf der Seite Start eines Slaves, die der Register unten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>register command</source>
+        <translation>Registerkommando</translation>
+    </message>
+    <message>
+        <source>Own register commands to all slaves</source>
+        <translation>Eigene Registerkommandos an alle Slaves</translation>
+    </message>
+    <message>
+        <source>Own register commands</source>
+        <translation>Eigene Registerkommandos</translation>
+    </message>
+    <message>
+        <source>None: the commands above are all.</source>
+        <translation>Keine: die Kommandos oben sind alle.</translation>
+    </message>
+    <message>
+        <source>Own, below</source>
+        <translation>Eigenes, unten</translation>
+    </message>
         <message numerus="yes">
             <source>%n zero byte(s)</source>
             <translation>
@@ -10459,13 +10686,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>
                 <numerusform>%n Wiederholung</numerusform>
                 <numerusform>%n Wiederholungen</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up.</source>
-            <translation>
-                <numerusform>%n Kommando, in der Reihenfolge der ENI. Eigene werden auf der Seite Start hinzugefügt.</numerusform>
-                <numerusform>%n Kommandos, in der Reihenfolge der ENI. Eigene werden auf der Seite Start hinzugefügt.</numerusform>
             </translation>
         </message>
         <message>
@@ -10583,13 +10803,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Settings</source>
             <translation>Einstellungen</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up of a slave.</source>
-            <translation>
-                <numerusform>%n Kommando, in der Reihenfolge der ENI. Eigene werden auf der Seite Start eines Slaves hinzugefügt.</numerusform>
-                <numerusform>%n Kommandos, in der Reihenfolge der ENI. Eigene werden auf der Seite Start eines Slaves hinzugefügt.</numerusform>
-            </translation>
         </message>
 </context>
 <context>
@@ -12092,6 +12305,22 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 </context>
 <context>
     <name>TimingDiagram</name>
+    <message>
+        <source>Each frame reads the times of latched edges (0x09AE to 0x09CF).</source>
+        <translation>Jeder Frame liest die Zeiten der erfassten Flanken (0x09AE bis 0x09CF).</translation>
+    </message>
+    <message>
+        <source>The latch takes one edge until its time is read (0x09A8).</source>
+        <translation>Das Latch nimmt eine Flanke auf, bis deren Zeit gelesen ist (0x09A8).</translation>
+    </message>
+    <message>
+        <source>The device's own controller has the latch unit (0x09A8).</source>
+        <translation>Der Controller des Geräts hat die Latch-Einheit (0x09A8).</translation>
+    </message>
+    <message>
+        <source>Latch</source>
+        <translation>Latch</translation>
+    </message>
         <message>
             <source>Without SYNC0 the device works when its outputs come.</source>
             <translation>Ohne SYNC0 arbeitet das Gerät, wenn seine Ausgänge kommen.</translation>
@@ -12193,5 +12422,80 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>by the host's clock</source>
             <translation>nach der Uhr des Hosts</translation>
         </message>
+</context>
+<context>
+    <name>ImportDialog</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Import a Capture</source>
+        <translation>Mitschnitt importieren</translation>
+    </message>
+    <message>
+        <source>Times count from the first frame of %1.</source>
+        <translation>Zeiten zählen ab dem ersten Frame von %1.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>end of the file</source>
+        <translation>Ende der Datei</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>all frames</source>
+        <translation>alle Frames</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> Frames</translation>
+    </message>
+    <message>
+        <source>Limit of the slaves' deviation</source>
+        <translation>Grenze der Abweichung der Slaves</translation>
+    </message>
+    <message>
+        <source>Limit of the master's error</source>
+        <translation>Grenze des Fehlers des Masters</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>&amp;Until</source>
+        <translation>&amp;Bis</translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation>&amp;Höchstens</translation>
+    </message>
+    <message>
+        <source>Limit of the slaves' &amp;deviation</source>
+        <translation>Grenze der &amp;Abweichung der Slaves</translation>
+    </message>
+    <message>
+        <source>Limit of the master's &amp;error</source>
+        <translation>Grenze des &amp;Fehlers des Masters</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>The end comes before the begin.</source>
+        <translation>Das Ende liegt vor dem Anfang.</translation>
+    </message>
 </context>
 </TS>

@@ -501,6 +501,13 @@
 </context>
 <context>
     <name>InitCommandsPage</name>
+    <message numerus="yes">
+        <source>%n command(s), in the order of the ENI. Those of mailboxes are set on the page Start-up of a slave, those of registers below.</source>
+        <translation>
+            <numerusform>%n command, in the order of the ENI. Those of mailboxes are set on the page Start-up of a slave, those of registers below.</numerusform>
+            <numerusform>%n commands, in the order of the ENI. Those of mailboxes are set on the page Start-up of a slave, those of registers below.</numerusform>
+        </translation>
+    </message>
         <message numerus="yes">
             <source>%n zero byte(s)</source>
             <translation>
@@ -513,20 +520,6 @@
             <translation>
                 <numerusform>%n repeat</numerusform>
                 <numerusform>%n repeats</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up.</source>
-            <translation>
-                <numerusform>%n command, in the order of the ENI. Own ones are added on the page Start-up.</numerusform>
-                <numerusform>%n commands, in the order of the ENI. Own ones are added on the page Start-up.</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up of a slave.</source>
-            <translation>
-                <numerusform>%n command, in the order of the ENI. Own ones are added on the page Start-up of a slave.</numerusform>
-                <numerusform>%n commands, in the order of the ENI. Own ones are added on the page Start-up of a slave.</numerusform>
             </translation>
         </message>
 </context>

@@ -4563,6 +4563,78 @@ Setting %2</source>
 </context>
 <context>
     <name>Setting</name>
+    <message>
+        <source>VoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>在这些转换时发送的 VoE 消息，K 从 0 计；最后一个之后的编号添加一个。</translation>
+    </message>
+    <message>
+        <source>VoE start-up message</source>
+        <translation>VoE 启动消息</translation>
+    </message>
+    <message>
+        <source>FoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>在这些转换时发送的 FoE 消息，K 从 0 计；最后一个之后的编号添加一个。</translation>
+    </message>
+    <message>
+        <source>FoE start-up message</source>
+        <translation>FoE 启动消息</translation>
+    </message>
+    <message>
+        <source>EoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>在这些转换时发送的 EoE 消息，K 从 0 计；最后一个之后的编号添加一个。</translation>
+    </message>
+    <message>
+        <source>EoE start-up message</source>
+        <translation>EoE 启动消息</translation>
+    </message>
+    <message>
+        <source>AoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>在这些转换时发送的 AoE 消息，K 从 0 计；最后一个之后的编号添加一个。</translation>
+    </message>
+    <message>
+        <source>AoE start-up message</source>
+        <translation>AoE 启动消息</translation>
+    </message>
+    <message>
+        <source>TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [# comment]; nothing removes it</source>
+        <translation>TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [# 注释]；空则删除</translation>
+    </message>
+    <message>
+        <source>TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [after] [# comment]; nothing removes it</source>
+        <translation>TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] [after] [# 注释]；空则删除</translation>
+    </message>
+    <message>
+        <source>TRANSITIONS data=HEX [fixed] [off] [timeout=MS] [# comment]; nothing removes it</source>
+        <translation>TRANSITIONS data=HEX [fixed] [off] [timeout=MS] [# 注释]；空则删除</translation>
+    </message>
+    <message>
+        <source>Added to the SYNC0 shift of slaves that are based on the input reference.</source>
+        <translation>加到基于输入参考的从站的 SYNC0 偏移上。</translation>
+    </message>
+    <message>
+        <source>The input shift of the master is added to the shift of SYNC0, so that inputs are latched for the next frame; auto as in the ESI.</source>
+        <translation>SYNC0 的偏移加上主站的输入偏移，使输入为下一帧锁存；auto 按 ESI。</translation>
+    </message>
+    <message>
+        <source>Input reference</source>
+        <translation>输入参考</translation>
+    </message>
+    <message>
+        <source>Register of all slaves that is written or read at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>在这些转换时写入或读取的所有从站的寄存器，K 从 0 计；最后一个之后的编号添加一个。</translation>
+    </message>
+    <message>
+        <source>Register command of the master</source>
+        <translation>主站的寄存器命令</translation>
+    </message>
+    <message>
+        <source>Register of the slave that is written or read at these transitions, K counts from 0; the number behind the last adds one.</source>
+        <translation>在这些转换时写入或读取的从站寄存器，K 从 0 计；最后一个之后的编号添加一个。</translation>
+    </message>
+    <message>
+        <source>Register command</source>
+        <translation>寄存器命令</translation>
+    </message>
         <message>
             <source>Name</source>
             <translation>名称</translation>
@@ -5786,6 +5858,130 @@ Setting %2</source>
 </context>
 <context>
     <name>SlaveStartupPage</name>
+    <message>
+        <source>Behind the slaves' commands of the transition instead of before them (ENI InitCmd/BeforeSlave)</source>
+        <translation>排在该转换的从站命令之后而不是之前（ENI InitCmd/BeforeSlave）</translation>
+    </message>
+    <message>
+        <source>After the slaves</source>
+        <translation>在从站之后</translation>
+    </message>
+    <message>
+        <source>Bits of the expected value that count, in hexadecimal; empty: all (ENI Validate/DataMask)</source>
+        <translation>期望值中参与比较的位，十六进制；空：全部（ENI Validate/DataMask）</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>掩码</translation>
+    </message>
+    <message>
+        <source>What a read has to bring, in hexadecimal; empty: anything (ENI Validate/Data)</source>
+        <translation>读取应得到的值，十六进制；空：任意（ENI Validate/Data）</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>期望值</translation>
+    </message>
+    <message>
+        <source>Write: bytes in hexadecimal, in the order of the wire; read: how many bytes (ENI InitCmd/Data)</source>
+        <translation>写：十六进制字节，按线上顺序；读：字节数（ENI InitCmd/Data）</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Byte address in the ESC: 0x09A8 (ENI InitCmd/Ado)</source>
+        <translation>ESC 中的字节地址：0x09A8（ENI InitCmd/Ado）</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Off: the command stays in the project and is not in the ENI</source>
+        <translation>关：命令保留在项目中，不写入 ENI</translation>
+    </message>
+    <message>
+        <source>Written or read; of a slave by its station address, of the master to all slaves (ENI InitCmd/Cmd)</source>
+        <translation>写或读；从站按其站地址，主站则面向所有从站（ENI InitCmd/Cmd）</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>ms for the expected value to come (ENI Validate/Timeout)</source>
+        <translation>等待期望值的毫秒数（ENI Validate/Timeout）</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>时限</translation>
+    </message>
+    <message>
+        <source>a write has at least one byte</source>
+        <translation>写入至少一个字节</translation>
+    </message>
+    <message>
+        <source>a read takes 1 to %1 bytes</source>
+        <translation>一次读取为 1 到 %1 字节</translation>
+    </message>
+    <message>
+        <source>"%1" is no register like 0x09A8</source>
+        <translation>“%1”不是形如 0x09A8 的寄存器</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>读</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>What follows the mailbox header, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>邮箱头之后的内容，十六进制，按线上顺序（ENI InitCmd/Data）</translation>
+    </message>
+    <message>
+        <source>FoE request, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>FoE 请求，十六进制，按线上顺序（ENI InitCmd/Data）</translation>
+    </message>
+    <message>
+        <source>EoE header and data, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>EoE 头和数据，十六进制，按线上顺序（ENI InitCmd/Data）</translation>
+    </message>
+    <message>
+        <source>AoE header and data, hexadecimal, in the order of the wire (ENI InitCmd/Data)</source>
+        <translation>AoE 头和数据，十六进制，按线上顺序（ENI InitCmd/Data）</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>自有</translation>
+    </message>
+    <message>
+        <source>ESI</source>
+        <translation>ESI</translation>
+    </message>
+    <message>
+        <source>ESI: as the device's description has it; own: added or changed here</source>
+        <translation>ESI：与设备描述一致；自有：在此添加或更改</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>start-up message</source>
+        <translation>启动消息</translation>
+    </message>
+    <message>
+        <source>Messages (%1)</source>
+        <translation>消息（%1）</translation>
+    </message>
         <message>
             <source>INIT to PREOP</source>
             <translation>INIT 到 PREOP</translation>
@@ -6416,6 +6612,10 @@ Setting %2</source>
 </context>
 <context>
     <name>RecordEditor</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
         <message>
             <source>Selected</source>
             <translation>所选</translation>
@@ -10395,6 +10595,32 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 </context>
 <context>
     <name>InitCommandsPage</name>
+    <message numerus="yes">
+        <source>%n command(s), in the order of the ENI. Those of mailboxes are set on the page Start-up of a slave, those of registers below.</source>
+        <translation>
+            <numerusform>%n 条命令，按 ENI 的顺序。邮箱的命令在从站的“启动”页设置，寄存器的命令见下。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>register command</source>
+        <translation>寄存器命令</translation>
+    </message>
+    <message>
+        <source>Own register commands to all slaves</source>
+        <translation>面向所有从站的自有寄存器命令</translation>
+    </message>
+    <message>
+        <source>Own register commands</source>
+        <translation>自有寄存器命令</translation>
+    </message>
+    <message>
+        <source>None: the commands above are all.</source>
+        <translation>无：上面的命令就是全部。</translation>
+    </message>
+    <message>
+        <source>Own, below</source>
+        <translation>自有，见下</translation>
+    </message>
         <message numerus="yes">
             <source>%n zero byte(s)</source>
             <translation>
@@ -10405,12 +10631,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>%n repeat(s)</source>
             <translation>
                 <numerusform>重试 %n 次</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up.</source>
-            <translation>
-                <numerusform>%n 条命令，按 ENI 中的顺序。自定义命令在“启动”页面添加。</numerusform>
             </translation>
         </message>
         <message>
@@ -10528,12 +10748,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Settings</source>
             <translation>设置</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n command(s), in the order of the ENI. Own ones are added on the page Start-up of a slave.</source>
-            <translation>
-                <numerusform>%n 条命令，按 ENI 中的顺序。自定义命令在从站的“启动”页面添加。</numerusform>
-            </translation>
         </message>
 </context>
 <context>
@@ -12031,6 +12245,22 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 </context>
 <context>
     <name>TimingDiagram</name>
+    <message>
+        <source>Each frame reads the times of latched edges (0x09AE to 0x09CF).</source>
+        <translation>每个帧都读取所锁存沿的时间（0x09AE 至 0x09CF）。</translation>
+    </message>
+    <message>
+        <source>The latch takes one edge until its time is read (0x09A8).</source>
+        <translation>锁存器捕获一个沿，直到其时间被读取（0x09A8）。</translation>
+    </message>
+    <message>
+        <source>The device's own controller has the latch unit (0x09A8).</source>
+        <translation>锁存单元由设备自身的控制器使用（0x09A8）。</translation>
+    </message>
+    <message>
+        <source>Latch</source>
+        <translation>锁存</translation>
+    </message>
         <message>
             <source>Without SYNC0 the device works when its outputs come.</source>
             <translation>没有 SYNC0 时，设备在收到输出后工作。</translation>
@@ -12132,5 +12362,80 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>by the host's clock</source>
             <translation>按主机时钟</translation>
         </message>
+</context>
+<context>
+    <name>ImportDialog</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Import a Capture</source>
+        <translation>导入抓包</translation>
+    </message>
+    <message>
+        <source>Times count from the first frame of %1.</source>
+        <translation>时间从 %1 的第一帧算起。</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>end of the file</source>
+        <translation>文件末尾</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>最多</translation>
+    </message>
+    <message>
+        <source>all frames</source>
+        <translation>所有帧</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> 帧</translation>
+    </message>
+    <message>
+        <source>Limit of the slaves' deviation</source>
+        <translation>从站偏差的界限</translation>
+    </message>
+    <message>
+        <source>Limit of the master's error</source>
+        <translation>主站误差的界限</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>从(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Until</source>
+        <translation>到(&amp;U)</translation>
+    </message>
+    <message>
+        <source>At &amp;most</source>
+        <translation>最多(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Limit of the slaves' &amp;deviation</source>
+        <translation>从站偏差的界限(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Limit of the master's &amp;error</source>
+        <translation>主站误差的界限(&amp;E)</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>The end comes before the begin.</source>
+        <translation>结束早于开始。</translation>
+    </message>
 </context>
 </TS>

@@ -41,6 +41,7 @@
 #include "ui/panels/overview_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/run_bar.h"
+#include "ui/panels/slave_counts_memory.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/project_limits.h"
 #include "ui/session/recorded_views.h"
@@ -51,6 +52,7 @@
 #include "ui/theme/theme.h"
 #include "ui/widgets/calm_wheel.h"
 #include "ui/widgets/spoken_value.h"
+#include "ui/widgets/whole_texts.h"
 #include "ui/window_centre.h"
 #include "ui/window_docks.h"
 #include "ui/window_layout.h"
@@ -64,6 +66,7 @@ namespace syncline::ui {
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
   installSpokenValues();
   new CalmWheel(this);
+  new WholeTexts(this);
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/syncline.svg")));
   setAcceptDrops(true);
@@ -115,6 +118,7 @@ void MainWindow::buildCentre() {
   connect(overview_, &OverviewPanel::momentWanted, this, &MainWindow::goToMoment);
   connect(overview_, &OverviewPanel::armWanted, &workspace_.live(), &LiveSession::arm);
   connect(strip_, &LiveStrip::eventClicked, this, &MainWindow::selectMoment);
+  rememberSlaveCounts(*strip_, workspace_.memory());
   connect(strip_, &LiveStrip::noteWanted, this, [this](qint64 time) { recordings_->writeNote(time); });
   connect(strip_, &LiveStrip::variablesWanted, this, [this] {
     selectNode(-1);

@@ -35,7 +35,7 @@ void WindowLayout::reset() {
     if (dock != first) window_.tabifyDockWidget(first, dock);
   }
   first->raise();
-  window_.resizeDocks({parts_.explorer, parts_.catalogue}, {250, 280}, Qt::Horizontal);
+  window_.resizeDocks({parts_.explorer, parts_.catalogue}, {272, 280}, Qt::Horizontal);
   window_.resizeDocks({first}, {128}, Qt::Vertical);
   parts_.centre->resetSizes();
 }

@@ -36,8 +36,8 @@ inline void connect_buses(ui::Environment& environment) {
     if (!compared) return tl::unexpected(compared.error());
     return ui::BusComparison{std::move(compared->differences), std::move(compared->findings)};
   };
-  environment.import_capture = [](const QString& path, const ImportProgress& progress) {
-    return import_capture(path.toStdString(), {}, progress);
+  environment.import_capture = [](const QString& path, const ImportLimits& limits, const ImportProgress& progress) {
+    return import_capture(path.toStdString(), limits, progress);
   };
   environment.demo_link = QString::fromStdString(demo_link(true));
   environment.esi_folders = {QString::fromStdString(resource_folder()) + QStringLiteral("/esi")};

@@ -114,6 +114,13 @@ void learn(Exchange& exchange, const DatagramView& datagram) {
 /// Puts frames and their answers together as they come.
 class Pairing {
  public:
+  /// Stamps of a probe count from when it was switched on: the date is the first frame's.
+  Nanoseconds time_of(const CapturedFrame& frame) {
+    if (!frame.stamp) return frame.time;
+    if (!probe_epoch_) probe_epoch_ = frame.time - *frame.stamp;
+    return *probe_epoch_ + *frame.stamp;
+  }
+
   /// kFileNotReadable and its like are the reader's.
   void add(CapturedFrame& frame) {
     if (frame.truncated) return;
@@ -171,13 +178,6 @@ class Pairing {
     std::size_t exchange = 0;
     Exchange told;
   };
-
-  /// Stamps of a probe count from when it was switched on: the date is the first frame's.
-  Nanoseconds time_of(const CapturedFrame& frame) {
-    if (!frame.stamp) return frame.time;
-    if (!probe_epoch_) probe_epoch_ = frame.time - *frame.stamp;
-    return *probe_epoch_ + *frame.stamp;
-  }
 
   std::optional<std::size_t> find_request(const Open& back) {
     const auto is_same = [](const DatagramHeader& sent, const DatagramHeader& came) {
@@ -383,7 +383,8 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
   const auto size = std::filesystem::file_size(path, error);
   Pairing pairing;
   ImportedRun run;
-  std::uint64_t frames = 0, in_part = 0;
+  std::uint64_t frames = 0, taken = 0, in_part = 0;
+  Nanoseconds first = 0;
   for (;;) {
     auto frame = reader->next();
     if (!frame && frames == 0) return tl::unexpected(frame.error());
@@ -395,7 +396,13 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
     if (!*frame) break;
     const bool tell = progress && frames % kFramesATelling == 0;
     if (tell && !progress(reader->read_bytes(), error ? 0 : size)) return fail(ErrorCode::kCancelled, path);
+    const auto time = pairing.time_of(**frame);
+    if (frames == 0) first = time;
     ++frames;
+    if (time - first < limits.from) continue;
+    if ((limits.until > 0 && time - first >= limits.until) || (limits.most_frames > 0 && taken == limits.most_frames))
+      break;
+    ++taken;
     in_part += (*frame)->truncated ? 1U : 0U;
     pairing.add(**frame);
   }

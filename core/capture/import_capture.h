@@ -21,6 +21,8 @@ struct ImportedRun;
 /// have the order of their station addresses. Which working counter is right, verdicts, states and errors of a
 /// controller no capture tells.
 ///
+/// `limits` says which part of the file is read: other frames count for nothing.
+///
 /// A capture that breaks off is imported up to there, which is a finding, and so are frames that were captured in part.
 /// As PcapReader where not a single frame can be read; kBadValue where no cyclic frame came back;
 /// kCancelled where `progress` ended it.

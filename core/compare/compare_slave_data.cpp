@@ -9,6 +9,7 @@
 #include "config/command_text.h"
 #include "config/mailbox_config.h"
 #include "config/slave_config.h"
+#include "config/startup_messages.h"
 
 namespace syncline::comparison {
 namespace {
@@ -127,13 +128,9 @@ std::vector<StartupLine> startup_lines(const std::optional<MailboxConfig>& mailb
                                cmd.idn, cmd.op_code, cmd.elements, cmd.attribute, transitions_text(cmd.transitions)),
                    value_text(cmd)});
   }
-  const std::pair<const char*, const std::vector<MailboxInitCmd>*> others[] = {{"AoE", &mailbox->aoe_commands},
-                                                                               {"EoE", &mailbox->eoe_commands},
-                                                                               {"FoE", &mailbox->foe_commands},
-                                                                               {"VoE", &mailbox->voe_commands}};
-  for (const auto& [protocol, commands] : others) {
-    for (const MailboxInitCmd& cmd : *commands) {
-      out.push_back({fmt::format("{} ({})", protocol, transitions_text(cmd.transitions)), value_text(cmd)});
+  for (const auto& protocol : kMessageProtocols) {
+    for (const MailboxInitCmd& cmd : (*mailbox).*protocol.commands) {
+      out.push_back({fmt::format("{} ({})", protocol.name, transitions_text(cmd.transitions)), value_text(cmd)});
     }
   }
   return out;

@@ -53,7 +53,7 @@ void plan_dc(const Project& project, std::span<SlavePlan> slaves) {
     const DcSlaveSettings& user = slave.settings->dc;
     const DcOpMode* mode = selected_op_mode(*slave.settings);
     if (mode != nullptr && mode->assign_activate != 0) {
-      const DcTimes times = dc_times(*mode, user, slave.cycle_time);
+      const DcTimes times = dc_times(*mode, user, slave.cycle_time, project.master.dc.input_shift);
       slave.dc = SlaveDcConfig{.potential_reference_clock = user.potential_reference_clock,
                                .reference_clock = false,
                                .cycle_time0 = times.cycle_time0,

@@ -9,25 +9,16 @@
 #include "config/mailbox_description.h"
 #include "config/slave_options.h"
 #include "config/slave_settings.h"
+#include "config/startup_messages.h"
+#include "config/startup_origin.h"
 #include "protocol/eoe.h"
 
 namespace syncline::compiler {
 namespace {
 
-constexpr int kSetIpParameter = static_cast<int>(eoe::Kind::kSetIpRequest);
-
-/// The header as tools write it (no fragment, no time stamp); then the service's data.
-MailboxInitCmd eoe_message(int type, const std::vector<std::uint8_t>& data, std::vector<Transition> when,
-                           std::string comment) {
-  MailboxInitCmd message;
-  message.transitions = std::move(when);
-  message.comment = std::move(comment);
-  eoe::Header header;
-  header.kind = static_cast<eoe::Kind>(type & 0x0F);
-  header.last_fragment = header.kind == eoe::Kind::kFragment;
-  message.data = eoe::encode(header);
-  message.data.insert(message.data.end(), data.begin(), data.end());
-  return message;
+bool sets_address(const MailboxInitCmd& message) {
+  const auto header = eoe::decode(message.data);
+  return header && header->kind == eoe::Kind::kSetIpRequest;
 }
 
 void add_eoe(MailboxConfig& mailbox, const SlavePlan& slave) {
@@ -35,14 +26,20 @@ void add_eoe(MailboxConfig& mailbox, const SlavePlan& slave) {
   mailbox.eoe_disabled = !eoe.enabled;
   if (!eoe.enabled) return;
   const auto parameters = encode_ip_parameters(eoe, slave.settings->station_address);
-  for (const MailboxCommand& command : slave.device().mailbox->eoe_options.init_commands) {
-    // The user's address replaces the one that the ESI sets.
-    if (command.type == kSetIpParameter && !parameters.empty()) continue;
-    mailbox.eoe_commands.push_back(eoe_message(command.type, command.data, command.transitions, command.comment));
+  for (const MailboxInitCmd& message : slave.settings->eoe_startup) {
+    // The user's address replaces the one that the ESI sets; a message of the user's own stays in any case.
+    const bool replaced =
+        !parameters.empty() && sets_address(message) && is_from_esi(message, slave.settings->device, MailboxType::kEoe);
+    if (!replaced) mailbox.eoe_commands.push_back(message);
   }
-  if (!parameters.empty()) {
-    mailbox.eoe_commands.push_back(eoe_message(kSetIpParameter, parameters, {Transition::kIP}, "set IP parameter"));
-  }
+  if (parameters.empty()) return;
+  eoe::Header header;
+  header.kind = eoe::Kind::kSetIpRequest;
+  auto& message = mailbox.eoe_commands.emplace_back();
+  message.transitions = {Transition::kIP};
+  message.data = eoe::encode(header);
+  message.data.insert(message.data.end(), parameters.begin(), parameters.end());
+  message.comment = "set IP parameter";
 }
 
 /// ETG.2100 knows SoE commands on PS, SO, SP, OP and OS: what an ESI wants on the way to PREOP comes behind it, on PS,
@@ -75,23 +72,16 @@ void add_soe(MailboxConfig& mailbox, const SlavePlan& slave) {
   }
 }
 
-void add_aoe(MailboxConfig& mailbox, const SlavePlan& slave) {
-  mailbox.aoe_net_id = slave.settings->ams_net_id;
-  for (const MailboxCommand& command : slave.device().mailbox->aoe_options.init_commands) {
-    MailboxInitCmd cmd;
-    cmd.transitions = command.transitions;
-    cmd.data = command.data;
-    cmd.comment = command.comment;
-    mailbox.aoe_commands.push_back(std::move(cmd));
-  }
-}
-
 }  // namespace
 
 void add_mailbox_init_cmds(MailboxConfig& mailbox, const SlavePlan& slave) {
   if (mailbox.eoe) add_eoe(mailbox, slave);
   if (mailbox.soe) add_soe(mailbox, slave);
-  if (mailbox.aoe) add_aoe(mailbox, slave);
+  mailbox.aoe_net_id = mailbox.aoe ? slave.settings->ams_net_id : std::string();
+  for (const auto& protocol : kMessageProtocols) {
+    const bool done = protocol.type == MailboxType::kEoe;
+    if (mailbox.*protocol.spoken && !done) mailbox.*protocol.commands = slave.settings->*protocol.startup;
+  }
 }
 
 }  // namespace syncline::compiler

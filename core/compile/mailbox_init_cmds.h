@@ -9,7 +9,7 @@ namespace syncline::compiler {
 
 struct SlavePlan;
 
-/// Adds the start-up messages of EoE, SoE and AoE: those of the ESI and those that the user's settings make.
+/// Adds the start-up messages of AoE, EoE, FoE, SoE and VoE: those of the project and those that its settings make.
 void add_mailbox_init_cmds(MailboxConfig& mailbox, const SlavePlan& slave);
 
 }  // namespace syncline::compiler

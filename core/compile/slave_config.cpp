@@ -7,6 +7,7 @@
 #include "compile/mailbox_init_cmds.h"
 #include "compile/mailbox_plan.h"
 #include "compile/master_init_cmds.h"
+#include "compile/own_init_cmds.h"
 #include "compile/product_revision.h"
 #include "compile/slave_init_cmds.h"
 #include "compile/slave_plan.h"
@@ -87,6 +88,8 @@ MasterConfig master_config(const MasterSettings& settings, const std::vector<Sla
       return command.ado == reg::kSpeedCounterStart || command.ado == reg::kFilterDepthDifference;
     });
   }
+  const auto own = own_master_cmds(settings.register_commands);
+  config.init_cmds.insert(config.init_cmds.end(), own.begin(), own.end());
   return config;
 }
 

@@ -15,10 +15,12 @@
 #include "config/dc_description.h"
 #include "config/slave_options.h"
 #include "config/slave_settings.h"
+#include "config/startup_messages.h"
 #include "config/startup_origin.h"
 #include "config/sync0_cycle.h"
 #include "protocol/dc_registers.h"
 #include "protocol/frame.h"
+#include "protocol/mailbox.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"
 
@@ -113,6 +115,21 @@ void check_mailbox(FindingList& findings, const SlavePlan& slave) {
   }
 }
 
+/// A message goes in one piece: what is longer than the mailbox the slave never gets.
+void check_messages(FindingList& findings, const SlavePlan& slave) {
+  if (!slave.mailbox || slave.mailbox->out.length <= MailboxMessage::kHeaderSize) return;
+  const std::size_t most = slave.mailbox->out.length - MailboxMessage::kHeaderSize;
+  for (const auto& protocol : kMessageProtocols) {
+    const auto& messages = slave.settings->*protocol.startup;
+    for (std::size_t k = 0; k < messages.size(); ++k) {
+      const auto size = messages[k].data.size();
+      if (!messages[k].enabled || size <= most) continue;
+      findings.add_at(fmt::format("{}.startup.{}", protocol.key, k), "startup-message-too-long",
+                      fig::count<"bytes">(size), fig::count<"most">(most));
+    }
+  }
+}
+
 void check_sync_units(FindingList& findings, const DcOpMode& mode, const DcTimes& times, Nanoseconds bus_cycle) {
   if (!times.exact) {
     findings.add("sync-cycle-inexact");
@@ -172,7 +189,8 @@ void check_dc(FindingList& findings, const SlavePlan& slave) {
   if (mode == nullptr) {
     findings.add("operation-mode-missing", fig::text<"mode">(user.op_mode));
   } else if (slave.dc_commands()) {
-    const DcTimes times = dc_times(*mode, user, slave.cycle_time);
+    DcTimes times = dc_times(*mode, user, slave.cycle_time);
+    if (slave.dc) times.shift_time = slave.dc->shift_time;  // with the master's input shift where it counts
     check_sync_units(findings, *mode, times, slave.cycle_time);
     check_sync_times(findings, times);
   }
@@ -211,6 +229,7 @@ void find_slave_problems(std::vector<Finding>& out, const SlavePlan& slave, cons
   check_outputs_guarded(findings, slave);
   check_eoe(findings, slave);
   check_mailbox(findings, slave);
+  check_messages(findings, slave);
   check_dc(findings, slave);
   find_family_problems(findings, slave, config);
   check_interpolation_time(findings, slave);

@@ -5,6 +5,7 @@
 #include "compile/identity_cmds.h"
 #include "compile/init_cmd_builder.h"
 #include "compile/memory_init_cmds.h"
+#include "compile/own_init_cmds.h"
 #include "compile/state_init_cmds.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
@@ -52,6 +53,9 @@ std::vector<InitCmd> slave_init_cmds(const SlavePlan& slave, EniDialect dialect)
   states.add_request_back_to_safeop(cmds);
   memory.add_clear_fmmus(cmds);
   add_dc_stop(cmds, slave);
+  // Where the slave has all that the transition needs, and is asked for the state only then.
+  const auto own = own_slave_cmds(slave.settings->register_commands, slave.settings->station_address);
+  out.insert(out.end(), own.begin(), own.end());
   states.add_check_back_to_preop(cmds);
   states.add_preop_and_boot(cmds);
   states.add_safeop_and_op(cmds);

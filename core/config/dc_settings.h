@@ -60,6 +60,8 @@ struct DcMasterSettings {
   DcNotificationSettings notifications;
   Nanoseconds start_time_safety = 5 * kMillisecond;
   Nanoseconds start_time_grid = 0;  // 0: the cycle
+  /// Added to the SYNC0 shift of slaves that are based on the input reference: they latch inputs for the next frame.
+  Nanoseconds input_shift = 0;
   bool operator==(const DcMasterSettings&) const = default;
 };
 
@@ -75,6 +77,8 @@ struct SyncUnitSettings {
 struct DcSlaveSettings {
   std::string op_mode;  // name of the ESI OpMode; "" = DC off (no DC commands)
   SyncUnitSettings sync0, sync1;
+  /// SYNC0 is based on the master's input reference. Empty: as the operation mode says (ESI ShiftTimeSync0@Input).
+  std::optional<bool> input_reference;
   bool potential_reference_clock = false;
   bool operator==(const DcSlaveSettings&) const = default;
 };

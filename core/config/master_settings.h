@@ -9,6 +9,7 @@
 #include "config/dc_settings.h"
 #include "config/real_time_settings.h"
 #include "config/recovery_settings.h"
+#include "config/register_command.h"
 #include "config/sync_unit.h"
 #include "config/task_settings.h"
 #include "support/types.h"
@@ -27,8 +28,9 @@ struct MasterSettings {
   RecoverySettings recovery;
   RealTimeSettings real_time;
   ProcessImageSettings image;
-  std::vector<TaskSettings> tasks;   // beside the base task, whose cycle is `cycle_time`
-  std::vector<SyncUnit> sync_units;  // beside the unnamed one of the base task
+  std::vector<TaskSettings> tasks;                 // beside the base task, whose cycle is `cycle_time`
+  std::vector<SyncUnit> sync_units;                // beside the unnamed one of the base task
+  std::vector<RegisterCommand> register_commands;  // to all slaves, behind the compiler's own
   bool operator==(const MasterSettings&) const = default;
 };
 

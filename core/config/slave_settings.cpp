@@ -5,6 +5,7 @@
 
 #include "config/module_slots.h"
 #include "config/slave_edits.h"
+#include "config/startup_messages.h"
 #include "protocol/station_address.h"
 
 namespace syncline {
@@ -82,6 +83,7 @@ SlaveSettings default_slave(const DeviceDescription& device, std::uint16_t posit
   }
   if (device.mailbox && device.mailbox->coe) slave.startup = device.mailbox->coe->init_commands;
   if (device.mailbox && device.mailbox->soe) slave.soe_startup = device.mailbox->soe_options.init_commands;
+  for (const auto& protocol : kMessageProtocols) slave.*protocol.startup = esi_messages(device, protocol.type);
   plug_default_modules(slave);
   return slave;
 }

@@ -9,7 +9,9 @@
 
 #include "config/dc_settings.h"
 #include "config/device_description.h"
+#include "config/mailbox_config.h"
 #include "config/previous_port.h"
+#include "config/register_command.h"
 #include "config/slave_options.h"
 
 namespace syncline {
@@ -39,6 +41,9 @@ struct SlaveSettings {
   EoeSlaveSettings eoe;
   std::vector<SoeCommand> soe_startup;  // ESI's first, then the user's own
   std::string ams_net_id;               // AoE, "5.1.2.3.1.1"; "" = none given
+  /// Messages behind the mailbox header; ESI's first, then the user's own.
+  std::vector<MailboxInitCmd> aoe_startup, eoe_startup, foe_startup, voe_startup;
+  std::vector<RegisterCommand> register_commands;  // behind those that the compiler makes for the same transition
   /// Names of Sync Units for outputs and inputs; "" = the unnamed one.
   std::string output_unit, input_unit;
   std::vector<VariableName> variable_names;  // by PDO and entry, ascending

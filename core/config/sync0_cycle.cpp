@@ -86,12 +86,17 @@ const DcOpMode* selected_op_mode(const SlaveSettings& slave) {
   return found == modes.end() ? nullptr : &*found;
 }
 
-DcTimes dc_times(const DcOpMode& mode, const DcSlaveSettings& user, Nanoseconds bus_cycle) {
+bool is_input_based(const DcOpMode& mode, const DcSlaveSettings& user) {
+  return user.input_reference.value_or(mode.shift_time_sync0.input);
+}
+
+DcTimes dc_times(const DcOpMode& mode, const DcSlaveSettings& user, Nanoseconds bus_cycle, Nanoseconds input_shift) {
   Calculation calculation(bus_cycle);
   DcTimes times;
   times.cycle_time0 =
       calculation.cycle0(mode.cycle_time_sync0, user.sync0, AssignActivate{mode.assign_activate}.sync0());
   times.shift_time = calculation.shift(mode.shift_time_sync0, user.sync0);
+  if (is_input_based(mode, user)) times.shift_time = bounded(times.shift_time + bounded(input_shift));
   if (AssignActivate{mode.assign_activate}.sync1()) {
     const Nanoseconds cycle1 = calculation.cycle1(mode.cycle_time_sync1, user.sync1, times.cycle_time0);
     const Nanoseconds beyond_sync0 = cycle1 == 0 ? 0 : cycle1 - times.cycle_time0;

@@ -30,7 +30,12 @@ struct DcTimes {
 /// - CycleTime1 = SYNC1 cycle - SYNC0 cycle + SYNC1 shift, 0 when AssignActivate does not switch SYNC1 on. A mode that
 ///   switches SYNC1 on without a cycle means the cycle of SYNC0.
 /// The user's factor (both units: > 0 multiplies, < 0 divides the bus cycle), cycle and shift replace the ESI's.
-[[nodiscard]] DcTimes dc_times(const DcOpMode& mode, const DcSlaveSettings& user, Nanoseconds bus_cycle);
+/// `input_shift`: of the master, added to the SYNC0 shift of a slave that is based on the input reference.
+[[nodiscard]] DcTimes dc_times(const DcOpMode& mode, const DcSlaveSettings& user, Nanoseconds bus_cycle,
+                               Nanoseconds input_shift = 0);
+
+/// The user's choice, else ESI ShiftTimeSync0@Input.
+[[nodiscard]] bool is_input_based(const DcOpMode& mode, const DcSlaveSettings& user);
 
 /// Sync Unit Cycle factor: above 0 multiplies, below 0 divides the bus cycle, 0 gives 0.
 [[nodiscard]] Nanoseconds scaled_cycle(Nanoseconds bus_cycle, std::int64_t factor);

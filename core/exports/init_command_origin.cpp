@@ -6,7 +6,9 @@
 #include <iterator>
 #include <span>
 
+#include "config/command_text.h"
 #include "config/project.h"
+#include "config/startup_messages.h"
 #include "config/startup_origin.h"
 #include "exports/init_commands.h"
 
@@ -36,18 +38,41 @@ InitCommandOrigin look_up(std::span<const Range> ranges, std::uint32_t address, 
   return found == ranges.end() ? otherwise : found->origin;
 }
 
+bool is_own(const InitCommandRow& row, const std::vector<RegisterCommand>& commands) {
+  return std::ranges::any_of(commands, [&](const RegisterCommand& own) {
+    return own.enabled && own.address == row.address && own.comment == row.comment && own.data == row.data &&
+           transitions_text(own.transitions) == row.transitions;
+  });
+}
+
+InitCommandOrigin origin_of_message(const InitCommandRow& row, const SlaveSettings& slave) {
+  const auto protocol = std::ranges::find(kMessageProtocols, row.protocol, &MessageProtocol::name);
+  if (protocol == kMessageProtocols.end()) return kSettings;
+  const auto& messages = slave.*protocol->startup;
+  const auto message = std::ranges::find_if(messages, [&](const MailboxInitCmd& one) {
+    return one.data == row.data && transitions_text(one.transitions) == row.transitions && one.comment == row.comment;
+  });
+  if (message == messages.end()) return kSettings;
+  return is_from_esi(*message, slave.device, protocol->type) ? kEsi : kStartup;
+}
+
 }  // namespace
 
 InitCommandOrigin origin_of(const InitCommandRow& row, const Project& project) {
-  if (row.protocol == "ESC") return look_up(kRegisters, row.address, kSettings);
   const auto at = static_cast<std::size_t>(row.slave);
   const auto* slave = row.slave >= 0 && at < project.slaves.size() ? &project.slaves[at] : nullptr;
+  if (row.protocol == "ESC") {
+    const auto& own = slave != nullptr ? slave->register_commands : project.master.register_commands;
+    return is_own(row, own) ? kOwn : look_up(kRegisters, row.address, kSettings);
+  }
   if (slave == nullptr) return kSettings;
   if (row.protocol == "SoE") {
     const auto same = [&](const SoeCommand& command) { return command.idn == row.address; };
-    return std::ranges::any_of(slave->soe_startup, same) ? kStartup : kSettings;
+    const auto own = std::ranges::find_if(slave->soe_startup, same);
+    if (own == slave->soe_startup.end()) return kSettings;
+    return is_from_esi(*own, slave->device) ? kEsi : kStartup;
   }
-  if (row.protocol != "CoE") return kEsi;
+  if (row.protocol != "CoE") return origin_of_message(row, *slave);
   const auto same = [&](const StartupCommand& command) {
     return command.index == row.address && command.sub_index == row.sub_index;
   };

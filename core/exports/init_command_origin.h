@@ -25,6 +25,7 @@ enum class InitCommandOrigin : std::uint8_t {
   kPdoMapping,     // 0x1600 to 0x17FF, 0x1A00 to 0x1BFF
   kEsi,            // start-up command that the ESI brings
   kStartup,        // of the project, on the page Start-up
+  kOwn,            // register command of the user's own
   kSettings,       // follows from other settings of the slave
 };
 

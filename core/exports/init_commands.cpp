@@ -10,6 +10,7 @@
 #include "config/init_cmd.h"
 #include "config/mailbox_config.h"
 #include "config/network_config.h"
+#include "config/startup_messages.h"
 #include "exports/csv_row.h"
 #include "exports/exports.h"
 #include "protocol/object_value.h"
@@ -99,10 +100,10 @@ InitCommandRow row_of(int slave, const SoeInitCmd& cmd) {
           .comment = cmd.comment};
 }
 
-InitCommandRow row_of(int slave, const char* protocol, const MailboxInitCmd& cmd) {
+InitCommandRow row_of(int slave, std::string_view protocol, const MailboxInitCmd& cmd) {
   return {.slave = slave,
           .transitions = transitions_text(cmd.transitions),
-          .protocol = protocol,
+          .protocol = std::string(protocol),
           .command = "send",
           .data = cmd.data,
           .timeout_ms = cmd.timeout_ms,
@@ -113,12 +114,8 @@ InitCommandRow row_of(int slave, const char* protocol, const MailboxInitCmd& cmd
 void add_mailbox(std::vector<InitCommandRow>& rows, int slave, const MailboxConfig& mailbox) {
   for (const auto& cmd : mailbox.coe_commands) rows.push_back(row_of(slave, cmd));
   for (const auto& cmd : mailbox.soe_commands) rows.push_back(row_of(slave, cmd));
-  const std::pair<const char*, const std::vector<MailboxInitCmd>*> others[] = {{"AoE", &mailbox.aoe_commands},
-                                                                               {"EoE", &mailbox.eoe_commands},
-                                                                               {"FoE", &mailbox.foe_commands},
-                                                                               {"VoE", &mailbox.voe_commands}};
-  for (const auto& [protocol, commands] : others) {
-    for (const auto& cmd : *commands) rows.push_back(row_of(slave, protocol, cmd));
+  for (const auto& protocol : kMessageProtocols) {
+    for (const auto& cmd : mailbox.*protocol.commands) rows.push_back(row_of(slave, protocol.name, cmd));
   }
 }
 

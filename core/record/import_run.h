@@ -16,10 +16,13 @@ namespace syncline {
 
 struct ReplayedRun;
 
-/// What the run is to be held against, which no such file tells.
+/// What the run is to be held against, which no such file tells, and how much of the file is taken.
 struct ImportLimits {
   std::uint32_t deviation_ns = 0;  // of the slaves; 0: not known
   Nanoseconds dcm_error_ns = 0;    // of the master; 0: not known
+  /// Of captures: which part of the file is taken. Times since its first frame, 0 <= from; until 0: to its end.
+  Nanoseconds from = 0, until = 0;
+  std::uint64_t most_frames = 0;  // from there on; 0: all
 };
 
 struct ImportedRun {

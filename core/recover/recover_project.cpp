@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compile/finding_list.h"
+#include "recover/recovered_commands.h"
 #include "recover/recovered_slave.h"
 #include "recover/recovered_tasks.h"
 
@@ -34,6 +35,7 @@ std::vector<StartupCommand> without(const std::vector<CoeInitCmd>& wanted, std::
   return rest;
 }
 
+/// What no setting stands for: start-up commands of CoE and register commands of the user's own.
 void recover_startup(Project& project, const NetworkConfig& config, EniDialect dialect) {
   const auto compiled = compile(project, {dialect});
   for (std::size_t i = 0; i < project.slaves.size(); ++i) {
@@ -43,6 +45,7 @@ void recover_startup(Project& project, const NetworkConfig& config, EniDialect d
         without(config.slaves[i].mailbox->coe_commands,
                 known ? compiled->config.slaves[i].mailbox->coe_commands : std::vector<CoeInitCmd>{});
   }
+  if (compiled) recover::recover_register_commands(project, config, compiled->config);
 }
 
 bool uses(const NetworkConfig& config, Command command) {

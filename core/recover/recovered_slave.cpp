@@ -8,6 +8,7 @@
 #include "compile/eoe_ip.h"
 #include "compile/finding_list.h"
 #include "config/module_slots.h"
+#include "config/startup_messages.h"
 #include "recover/recovered_dc.h"
 #include "recover/recovered_device.h"
 #include "recover/register_writes.h"
@@ -174,6 +175,28 @@ std::optional<std::uint16_t> default_size(const DeviceDescription& device, std::
   return manager < device.sync_managers.size() ? device.sync_managers[manager].default_size : std::nullopt;
 }
 
+/// An address that EoE sets is a setting of its own; every other message is kept as it is.
+void recover_messages(SlaveSettings& settings, const MailboxConfig& mailbox, const MessageProtocol& protocol,
+                      const SlaveConfig& slave, FindingList& findings) {
+  auto& messages = settings.*protocol.startup;
+  messages.clear();
+  for (const MailboxInitCmd& cmd : mailbox.*protocol.commands) {
+    const auto ip = protocol.type == MailboxType::kEoe ? decode_ip_parameters(cmd.data, slave.station_address)
+                                                       : std::optional<EoeSlaveSettings>();
+    if (ip && cmd.enabled) {
+      const bool enabled = settings.eoe.enabled;
+      settings.eoe = *ip;
+      settings.eoe.enabled = enabled;
+    } else {
+      messages.push_back(cmd);
+    }
+  }
+  if (messages.empty() || speaks(settings.device, protocol)) return;
+  findings.add("startup-lost", fig::count<"commands">(messages.size()),
+               fig::text<"protocol">(std::string(protocol.name)));
+  messages.clear();
+}
+
 void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDialect dialect, FindingList& findings) {
   if (!slave.mailbox) return;
   const MailboxConfig& mailbox = *slave.mailbox;
@@ -183,28 +206,12 @@ void recover_mailbox(SlaveSettings& settings, const SlaveConfig& slave, EniDiale
   const std::uint32_t usual = dialect == EniDialect::kTwinCat ? 50 : 10;
   if (mailbox.poll_time_ms && *mailbox.poll_time_ms != usual) settings.mailbox.poll_time_ms = mailbox.poll_time_ms;
   settings.ams_net_id = mailbox.aoe_net_id;
-  std::size_t others = 0;  // EoE commands that set no address
-  for (const MailboxInitCmd& cmd : mailbox.eoe_commands) {
-    if (const auto ip = decode_ip_parameters(cmd.data, slave.station_address)) {
-      settings.eoe = *ip;
-    } else {
-      ++others;
-    }
-  }
   settings.eoe.enabled = !mailbox.eoe_disabled;
-  if (others > 0) {
-    findings.add("startup-lost/eoe", fig::count<"commands">(others));
-  }
   for (const SoeInitCmd& cmd : mailbox.soe_commands) {
     settings.soe_startup.push_back(
         {cmd.transitions, cmd.drive_no, cmd.idn, cmd.data, cmd.fixed, cmd.enabled, cmd.timeout_ms, cmd.comment});
   }
-  const std::pair<const std::vector<MailboxInitCmd>&, const char*> messages[] = {
-      {mailbox.aoe_commands, "AoE"}, {mailbox.foe_commands, "FoE"}, {mailbox.voe_commands, "VoE"}};
-  for (const auto& [commands, protocol] : messages) {
-    if (commands.empty()) continue;
-    findings.add("startup-lost", fig::count<"commands">(commands.size()), fig::text<"protocol">(protocol));
-  }
+  for (const auto& protocol : kMessageProtocols) recover_messages(settings, mailbox, protocol, slave, findings);
 }
 
 void recover_dc(SlaveSettings& settings, const SlaveConfig& slave, Nanoseconds cycle, FindingList& findings) {

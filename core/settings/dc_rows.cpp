@@ -111,6 +111,14 @@ std::vector<Setting> start_rows() {
            .object = "0x0990",
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).start_time_grid; }),
+      field_setting(
+          "master.dc.input_shift_us", microseconds(-limits::kLongestCycle, limits::kLongestCycle),
+          {.label = "Input shift",
+           .help = "Added to the SYNC0 shift of slaves that are based on the input reference.",
+           .object = "0x0990",
+           .eni = "Slave/DC/ShiftTime",
+           .expert = true},
+          [](auto& p, const Place&) -> auto& { return bus_dc(p).input_shift; }),
   };
 }
 

@@ -81,9 +81,9 @@ const std::vector<Setting>& table() {
   static const std::vector<Setting> all = [] {
     std::vector<Setting> rows;
     // Modules come before the PDOs and commands that they bring, so that a list can be applied from the top.
-    for (auto part :
-         {master_rows(), dc_rows(), dcm_rows(), image_rows(), slave_rows(), slave_dc_rows(), slave_option_rows(),
-          mailbox_rows(), sync_rows(), module_rows(), pdo_rows(), startup_rows(), variable_rows()}) {
+    for (auto part : {master_rows(), dc_rows(), dcm_rows(), image_rows(), slave_rows(), slave_dc_rows(),
+                      slave_option_rows(), mailbox_rows(), sync_rows(), module_rows(), pdo_rows(), startup_rows(),
+                      message_rows(), own_command_rows(), variable_rows()}) {
       append(rows, std::move(part));
     }
     return rows;

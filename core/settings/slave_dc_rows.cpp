@@ -136,6 +136,22 @@ std::vector<Setting> slave_dc_rows() {
   std::vector<Setting> rows{op_mode_row()};
   append(rows, unit_rows(0, "0x09A0", "0x0990", &DcSlaveSettings::sync0));
   append(rows, unit_rows(1, "0x09A4", "0x09A4", &DcSlaveSettings::sync1));
+  rows.push_back(with_automatic(
+      slave_setting(
+          "dc.sync0.input_reference", Switch{},
+          {.label = "Input reference",
+           .help =
+               "The input shift of the master is added to the shift of SYNC0, so that inputs are latched for the next "
+               "frame; auto as in the ESI.",
+           .object = "0x0990",
+           .eni = "Slave/DC/ShiftTime",
+           .expert = true},
+          [](auto& slave) -> auto& { return slave.dc.input_reference; }),
+      [](const Project& project, const Place& place) -> Value {
+        const auto& slave = at_slave(project, place);
+        const auto* mode = compiler::selected_op_mode(slave);
+        return mode != nullptr && generates(*mode, 0) ? Value{mode->shift_time_sync0.input} : Value{};
+      }));
   rows.push_back(slave_setting(
       "dc.potential_reference_clock", Switch{},
       {.label = "Potential reference clock",

@@ -20,6 +20,8 @@ struct Setting;
 [[nodiscard]] std::vector<Setting> module_rows();        // modules, oversampling
 [[nodiscard]] std::vector<Setting> pdo_rows();           // assignment and mapping
 [[nodiscard]] std::vector<Setting> startup_rows();
+[[nodiscard]] std::vector<Setting> message_rows();      // start-up messages of AoE, EoE, FoE, VoE
+[[nodiscard]] std::vector<Setting> own_command_rows();  // register commands of slaves and master
 [[nodiscard]] std::vector<Setting> variable_rows();
 
 }  // namespace syncline::settings

@@ -5,6 +5,7 @@
 
 #include "config/master_settings.h"
 #include "config/slave_settings.h"
+#include "config/startup_messages.h"
 #include "eni/xml/xml_text.h"
 #include "reasons/because.h"
 
@@ -60,6 +61,7 @@ constexpr auto master_dc_fields = [](auto& x, auto& dc) {
   x.attribute("DelayDifferenceNs", dc.delay_difference);
   x.attribute("StartTimeSafetyNs", dc.start_time_safety);
   x.attribute("StartTimeGridNs", dc.start_time_grid);
+  x.attribute_unless_zero("InputShiftNs", dc.input_shift);
   x.child("Loop", dc.loop, dc_loop_fields);
   x.child("Notifications", dc.notifications, dc_notification_fields);
   x.child("SyncWindow", dc.sync_window, sync_window_fields);
@@ -93,6 +95,19 @@ constexpr auto unit_fields = [](auto& x, auto& unit) {
   x.optional_text("Task", unit.task);
 };
 
+constexpr auto register_fields = [](auto& x, auto& command) {
+  x.attribute("Read", command.read);
+  x.attribute("Address", command.address);
+  x.attribute("Enabled", command.enabled);
+  x.attribute("AfterSlaves", command.after_slaves);
+  x.attribute("TimeoutMs", command.timeout_ms);
+  x.transitions(command.transitions);
+  x.bytes("Data", command.data);
+  x.optional_bytes("Expected", command.expected);
+  x.optional_bytes("Mask", command.mask);
+  x.optional_text("Comment", command.comment);
+};
+
 constexpr auto master_fields = [](auto& x, auto& master) {
   x.attribute("CycleTimeNs", master.cycle_time);
   x.attribute("DestinationMac", master.destination_mac);
@@ -103,6 +118,7 @@ constexpr auto master_fields = [](auto& x, auto& master) {
   x.child("Recovery", master.recovery, recovery_fields);
   x.child("RealTime", master.real_time, real_time_fields);
   x.unless_default("ProcessImage", master.image, image_fields);
+  x.optional_list("RegisterCommands", "InitCmd", master.register_commands, register_fields);
   x.optional_list("Tasks", "Task", master.tasks, task_fields);
   x.optional_list("SyncUnits", "SyncUnit", master.sync_units, unit_fields);
 };
@@ -130,6 +146,7 @@ constexpr auto sync_unit_fields = [](auto& x, auto& unit) {
 
 constexpr auto slave_dc_fields = [](auto& x, auto& dc) {
   x.attribute("PotentialReferenceClock", dc.potential_reference_clock);
+  x.attribute("InputReference", dc.input_reference);
   x.text("OpMode", dc.op_mode);
   x.child("Sync0", dc.sync0, sync_unit_fields);
   x.child("Sync1", dc.sync1, sync_unit_fields);
@@ -152,6 +169,15 @@ constexpr auto soe_fields = [](auto& x, auto& soe) {
   x.transitions(soe.transitions);
   x.bytes("Data", soe.data);
   x.optional_text("Comment", soe.comment);
+};
+
+constexpr auto message_fields = [](auto& x, auto& message) {
+  x.attribute("Enabled", message.enabled);
+  x.attribute("Fixed", message.fixed);
+  x.attribute("TimeoutMs", message.timeout_ms);
+  x.transitions(message.transitions);
+  x.bytes("Data", message.data);
+  x.optional_text("Comment", message.comment);
 };
 
 constexpr auto module_fields = [](auto& x, auto& module) {
@@ -233,6 +259,12 @@ constexpr auto slave_fields = [](auto& x, auto& slave) {
   x.child("DistributedClocks", slave.dc, slave_dc_fields);
   x.list("Startup", "InitCmd", slave.startup, startup_fields);
   x.optional_list("SoeStartup", "InitCmd", slave.soe_startup, soe_fields);
+  for (const auto& protocol : kMessageProtocols) {
+    const auto name = std::string(protocol.name) + "Startup";
+    x.list_unless(name.c_str(), "InitCmd", slave.*protocol.startup, esi_messages(slave.device, protocol.type),
+                  message_fields);
+  }
+  x.optional_list("RegisterCommands", "InitCmd", slave.register_commands, register_fields);
   x.optional_list("Modules", "Module", slave.modules, module_fields);
   x.optional_list("Oversampling", "Pdo", slave.oversampling, oversampling_fields);
   x.unless_default("Watchdog", slave.watchdog, watchdog_fields);

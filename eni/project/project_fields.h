@@ -51,6 +51,10 @@ class FieldWriter {
   void attribute_if_set(const char* name, bool value) {
     if (value) attribute(name, value);
   }
+  template <std::integral T>
+  void attribute_unless_zero(const char* name, const T& value) {
+    if (value != 0) attribute(name, value);
+  }
   void attribute(const char* name, const DcmMode& mode) { xml_.attribute(name, dcm_mode_name(mode)); }
   void attribute(const char* name, const std::string& text) { xml_.attribute(name, text); }
   void attribute(const char* name, const ValueScale& scale) { xml_.attribute(name, value_scale_name(scale)); }
@@ -102,6 +106,15 @@ class FieldWriter {
   void optional_list(const char* name, const char* item, const std::vector<T>& values, Fields fields) {
     if (!values.empty()) list(name, item, values, fields);
   }
+  void optional_bytes(const char* name, const std::vector<std::uint8_t>& value) {
+    if (!value.empty()) bytes(name, value);
+  }
+  /// Left out where it is `usual`, which a reader takes where nothing is said.
+  template <class T, class Fields>
+  void list_unless(const char* name, const char* item, const std::vector<T>& values, const std::vector<T>& usual,
+                   Fields fields) {
+    if (values != usual) list(name, item, values, fields);
+  }
   void init_cmd(const StartupCommand& command) { write_init_cmd_content(xml_, command); }
 
  private:
@@ -118,6 +131,10 @@ class FieldReader {
   template <std::integral T>
   void attribute(const char* name, T& value) {
     value = node_.number<T>(name).value_or(value);
+  }
+  template <std::integral T>
+  void attribute_unless_zero(const char* name, T& value) {
+    attribute(name, value);
   }
   template <class T>
   void attribute(const char* name, std::optional<T>& value) {
@@ -202,6 +219,15 @@ class FieldReader {
   }
   void bytes(const char* name, std::vector<std::uint8_t>& value) {
     if (const Node found = node_.child(name)) value = found.bytes();
+  }
+  void optional_bytes(const char* name, std::vector<std::uint8_t>& value) { bytes(name, value); }
+  template <class T, class Fields>
+  void list_unless(const char* name, const char* item, std::vector<T>& values, const std::vector<T>& usual,
+                   Fields fields) {
+    values = usual;
+    if (!node_.child(name)) return;
+    values.clear();
+    list(name, item, values, fields);
   }
   void transitions(std::vector<Transition>& values);
   void init_cmd(StartupCommand& command);

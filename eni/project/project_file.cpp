@@ -83,14 +83,15 @@ Project read_network(const Node& node, const ReadDevices& devices) {
   read_views(own, project.views);
   for (const Node& slave_node : node.required("Slaves").children("Slave")) {
     auto& slave = project.slaves.emplace_back();
-    FieldReader reader(slave_node);
-    read_fields(reader, slave);
     const auto id = slave_node.attribute("Device");
     const auto device = devices.find(id);
+    // The device first: what its ESI sends stands for what the file does not say.
+    if (device != devices.end()) slave.device = device->second;
+    FieldReader reader(slave_node);
+    read_fields(reader, slave);
     if (device == devices.end()) {
       slave_node.fail(ErrorCode::kXmlBadValue, because("there is no device \"{name}\" in the file", id));
     } else {
-      slave.device = device->second;
       if (const auto status = check_sync_settings(slave); !status) {
         const auto& key = status.error().subject;
         const char* element = key.starts_with("can.") ? "Can" : key.starts_with("output_pin.") ? "OutputPins" : "Sync";

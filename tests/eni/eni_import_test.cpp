@@ -57,14 +57,24 @@ TEST(EniImport, SetIpCommandsOfOtherTools) {
   EXPECT_EQ(decode_ip_parameters({}, 1001), std::nullopt);
 }
 
-TEST(EniImport, OtherEoeCommandsAreNamed) {
-  auto config = compile(with_eoe())->config;
-  config.slaves[3].mailbox->eoe_commands = {{.transitions = {Transition::kPS}, .data = {4, 0, 0, 0, 1}}};
-  const auto recovered = recover_project(config);
-  const auto named = std::ranges::find_if(recovered.findings, [](const Finding& finding) {
-    return finding.place.slave == 3 && describe(finding).find("EoE") != std::string::npos;
-  });
-  EXPECT_NE(named, recovered.findings.end());
+/// What EoE sends beside the address is kept, through the file and back.
+TEST(EniImport, OtherEoeCommandsAndOwnRegistersAreKept) {
+  auto project = with_eoe();
+  project.slaves[3].eoe_startup = {{.transitions = {Transition::kPS}, .data = {4, 0, 0, 0, 1}, .comment = "filter"}};
+  RegisterCommand own;
+  own.address = 0x0F10;
+  own.data = {1, 2};
+  own.comment = "outputs";
+  project.slaves[2].register_commands = project.master.register_commands = {own};
+  const auto text = eni::write_eni(compile(project)->config);
+  EXPECT_THAT(text, HasSubstr("<Ado>3856</Ado>"));
+  const auto imported = eni::import_eni_text(text, "eoe.xml");
+  ASSERT_TRUE(imported);
+  const auto recovered = recover_project(imported->config);
+  EXPECT_EQ(recovered.project.slaves[3].eoe_startup, project.slaves[3].eoe_startup);
+  EXPECT_EQ(recovered.project.slaves[2].register_commands, project.slaves[2].register_commands);
+  EXPECT_EQ(recovered.project.master.register_commands, project.master.register_commands);
+  for (const Finding& finding : recovered.findings) EXPECT_NE(finding.code, "startup-lost");
 }
 
 TEST(EniImport, WhatIsNotReadIsNamedOnceWithItsLine) {

@@ -54,6 +54,21 @@ Project three_slaves() {
   return project;
 }
 
+/// Files from before these lists existed say nothing of them: what the ESI sends is sent as it was.
+TEST(ProjectFile, MessagesThatAFileDoesNotSpeakOfAreTheEsis) {
+  Project project;
+  auto device = sample::servo();
+  device.mailbox->aoe = true;
+  device.mailbox->aoe_options.init_commands = {{{Transition::kPS}, 0, {1, 2}, "of the ESI"}};
+  project.slaves = {default_slave(device, 0)};
+  ASSERT_EQ(project.slaves[0].aoe_startup.size(), 1U);
+  const auto text = write_project(project);
+  EXPECT_EQ(text.find("AoEStartup"), std::string::npos);
+  EXPECT_EQ(parse_project(text, "p.syncline")->slaves[0].aoe_startup, project.slaves[0].aoe_startup);
+  project.slaves[0].aoe_startup.clear();
+  EXPECT_TRUE(parse_project(write_project(project), "p.syncline")->slaves[0].aoe_startup.empty());
+}
+
 std::size_t count(const std::string& text, const std::string& word) {
   std::size_t n = 0;
   for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;

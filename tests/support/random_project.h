@@ -7,6 +7,7 @@
 
 #include "config/module_slots.h"
 #include "config/project.h"
+#include "config/startup_messages.h"
 
 namespace syncline::test {
 
@@ -196,6 +197,11 @@ class RandomProject {
       m.coe->pdo_upload = chance(2), m.coe->complete_access = chance(2), m.coe->segmented_sdo = chance(2);
       for (int i = number(0, 3); i > 0; --i) m.coe->init_commands.push_back(startup());
     }
+    for (auto* commands : {&m.aoe_options.init_commands, &m.eoe_options.init_commands}) {
+      const bool eoe = commands == &m.eoe_options.init_commands;
+      if (!(eoe ? m.eoe : m.aoe) || chance(2)) continue;
+      commands->push_back({{Transition::kIP}, eoe ? number(0, 9) : 0, bytes(number(1, 6)), pick({"", "from the ESI"})});
+    }
     return m;
   }
 
@@ -268,6 +274,11 @@ class RandomProject {
   }
 
   void arrange_tasks(Project& p) {
+    if (chance(2)) p.master.dc.input_shift = number<Nanoseconds>(-kMillisecond, kMillisecond);
+    for (int i = number(0, 2); i > 0; --i) {
+      p.master.register_commands.push_back(register_command());
+      p.master.register_commands.back().after_slaves = chance(2);
+    }
     auto& image = p.master.image;
     if (chance(3)) image.logical_start = number<std::uint32_t>(0, 0x7FFF'0000);
     image.alignment = static_cast<std::uint8_t>(1 << number(0, 3));
@@ -332,6 +343,34 @@ class RandomProject {
     std::ranges::sort(s.oversampling, {}, &PdoOversampling::pdo);
   }
 
+  MailboxInitCmd message() {
+    MailboxInitCmd m;
+    m.transitions = chance(2) ? std::vector{Transition::kIP, Transition::kSP} : std::vector{Transition::kPS};
+    m.data = bytes(number(1, 12));
+    m.fixed = chance(3);
+    m.enabled = !chance(3);
+    m.timeout_ms = chance(2) ? number<std::uint32_t>(1, 99999) : 0;
+    m.comment = pick({"", "own", "a # b"});
+    return m;
+  }
+
+  RegisterCommand register_command() {
+    RegisterCommand c;
+    if (chance(2)) c.transitions = {Transition::kIP, Transition::kOS};
+    c.read = chance(2);
+    c.address = number<std::uint16_t>(0, 0xFF00);
+    c.data = bytes(number(1, 8));
+    if (c.read) {
+      if (chance(2)) c.expected = bytes(static_cast<int>(c.data.size()));
+      if (!c.expected.empty() && chance(2)) c.mask = bytes(static_cast<int>(c.data.size()));
+      std::ranges::fill(c.data, std::uint8_t{0});
+    }
+    if (chance(2)) c.timeout_ms = number<std::uint32_t>(0, 9999);
+    c.enabled = !chance(3);
+    c.comment = pick({"", "latch", "a # b"});
+    return c;
+  }
+
   void set_mailbox_protocols(SlaveSettings& s) {
     s.eoe.enabled = !chance(4);
     if (chance(3)) s.eoe.mac = std::array<std::uint8_t, 6>{2, 0, 0, number<std::uint8_t>(0, 255), 0, 1};
@@ -341,7 +380,16 @@ class RandomProject {
     if (chance(3)) s.eoe.dns = "8.8.4.4";
     if (chance(3)) s.eoe.host_name = "drive-" + std::to_string(number(1, 99));
     if (chance(3)) s.ams_net_id = "5.1.2.3.4." + std::to_string(number(0, 255));
-    if (!s.device.mailbox || !s.device.mailbox->soe) return;
+    for (int i = number(0, 3); i > 0; --i) s.register_commands.push_back(register_command());
+    if (!s.device.mailbox) return;
+    for (const auto& protocol : kMessageProtocols) {
+      auto& messages = s.*protocol.startup;
+      messages = esi_messages(s.device, protocol.type);
+      if (!speaks(s.device, protocol)) continue;
+      if (!messages.empty() && chance(4)) messages.pop_back();
+      for (int i = number(0, 2); i > 0; --i) messages.push_back(message());
+    }
+    if (!s.device.mailbox->soe) return;
     for (int i = number(0, 3); i > 0; --i) {
       SoeCommand command;
       command.transitions = {Transition::kPS, Transition::kSO};
@@ -421,6 +469,7 @@ class RandomProject {
     }
     s.dc.sync0 = sync_unit();
     s.dc.sync1 = sync_unit();
+    if (s.device.dc && chance(2)) s.dc.input_reference = chance(2);
     s.dc.potential_reference_clock = chance(2);
     if (s.device.mailbox && s.device.mailbox->coe) {
       for (int i = number(0, 4); i > 0; --i) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
+#include <vector>
 
 #include "settings/settings_table.h"
 #include "support/ui_test_support.h"
@@ -64,6 +66,36 @@ TEST(ConfiguratorDocument, SaysWhereEachSettingIs) {
   }
   EXPECT_NE(text.find(table), std::string::npos) << "SYNCLINE_WRITE_GOLDEN=1 test_ui writes it";
   EXPECT_EQ(table.find("` |  | "), std::string::npos) << "a key without a page";
+}
+
+/// Page, default, register and element of the ENI beside the fields of other tools are those of the table below.
+TEST(ConfiguratorDocument, SaysTheSameBesideTheFieldsOfOtherTools) {
+  const auto text = fileText(test::source_dir() + "/docs/configurator.md");
+  const auto cells = [](const std::string& line) {
+    std::vector<std::string> out;
+    std::istringstream rest(line);
+    for (std::string one; std::getline(rest, one, '|');) {
+      one.erase(0, std::min(one.find_first_not_of(' '), one.size()));
+      one.erase(one.find_last_not_of(' ') + 1);
+      out.push_back(one);
+    }
+    return out;
+  };
+  std::map<std::string, std::vector<std::string>> known;
+  std::istringstream table(text.substr(text.find(kTableBegin)));
+  for (std::string line; std::getline(table, line);) {
+    const auto row = cells(line);
+    if (row.size() > 6 && row[1].starts_with('`')) known[row[1]] = {row[2], row[4], row[5], row[6]};
+  }
+  std::istringstream fields(text.substr(0, text.find(kTableBegin)));
+  int compared = 0;
+  for (std::string line; std::getline(fields, line);) {
+    const auto row = cells(line);
+    if (row.size() != 7 || !row[2].starts_with('`')) continue;
+    EXPECT_EQ(known[row[2]], (std::vector<std::string>{row[3], row[4], row[5], row[6]})) << row[2];
+    ++compared;
+  }
+  EXPECT_GE(compared, 30) << "fields of the two pages for distributed clocks";
 }
 
 /// Keys that the words above the table name exist.

@@ -2,30 +2,20 @@
 // Editing settings in the window: what is typed reaches the project as one undo step, and nothing else does.
 #include <gtest/gtest.h>
 
-#include <QAction>
-#include <QButtonGroup>
 #include <QCheckBox>
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QRadioButton>
 #include <QRegularExpression>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
-#include <QToolButton>
 #include <QWheelEvent>
-#include <algorithm>
-#include <map>
 #include <set>
 
 #include "eni/project/project_file.h"
-#include "settings/default_value.h"
 #include "support/editable_project.h"
 #include "support/project_window.h"
 #include "support/speak.h"
 #include "support/ui_test_support.h"
-#include "tests/support/eni_effect.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
@@ -41,10 +31,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kGateway = 3, kPins = 4;
-
 using test::editableProject;
-using test::projectOfFamilies;
 
 class Fields : public test::ProjectWindow {
  protected:
@@ -280,242 +267,6 @@ TEST(NumberFields, ReadWhatUsersWrite) {
   EXPECT_EQ(parseNumber(us, QStringLiteral("62.5")), 62'500);
   QLocale::setDefault(QLocale::c());
   EXPECT_EQ(parseNumber(settings::integer(0, 9, "ms"), QStringLiteral("7 ms")), 7);
-}
-
-/// Both ends of the parts of records, by the fields' names.
-const std::map<std::string, std::pair<const char*, const char*>> kPartEnds{
-    {"taskName", {"x", "A task with a long name"}},
-    {"taskMultiple", {"1", "1000"}},
-    {"unitName", {"x", "A unit with a long name"}},
-    {"coeObject", {"0x0001:00", "0xffff:ff"}},
-    {"coeValue", {"0", "255"}},
-    {"coeTimeout", {"1", "4294967295"}},
-    {"coeComment", {"x", "A longer comment # with a mark"}},
-    {"soeDrive", {"0", "7"}},
-    {"soeIdn", {"S-0-0000", "P-7-4095"}},
-    {"soeValue", {"00", "ffffffff"}},
-    {"soeTimeout", {"1", "4294967295"}},
-    {"soeComment", {"x", "A longer comment"}},
-    {"mappingObject", {"0x0000:00", "0xffff:ff"}},
-    {"mappingBits", {"1", "255"}},
-};
-
-/// Every key that a page edits, through its field and by keyboard.
-class EveryKey : public Fields {
- protected:
-  using Act = std::function<void()>;
-
-  EveryKey() {
-    workspace_.document().replace(QStringLiteral("load"), machine_);
-    workspace_.setExpert(true);
-  }
-
-  static settings::Value read(const FieldBinder::Bound& bound, const Project& project) {
-    return bound.setting->read(project, bound.place().value_or(settings::Place{}));
-  }
-
-  /// Both ends of what a text may be.
-  static QStringList textEnds(const settings::Setting& setting) {
-    if (std::holds_alternative<settings::MacAddress>(setting.type)) {
-      return {QStringLiteral("00:00:00:00:00:00"), QStringLiteral("ff:ff:ff:ff:ff:ff")};
-    }
-    const auto* text = std::get_if<settings::Text>(&setting.type);
-    if (text == nullptr) return {QStringLiteral("0:A"), QStringLiteral("2:D")};  // where a slave is plugged in
-    if (text->fits == nullptr) return {QString(u'x'), QString(static_cast<int>(text->most_bytes), u'x')};
-    const auto parts = QString::fromUtf8(text->example.data(), static_cast<int>(text->example.size())).count(u'.') + 1;
-    return {QStringList(parts, QStringLiteral("0")).join(u'.'), QStringList(parts, QStringLiteral("255")).join(u'.')};
-  }
-
-  /// What the step changed in the ENI, where both can be exported.
-  void noteEni(const std::string& key, const Project& before, const Project& after) {
-    auto& effect = eni_[key];
-    for (const auto dialect : {EniDialect::kEcEngineer, EniDialect::kTwinCat}) {
-      const auto left = test::eni_text(before, dialect), right = test::eni_text(after, dialect);
-      if (left.empty() || right.empty()) continue;
-      ++effect.tried;
-      if (left == right) continue;
-      ++effect.changed;
-      effect.paths.merge(test::other_paths(test::elements_of(left), test::elements_of(right)));
-    }
-  }
-
-  /// The steps of a key changed what its column *ENI* names, where they changed anything in the ENI of this machine; a
-  /// key without one changed nothing.
-  static void expectEni(const settings::Setting& setting, const test::EniEffect& effect) {
-    const auto named = test::named_in(setting.words.eni);
-    EXPECT_TRUE(effect.changed == 0 || std::ranges::any_of(named, [&](const auto& name) { return effect.holds(name); }))
-        << setting.key << " changes " << effect.some_path();
-  }
-
-  std::map<std::string, test::EniEffect> eni_;
-
-  /// `act` is one undo step that gives `wanted`; undo and redo are exact.
-  void expectOneStep(const FieldBinder::Bound& bound, const Act& act, const std::optional<settings::Value>& wanted) {
-    const auto& key = bound.setting->key;
-    const Project before = project();
-    const int base = steps().index();
-    act();
-    ASSERT_EQ(steps().index(), base + 1) << key;
-    const Project after = project();
-    EXPECT_FALSE(after == before) << key;
-    noteEni(key, before, after);
-    if (wanted) {
-      EXPECT_EQ(read(bound, project()), *wanted) << key;
-    }
-    steps().undo();
-    EXPECT_EQ(project(), before) << key;
-    steps().redo();
-    EXPECT_EQ(project(), after) << key;
-    expectReset(bound);
-    EXPECT_EQ(project(), after) << key;
-    steps().undo();
-  }
-
-  /// The field's menu takes the default in one undo step, and does not offer it where it is there.
-  void expectReset(const FieldBinder::Bound& bound) {
-    const auto place = bound.place();
-    if (!place) return;  // the edit took the field away
-    const auto& key = bound.setting->key;
-    const auto usual = settings::default_value(*bound.setting, project(), *place);
-    const auto point = bound.widget->mapToGlobal(QPoint(3, 3));
-    QContextMenuEvent wanted(QContextMenuEvent::Mouse, QPoint(3, 3), point);
-    QApplication::sendEvent(bound.widget, &wanted);
-    auto* menu = bound.widget->findChild<QMenu*>(QStringLiteral("fieldMenu"));
-    ASSERT_NE(menu, nullptr) << key;
-    auto* reset = menu->findChild<QAction*>(QStringLiteral("fieldReset"));
-    ASSERT_NE(reset, nullptr) << key;
-    const bool differs = usual && *usual != read(bound, project());
-    EXPECT_EQ(reset->isEnabled(), differs) << key;
-    if (differs) {
-      const int base = steps().index();
-      reset->trigger();
-      ASSERT_EQ(steps().index(), base + 1) << key;
-      EXPECT_EQ(bound.setting->read(project(), *place), *usual) << key;
-      steps().undo();
-    }
-    delete menu;
-  }
-
-  void expectValue(const FieldBinder::Bound& bound, const settings::Value& value, const Act& act) {
-    if (read(bound, project()) == value) return;
-    expectOneStep(bound, act, value);
-  }
-
-  void driveChoice(const FieldBinder::Bound& bound, ChoiceEdit& box) {
-    for (const auto end : {Qt::Key_End, Qt::Key_Home}) {
-      const int row = end == Qt::Key_Home ? 0 : box.count() - 1;
-      if (box.currentIndex() == row) continue;
-      expectOneStep(
-          bound,
-          [&] {
-            box.setFocus();
-            QTest::keyClick(&box, end);
-          },
-          std::nullopt);
-    }
-  }
-
-  const Project machine_ = projectOfFamilies();
-
-  void drive(const FieldBinder::Bound& bound) {
-    auto* widget = bound.widget;
-    ASSERT_TRUE(widget->isEnabled()) << bound.setting->key;
-    if (auto* number = qobject_cast<NumberEdit*>(widget)) {
-      const auto& type = std::get<settings::Number>(bound.setting->type);
-      for (const auto end : {number->range().low, number->range().high}) {
-        expectValue(bound, end, [&] { test::type(*number, numberText(type, end)); });
-      }
-    } else if (auto* preset = qobject_cast<PresetEdit*>(widget)) {
-      const auto& type = std::get<settings::Number>(bound.setting->type);
-      for (const auto end : {type.range.low, type.range.high}) {
-        expectValue(bound, end, [&] { test::type(*preset, numberText(type, end)); });
-      }
-    } else if (auto* text = qobject_cast<TextEdit*>(widget)) {
-      if (const auto part = kPartEnds.find(text->objectName().toStdString()); part != kPartEnds.end()) {
-        for (const auto* end : {part->second.first, part->second.second}) {
-          if (text->text() == QLatin1String(end)) continue;
-          expectOneStep(
-              bound, [&] { test::type(*text, QLatin1String(end)); }, std::nullopt);
-        }
-        return;
-      }
-      for (const auto& end : textEnds(*bound.setting)) {
-        const auto& setting = *bound.setting;
-        const auto place = bound.place().value_or(settings::Place{});
-        const auto value = setting.parse ? setting.parse(project(), place, end.toStdString())
-                                         : settings::parse_value(setting.type, end.toStdString());
-        ASSERT_TRUE(value.has_value()) << setting.key;
-        expectValue(bound, *value, [&] { test::type(*text, end); });
-      }
-    } else if (auto* choice = qobject_cast<ChoiceEdit*>(widget)) {
-      driveChoice(bound, *choice);
-    } else if (qobject_cast<QCheckBox*>(widget) != nullptr) {
-      expectOneStep(
-          bound,
-          [&] {
-            widget->setFocus();
-            QTest::keyClick(widget, Qt::Key_Space);
-          },
-          std::nullopt);
-    } else if (auto* table = qobject_cast<QTableView*>(widget)) {
-      expectOneStep(
-          bound,
-          [&] {
-            table->setFocus();
-            table->setCurrentIndex(table->model()->index(0, 0));
-            QTest::keyClick(table, Qt::Key_Space);
-          },
-          std::nullopt);
-    } else if (const auto transitions = widget->findChildren<QToolButton*>(); !transitions.isEmpty()) {
-      for (auto* button : {transitions.front(), transitions.back()}) {
-        expectOneStep(
-            bound,
-            [&] {
-              button->setFocus();
-              QTest::keyClick(button, Qt::Key_Space);
-            },
-            std::nullopt);
-      }
-    } else {
-      const auto buttons = widget->findChildren<QRadioButton*>();
-      ASSERT_FALSE(buttons.isEmpty()) << bound.setting->key;
-      for (auto* button : buttons) {
-        if (button->isChecked()) continue;
-        expectOneStep(
-            bound,
-            [&] {
-              button->setFocus();
-              QTest::keyClick(button, Qt::Key_Space);
-            },
-            std::nullopt);
-      }
-    }
-  }
-};
-
-TEST_F(EveryKey, GoesThroughItsFieldAtBothEndsOfItsRange) {
-  std::set<std::string> keys;
-  for (const int node : {-1, 1, kGateway, kPins}) {
-    window_.selectNode(node);
-    for (auto* page : window_.editor().pages()) {
-      if (!page->appliesTo(node)) continue;
-      window_.editor().tabs()->setCurrentWidget(page);
-      for (const auto& bound : page->fields().bound()) {
-        const bool driven = node > 1 && keys.contains(bound.setting->key);
-        if (driven || !bound.place() || !bound.widget->isVisible()) continue;
-        drive(bound);
-        ASSERT_EQ(project(), machine_) << bound.setting->key;
-        keys.insert(bound.setting->key);
-      }
-    }
-  }
-  for (const auto& setting : settings::table()) {
-    EXPECT_TRUE(keys.contains(setting.key)) << setting.key;
-    expectEni(setting, eni_[setting.key]);
-  }
-  const auto changed = [](const auto& of_key) { return of_key.second.changed > 0; };
-  EXPECT_GT(std::ranges::count_if(eni_, changed), 25) << "keys whose steps another ENI came of";
-  RecordProperty("keys", static_cast<int>(keys.size()));
 }
 
 /// Only the keyboard and the mouse reach the project: showing other nodes and other projects makes no step.

@@ -202,12 +202,27 @@ TEST_F(RecordingWindow, ACaptureIsImportedAsARecording) {
   EXPECT_EQ(record.limits().cycle_time, 500 * kMicrosecond);
   EXPECT_EQ(record.samples().stamped_by(), StampSource::kCapture);
   EXPECT_EQ(workspace_.recording().run().info.cycles, 5'000U);
+  // A part of it: half a second from the second on, and no more than so many frames of that.
+  ImportLimits part;
+  part.from = kSecond;
+  part.until = kSecond + kSecond / 2;
+  part.deviation_ns = 100;
+  commands->importCapture(capture, path("part.slrec"), part);
+  ASSERT_TRUE(waitFor([&] { return workspace_.recording().path() == path("part.slrec"); }));
+  EXPECT_EQ(workspace_.recording().run().info.cycles, 1'000U);
+  EXPECT_EQ(workspace_.recording().run().record->limits().deviation_ns, 100);
+  part.most_frames = 100;
+  commands->importCapture(capture, path("few.slrec"), part);
+  ASSERT_TRUE(waitFor([&] { return workspace_.recording().path() == path("few.slrec"); }));
+  EXPECT_EQ(workspace_.recording().run().info.cycles, 50U) << "each with its answer";
+  commands->importCapture(capture, path("capture2.slrec"));
+  ASSERT_TRUE(waitFor([&] { return workspace_.recording().path() == path("capture2.slrec"); }));
   // Cancelled there is no file, and what is shown stays.
   commands->importCapture(capture, path("cancelled.slrec"));
   workspace_.recording().cancel();
   ASSERT_TRUE(waitFor([&] { return !workspace_.recording().isReading(); }));
   EXPECT_FALSE(QFile::exists(path("cancelled.slrec")));
-  EXPECT_EQ(workspace_.recording().path(), path("capture.slrec"));
+  EXPECT_EQ(workspace_.recording().path(), path("capture2.slrec"));
 }
 
 TEST_F(RecordingWindow, WhatTheTriggerFoundIsInTheRecording) {

@@ -8,6 +8,7 @@
 #include <QLabel>
 
 #include "support/running_window.h"
+#include "ui/plots/plot_colors.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
@@ -48,6 +49,20 @@ TEST(TimingDiagram, IsToScale) {
   EXPECT_GT(width, 300);
   EXPECT_NEAR(diagram.xOf(400 * kMicrosecond) - diagram.xOf(0), 0.4 * width, 1e-6);
   EXPECT_LE(diagram.xOf(kMillisecond), 600);
+}
+
+TEST(TimingDiagram, HasARowForTheLatchUnit) {
+  auto timing = usual();
+  timing.compute = 100 * kMicrosecond;
+  const Painted without(timing);
+  timing.latch.emplace().in_frames = true;
+  const Painted with(timing);
+  EXPECT_GT(with.diagram.sizeHint().height(), without.diagram.sizeHint().height());
+  const auto color = plot_colors::trace(with.diagram.palette(), 2);
+  EXPECT_EQ(without.coloured(color), 0);
+  EXPECT_GT(with.coloured(color), 0);
+  EXPECT_TRUE(with.diagram.described().contains(QStringLiteral("0x09AE"))) << qPrintable(with.diagram.described());
+  EXPECT_FALSE(without.diagram.described().contains(QStringLiteral("atch")));
 }
 
 TEST(TimingDiagram, SaysWhatItDraws) {

@@ -3221,8 +3221,8 @@
         <translation>Send oder Recv liegt nicht dort, wohin die Frames die Daten legen</translation>
     </message>
     <message>
-        <source>Send them by the application where the slave needs them.</source>
-        <translation>Sie von der Anwendung senden, wo der Slave sie braucht.</translation>
+        <source>Import with an ESI that has the protocol.</source>
+        <translation>Mit einer ESI importieren, die das Protokoll hat.</translation>
     </message>
     <message>
         <source>Sending or receiving failed</source>
@@ -3365,16 +3365,12 @@
         <translation>Die Startkommandos kommen in anderer Reihenfolge</translation>
     </message>
     <message>
-        <source>Start-up commands of EoE cannot be kept ({commands}): a project has a place for the IP parameters only.</source>
-        <translation>Startkommandos von EoE lassen sich nicht behalten ({commands}): ein Projekt hat nur Platz für die IP-Parameter.</translation>
-    </message>
-    <message>
         <source>Start-up commands of a protocol that the mailbox does not name</source>
         <translation>Startkommandos eines Protokolls, das die Mailbox nicht nennt</translation>
     </message>
     <message>
-        <source>Start-up commands of {protocol} cannot be kept ({commands}): a project has no place for them.</source>
-        <translation>Startkommandos von {protocol} lassen sich nicht behalten ({commands}): ein Projekt hat keinen Platz dafür.</translation>
+        <source>Start-up commands of {protocol} cannot be kept ({commands}): the device's ESI does not know this protocol.</source>
+        <translation>Startkommandos für {protocol} lassen sich nicht übernehmen ({commands}): die ESI des Geräts kennt dieses Protokoll nicht.</translation>
     </message>
     <message>
         <source>Station address</source>
@@ -7867,6 +7863,46 @@
     <message>
         <source>"{text}" is no DRIVE:IDN=DATA like 0:S-0-0047=00000000</source>
         <translation>"{text}" ist kein DRIVE:IDN=DATA wie 0:S-0-0047=00000000</translation>
+    </message>
+    <message>
+        <source>"{text}" is no data=HEX like data=0200</source>
+        <translation>"{text}" ist kein data=HEX wie data=0200</translation>
+    </message>
+    <message>
+        <source>the device has no {protocol} mailbox</source>
+        <translation>das Gerät hat keine {protocol}-Mailbox</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither write nor read</source>
+        <translation>"{text}" ist weder write noch read</translation>
+    </message>
+    <message>
+        <source>"{text}" is no REGISTER=DATA like 0x09A8=0100, nor, for a read, REGISTER*BYTES</source>
+        <translation>"{text}" ist kein REGISTER=DATA wie 0x09A8=0100 und, beim Lesen, kein REGISTER*BYTES</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of expect=HEX, mask=HEX, within=MS, off, after</source>
+        <translation>"{text}" ist keines von expect=HEX, mask=HEX, within=MS, off, after</translation>
+    </message>
+    <message>
+        <source>only a read expects a value, of as many bytes as it reads; a mask is as long</source>
+        <translation>nur wer liest, erwartet einen Wert, und zwar mit so vielen Bytes, wie gelesen werden; eine Maske ist ebenso lang</translation>
+    </message>
+    <message>
+        <source>only commands of the master stand behind those of the slaves</source>
+        <translation>nur Kommandos des Masters stehen hinter denen der Slaves</translation>
+    </message>
+    <message>
+        <source>A start-up message is longer than the mailbox</source>
+        <translation>Eine Startnachricht ist länger als die Mailbox</translation>
+    </message>
+    <message>
+        <source>Shorten it, or enlarge the output mailbox.</source>
+        <translation>Sie kürzen oder die Ausgangs-Mailbox vergrößern.</translation>
+    </message>
+    <message>
+        <source>The message has {bytes} bytes, the slave's mailbox takes {most}.</source>
+        <translation>Die Nachricht hat {bytes} Bytes, die Mailbox des Slaves fasst {most}.</translation>
     </message>
     <message>
         <source>"{text}" is no IDN of a drive 0..7</source>

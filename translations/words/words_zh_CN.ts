@@ -3221,8 +3221,8 @@
         <translation>Send 或 Recv 的位置与帧放置数据的位置不同</translation>
     </message>
     <message>
-        <source>Send them by the application where the slave needs them.</source>
-        <translation>在从站需要时由应用程序发送。</translation>
+        <source>Import with an ESI that has the protocol.</source>
+        <translation>使用含有该协议的 ESI 导入。</translation>
     </message>
     <message>
         <source>Sending or receiving failed</source>
@@ -3365,16 +3365,12 @@
         <translation>启动命令的顺序不同</translation>
     </message>
     <message>
-        <source>Start-up commands of EoE cannot be kept ({commands}): a project has a place for the IP parameters only.</source>
-        <translation>EoE 的启动命令无法保留 ({commands})：项目中只能存放 IP 参数。</translation>
-    </message>
-    <message>
         <source>Start-up commands of a protocol that the mailbox does not name</source>
         <translation>启动命令所用的协议未在邮箱中声明</translation>
     </message>
     <message>
-        <source>Start-up commands of {protocol} cannot be kept ({commands}): a project has no place for them.</source>
-        <translation>{protocol} 的启动命令无法保留 ({commands})：项目中无处存放。</translation>
+        <source>Start-up commands of {protocol} cannot be kept ({commands}): the device's ESI does not know this protocol.</source>
+        <translation>无法保留 {protocol} 的启动命令（{commands}）：设备的 ESI 没有此协议。</translation>
     </message>
     <message>
         <source>Station address</source>
@@ -7867,6 +7863,46 @@
     <message>
         <source>"{text}" is no DRIVE:IDN=DATA like 0:S-0-0047=00000000</source>
         <translation>“{text}”不是形如 0:S-0-0047=00000000 的 DRIVE:IDN=DATA</translation>
+    </message>
+    <message>
+        <source>"{text}" is no data=HEX like data=0200</source>
+        <translation>“{text}”不是形如 data=0200 的 data=HEX</translation>
+    </message>
+    <message>
+        <source>the device has no {protocol} mailbox</source>
+        <translation>设备没有 {protocol} 邮箱</translation>
+    </message>
+    <message>
+        <source>"{text}" is neither write nor read</source>
+        <translation>“{text}”既不是 write 也不是 read</translation>
+    </message>
+    <message>
+        <source>"{text}" is no REGISTER=DATA like 0x09A8=0100, nor, for a read, REGISTER*BYTES</source>
+        <translation>“{text}”不是形如 0x09A8=0100 的 REGISTER=DATA，读取时也不是 REGISTER*BYTES</translation>
+    </message>
+    <message>
+        <source>"{text}" is none of expect=HEX, mask=HEX, within=MS, off, after</source>
+        <translation>“{text}”不是 expect=HEX、mask=HEX、within=MS、off、after 之一</translation>
+    </message>
+    <message>
+        <source>only a read expects a value, of as many bytes as it reads; a mask is as long</source>
+        <translation>只有读取才有期望值，其字节数与读取的相同；掩码也一样长</translation>
+    </message>
+    <message>
+        <source>only commands of the master stand behind those of the slaves</source>
+        <translation>只有主站的命令才能排在从站命令之后</translation>
+    </message>
+    <message>
+        <source>A start-up message is longer than the mailbox</source>
+        <translation>启动消息比邮箱长</translation>
+    </message>
+    <message>
+        <source>Shorten it, or enlarge the output mailbox.</source>
+        <translation>缩短消息，或增大输出邮箱。</translation>
+    </message>
+    <message>
+        <source>The message has {bytes} bytes, the slave's mailbox takes {most}.</source>
+        <translation>消息有 {bytes} 字节，从站的邮箱可容纳 {most} 字节。</translation>
     </message>
     <message>
         <source>"{text}" is no IDN of a drive 0..7</source>

@@ -12,6 +12,7 @@
 #include "ui/dialogs/black_box_dialog.h"
 #include "ui/dialogs/commissioning_dialog.h"
 #include "ui/dialogs/error_dialog.h"
+#include "ui/dialogs/import_dialog.h"
 #include "ui/dialogs/memory_dialog.h"
 #include "ui/dialogs/opening_picture.h"
 #include "ui/dialogs/questions.h"
@@ -50,20 +51,22 @@ void RecordingCommands::importCapture() {
   const auto capture = QFileDialog::getOpenFileName(&window_, tr("Import a Capture"), {},
                                                     tr("Captures (*.pcap *.pcapng *.cap);;All files (*)"));
   if (capture.isEmpty()) return;
+  ImportDialog dialog(capture, &window_);
+  if (dialog.exec() != QDialog::Accepted) return;
   const QFileInfo info(capture);
   const auto proposed = info.path() + u'/' + info.completeBaseName() + QStringLiteral(".slrec");
   auto path = QFileDialog::getSaveFileName(&window_, tr("Recording of the Capture"), proposed,
                                            tr("Recordings (*.slrec)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".slrec");
-  importCapture(capture, path);
+  importCapture(capture, path, dialog.limits());
 }
 
-void RecordingCommands::importCapture(const QString& capture, const QString& path) {
+void RecordingCommands::importCapture(const QString& capture, const QString& path, const ImportLimits& limits) {
   const auto& importer = workspace_.environment().import_capture;
   if (!importer || workspace_.recording().isReading()) return;
   progress_.begin(capture, "importProgress", tr("Import a Capture"), [this] { workspace_.recording().cancel(); });
-  workspace_.recording().importCapture(capture, path, importer);
+  workspace_.recording().importCapture(capture, path, limits, importer);
 }
 
 /// What is read in an instant needs no picture before.

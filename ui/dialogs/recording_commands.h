@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "record/black_box.h"
+#include "record/import_run.h"
 #include "support/types.h"
 #include "ui/dialogs/reading_progress.h"
 #include "ui/session/opened_recording.h"
@@ -25,9 +26,9 @@ class RecordingCommands final : public QObject {
 
   /// Reads it with progress and Cancel; then asks about a machine that runs. Errors are shown; then all is as it was.
   void open(const QString& path);
-  /// Asks for a capture and for the file of its recording; then as open().
+  /// Asks for a capture, how much of it is taken and for the file of its recording; then as open().
   void importCapture();
-  void importCapture(const QString& capture, const QString& path);
+  void importCapture(const QString& capture, const QString& path, const ImportLimits& limits = {});
   /// Begins to record to a file that the user names, or ends it.
   void toggle();
   /// Asks how much, and where to.

@@ -57,7 +57,7 @@ CycleTable::CycleTable(QWidget* parent) : QTableWidget(0, kCycleColumns, parent)
   setHorizontalHeaderLabels({tr("Cycle"), tr("Slaves"), tr("Because of")});
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setColumnWidth(kCycle, 90);
-  setColumnWidth(kVerdict, 150);
+  setColumnWidth(kVerdict, 180);
   stretchColumn(*this, kBy);
   setWordWrap(true);
   setToolTip(tr("Enter or a double click takes the cycle"));

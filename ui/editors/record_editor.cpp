@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kLowestTable = 120, kCardBeside = 330;
 
-QWidget* heading(const QString& title, QWidget* buttons) {
+QWidget* heading(const QString& title, QWidget* none, QWidget* buttons) {
   auto* area = new QWidget;
   auto* layout = new QHBoxLayout(area);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -27,7 +27,10 @@ QWidget* heading(const QString& title, QWidget* buttons) {
   auto font = label->font();
   font.setWeight(QFont::DemiBold);
   label->setFont(font);
-  layout->addWidget(label, 1);
+  layout->setSpacing(10);
+  layout->addWidget(label);
+  layout->addWidget(none, 1);
+  layout->addStretch();
   layout->addWidget(buttons);
   return area;
 }
@@ -70,7 +73,10 @@ RecordEditor::RecordEditor(Page& page, const char* name, const QString& title, R
   layout->setSpacing(10);
   auto* left = new QVBoxLayout;
   left->setSpacing(4);
-  left->addWidget(heading(title, form_->makeButtons(prefix)));
+  none_ = new QLabel(tr("none"));
+  none_->setEnabled(false);
+  none_->setVisible(false);
+  left->addWidget(heading(title, none_, form_->makeButtons(prefix)));
   left->addWidget(table_, 1);
   layout->addLayout(left, 3);
   card_ = new Card(tr("Selected"));
@@ -85,6 +91,8 @@ RecordEditor::RecordEditor(Page& page, const char* name, const QString& title, R
     page_.refresh();
   });
 }
+
+void RecordEditor::foldWhenEmpty() { folds_ = true; }
 
 int RecordEditor::row() const { return table_->currentIndex().row(); }
 
@@ -107,6 +115,10 @@ void RecordEditor::showRecords() {
   }
   showing_ = true;
   nothing_->setVisible(lines.empty());
+  const bool folded = folds_ && lines.empty();
+  none_->setVisible(folded);
+  table_->setVisible(!folded);
+  card_->setVisible(!folded);
   model_->setLines(lines);
   if (row() < 0 && !lines.empty()) table_->setCurrentIndex(model_->index(0, 0));
   showing_ = false;

@@ -28,6 +28,8 @@ class RecordEditor final : public QWidget {
   void showRecords();
   /// After them.
   void refreshButtons();
+  /// Without records it is one line with its buttons: for lists that most machines do not need.
+  void foldWhenEmpty();
   void select(int row);
   [[nodiscard]] int row() const;
   [[nodiscard]] Card& card() { return *card_; }
@@ -42,6 +44,8 @@ class RecordEditor final : public QWidget {
   RecordForm* form_;
   Card* card_;
   QLabel* nothing_;
+  QWidget* none_ = nullptr;  // stands in the heading while it is folded
+  bool folds_ = false;
   bool showing_ = false;  // rows come and go because the project says so
 };
 

@@ -10,9 +10,13 @@
 #include "exports/init_command_origin.h"
 #include "exports/init_commands.h"
 #include "protocol/object_value.h"
+#include "settings/setting.h"
 #include "ui/editors/field_binder.h"
+#include "ui/editors/item_list.h"
+#include "ui/editors/record_editor.h"
 #include "ui/models/record_model.h"
 #include "ui/models/word_filter.h"
+#include "ui/pages/message_parts.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
 #include "ui/text/units.h"
@@ -21,6 +25,11 @@
 
 namespace syncline::ui {
 namespace {
+
+constexpr const char *kSlaveRegisterKey = "slave.N.register.K", *kMasterRegisterKey = "master.register.K";
+/// What Add appends sends nothing before the user says what.
+constexpr const char* kFreshRegister = "PS write 0x0000=00 off";
+constexpr int kLowestInitTable = 200;
 
 enum InitColumn : int {
   kInitSlave,
@@ -76,6 +85,8 @@ QString originText(exports::InitCommandOrigin origin) {
       return InitCommandsPage::tr("ESI");
     case kStartup:
       return InitCommandsPage::tr("Page Start-up");
+    case kOwn:
+      return InitCommandsPage::tr("Own, below");
     case kSettings:
       break;
   }
@@ -115,9 +126,17 @@ InitCommandsPage::InitCommandsPage(Workspace& workspace)
                                                {kInitOrigin, 130}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setMinimumHeight(kLowestInitTable);
   count_ = new QLabel;
   count_->setObjectName(QStringLiteral("initCommandCount"));
   count_->setWordWrap(true);
+  const auto none = tr("None: the commands above are all.");
+  of_slave_ = new RecordEditor(*this, "register", tr("Own register commands"),
+                               itemList(*this, kSlaveRegisterKey, tr("register command"), none, kFreshRegister),
+                               registerParts(false), true);
+  of_master_ = new RecordEditor(*this, "masterRegister", tr("Own register commands to all slaves"),
+                                itemList(*this, kMasterRegisterKey, tr("register command"), none, kFreshRegister),
+                                registerParts(true), true);
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(12, 12, 12, 12);
@@ -125,6 +144,11 @@ InitCommandsPage::InitCommandsPage(Workspace& workspace)
   layout->addWidget(words_);
   layout->addWidget(table_, 1);
   layout->addWidget(count_);
+  for (auto* own : {of_slave_, of_master_}) {
+    own->foldWhenEmpty();
+    layout->addSpacing(8);
+    layout->addWidget(own);
+  }
   setWidget(content);
   fields().setExpertPage();
   connect(words_, &QLineEdit::textChanged, filter_, &WordFilter::setWords);
@@ -137,9 +161,26 @@ void InitCommandsPage::showEvent(QShowEvent* event) {
   Page::showEvent(event);
 }
 
-/// Thousands of lines are made for those who look at them.
+void InitCommandsPage::showPlace(const settings::Setting& setting, const settings::Place& place) {
+  if (setting.key == kSlaveRegisterKey) of_slave_->select(static_cast<int>(place.item));
+  if (setting.key == kMasterRegisterKey) of_master_->select(static_cast<int>(place.item));
+}
+
 void InitCommandsPage::refresh() {
-  if (!isVisible()) return;
+  showOwn();
+  if (isVisible()) showAll();
+}
+
+void InitCommandsPage::showOwn() {
+  of_slave_->setVisible(node() >= 0);
+  of_master_->setVisible(node() < 0);
+  for (auto* own : {of_slave_, of_master_}) own->showRecords();
+  fields().refresh();
+  for (auto* own : {of_slave_, of_master_}) own->refreshButtons();
+}
+
+/// Thousands of lines are made for those who look at them.
+void InitCommandsPage::showAll() {
   const auto* config = workspace().configuration().config();
   table_->setColumnHidden(kInitSlave, node() >= 0);
   if (config == nullptr) {
@@ -151,11 +192,10 @@ void InitCommandsPage::refresh() {
     if (node() < 0 || row.slave == node()) lines.push_back(lineOf(row, project()));
   }
   const auto count = static_cast<int>(lines.size());
-  count_->setText(node() < 0 ? tr("%n command(s), in the order of the ENI. Own ones are added on the page Start-up of "
-                                  "a slave.",
-                                  nullptr, count)
-                             : tr("%n command(s), in the order of the ENI. Own ones are added on the page Start-up.",
-                                  nullptr, count));
+  count_->setText(
+      tr("%n command(s), in the order of the ENI. Those of mailboxes are set on the page Start-up of a slave, "
+         "those of registers below.",
+         nullptr, count));
   model_->setLines(lines);
 }
 

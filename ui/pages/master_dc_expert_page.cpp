@@ -16,7 +16,7 @@ MasterDcExpertPage::MasterDcExpertPage(Workspace& workspace)
        "master.dc.continuous_propagation_compensation", "master.dc.delay_rounds", "master.dc.delay_difference_ns"});
   fields().keys(*columns->add(1, tr("Burst and Start Time")),
                 {"master.dc.burst_total", "master.dc.burst_bulk", "master.dc.burst_ends_early",
-                 "master.dc.start_time_safety_us", "master.dc.start_time_grid_us"});
+                 "master.dc.start_time_safety_us", "master.dc.start_time_grid_us", "master.dc.input_shift_us"});
   fields().keys(*columns->add(2, tr("Controller (DCM)")),
                 {"master.dc.gain_ppt", "master.dc.drift_error_gain", "master.dc.max_valid_ns",
                  "master.dc.start_delay_ms", "master.dc.control_off", "master.dc.log"});

@@ -38,6 +38,7 @@ SlaveDcPage::SlaveDcPage(Workspace& workspace)
   auto* sync0 = columns->add(1, tr("SYNC0"));
   auto* sync1 = columns->add(1, tr("SYNC1"));
   sync0_ = new SyncUnitEditor(0, *sync0, *this);
+  fields().keys(*sync0, {"slave.N.dc.sync0.input_reference"});
   sync1_ = new SyncUnitEditor(1, *sync1, *this);
   buildRegisters(*columns->add(0, tr("Registers")));
   buildTiming(*columns->add(2, tr("One Cycle")));
@@ -52,7 +53,7 @@ bool SlaveDcPage::appliesTo(int slave) const {
 }
 
 void SlaveDcPage::buildMode(Card& card) {
-  fields().choice(card, "operationMode", "slave.N.dc.op_mode")->setMinimumContentsLength(14);
+  fields().choice(card, "operationMode", "slave.N.dc.op_mode")->setMinimumContentsLength(17);
   description_ = card.addValue("operationModeDescription", tr("Meaning"), tr("ESI OpMode/Desc"));
   description_->setWordWrap(true);
   assign_activate_ = card.addValue("assignActivate", tr("AssignActivate"),

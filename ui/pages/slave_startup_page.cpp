@@ -3,16 +3,21 @@
 
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
+#include "config/startup_messages.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
 #include "settings/predicates.h"
 #include "settings/startup_text.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
+#include "ui/editors/item_list.h"
 #include "ui/editors/object_picker.h"
 #include "ui/editors/record_editor.h"
 #include "ui/editors/record_form.h"
+#include "ui/pages/message_parts.h"
 #include "ui/pages/startup_parts.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
@@ -24,20 +29,29 @@ constexpr const char *kCoeKey = "slave.N.startup.K", *kSoeKey = "slave.N.soe.K";
 constexpr int kAsDictionary = -1;
 
 /// What Add appends sends nothing before the user says what.
-constexpr const char *kFreshCoe = "PS 0x2000:00=00 off", *kFreshSoe = "PS 0:S-0-0001=0000 off";
+constexpr const char *kFreshCoe = "PS 0x2000:00=00 off", *kFreshSoe = "PS 0:S-0-0001=0000 off",
+                     *kFreshMessage = "PS data=00 off";
+
+struct MessageList {
+  MailboxType type;
+  const char *name, *key;
+};
+constexpr MessageList kMessageLists[] = {{MailboxType::kAoe, "aoeMessage", "slave.N.aoe.startup.K"},
+                                         {MailboxType::kEoe, "eoeMessage", "slave.N.eoe.startup.K"},
+                                         {MailboxType::kFoe, "foeMessage", "slave.N.foe.startup.K"},
+                                         {MailboxType::kVoe, "voeMessage", "slave.N.voe.startup.K"}};
 
 }  // namespace
 
 SlaveStartupPage::SlaveStartupPage(Workspace& workspace) : Page(workspace, "slaveStartupPage", tr("Start-up")) {
-  auto coe = listOf(kCoeKey, tr("start-up command"));
-  coe.nothing = tr("None: the slave starts with what it has.");
-  coe.fresh = [](const Records&) { return std::string(kFreshCoe); };
-  auto soe = listOf(kSoeKey, tr("SoE start-up command"));
-  soe.nothing = coe.nothing;
-  soe.fresh = [](const Records&) { return std::string(kFreshSoe); };
-  coe_ = new RecordEditor(*this, "startup", tr("Objects (CoE)"), std::move(coe),
-                          coeParts([this](const StartupCommand& command) { return typeOf(command); }), true);
-  soe_ = new RecordEditor(*this, "soe", tr("Parameters (SoE)"), std::move(soe), soeParts(), true);
+  const auto nothing = tr("None: the slave starts with what it has.");
+  const ShownDevice device = [this] { return slave() != nullptr ? &slave()->device : nullptr; };
+  coe_ = new RecordEditor(*this, "startup", tr("Objects (CoE)"),
+                          itemList(*this, kCoeKey, tr("start-up command"), nothing, kFreshCoe),
+                          coeParts([this](const StartupCommand& command) { return typeOf(command); }, device), true);
+  soe_ = new RecordEditor(*this, "soe", tr("Parameters (SoE)"),
+                          itemList(*this, kSoeKey, tr("SoE start-up command"), nothing, kFreshSoe), soeParts(device),
+                          true);
   addTypes();
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -45,26 +59,18 @@ SlaveStartupPage::SlaveStartupPage(Workspace& workspace) : Page(workspace, "slav
   layout->setSpacing(14);
   layout->addWidget(coe_, 1);
   layout->addWidget(soe_, 1);
+  for (const auto& [type, name, key] : kMessageLists) {
+    const auto protocol = std::ranges::find(kMessageProtocols, type, &MessageProtocol::type);
+    const auto title = QString::fromUtf8(protocol->name.data(), static_cast<int>(protocol->name.size()));
+    auto* editor = new RecordEditor(*this, name, tr("Messages (%1)").arg(title),
+                                    itemList(*this, key, tr("start-up message"), nothing, kFreshMessage),
+                                    messageParts(type, device), true);
+    editor->foldWhenEmpty();
+    messages_.push_back({editor, &*protocol, key});
+    layout->addWidget(editor, 1);
+  }
+  layout->addStretch();
   setWidget(content);
-}
-
-RecordList SlaveStartupPage::listOf(const char* key, const QString& item) {
-  const auto& setting = settings::row(key);
-  const auto at = [this] { return static_cast<std::size_t>(node()); };
-  RecordList list{.key = key, .item = item, .ordered = true, .read = {}, .edits = {}, .fresh = {}, .place = {}};
-  list.read = [this, &setting, at] {
-    Records records;
-    if (slave() == nullptr) return records;
-    for (const auto& place : setting.items(project(), at()))
-      records.push_back(settings::text_of(setting, project(), place));
-    return records;
-  };
-  list.edits = [key, at](const Records& before, const Records& after) { return itemEdits(key, at(), before, after); };
-  list.place = [this, &setting, at](int row) -> std::optional<settings::Place> {
-    if (slave() == nullptr || row < 0 || std::cmp_greater_equal(row, setting.items(project(), at()).size())) return {};
-    return settings::Place{at(), static_cast<std::uint32_t>(row)};
-  };
-  return list;
 }
 
 /// How the value is written is a matter of looking: it is no setting.
@@ -147,12 +153,18 @@ bool SlaveStartupPage::appliesTo(int position) const {
   const auto& slaves = project().slaves;
   if (position < 0 || std::cmp_greater_equal(position, slaves.size())) return false;
   const auto& of = slaves[static_cast<std::size_t>(position)];
-  return settings::has_coe(of) || settings::has_soe(of) || !of.startup.empty() || !of.soe_startup.empty();
+  return settings::has_coe(of) || settings::has_soe(of) || !of.startup.empty() || !of.soe_startup.empty() ||
+         std::ranges::any_of(kMessageProtocols, [&](const MessageProtocol& protocol) {
+           return speaks(of.device, protocol) || !(of.*protocol.startup).empty();
+         });
 }
 
 void SlaveStartupPage::showPlace(const settings::Setting& setting, const settings::Place& place) {
-  if (setting.key == kCoeKey) coe_->select(static_cast<int>(place.item));
-  if (setting.key == kSoeKey) soe_->select(static_cast<int>(place.item));
+  const auto item = static_cast<int>(place.item);
+  if (setting.key == kCoeKey) coe_->select(item);
+  if (setting.key == kSoeKey) soe_->select(item);
+  for (const auto& list : messages_)
+    if (setting.key == list.key) list.editor->select(item);
 }
 
 void SlaveStartupPage::refresh() {
@@ -163,10 +175,15 @@ void SlaveStartupPage::refresh() {
   choose_->setVisible(!of->device.dictionary.empty());
   coe_->showRecords();
   soe_->showRecords();
+  for (const auto& [editor, protocol, key] : messages_) {
+    editor->setVisible(speaks(of->device, *protocol) || !(of->*protocol->startup).empty());
+    editor->showRecords();
+  }
   showTypes();
   fields().refresh();
   coe_->refreshButtons();
   soe_->refreshButtons();
+  for (const auto& list : messages_) list.editor->refreshButtons();
   choose_->setEnabled(selected().has_value());
 }
 

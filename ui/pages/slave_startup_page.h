@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <tuple>
+#include <vector>
 
 #include "ui/editors/page.h"
 
 class QComboBox;
 
 namespace syncline {
+struct MessageProtocol;
 struct SlaveSettings;
 struct Snapshot;
 struct StartupCommand;
@@ -22,11 +25,10 @@ struct Setting;
 
 namespace syncline::ui {
 
-struct RecordList;
-
 class RecordEditor;
 
-/// The commands that a slave gets by its mailbox as it starts: objects of CoE, parameters of SoE.
+/// The commands that a slave gets by its mailbox as it starts: objects of CoE, parameters of SoE, messages of the
+/// other protocols.
 class SlaveStartupPage final : public Page {
   Q_OBJECT
 
@@ -38,7 +40,6 @@ class SlaveStartupPage final : public Page {
   void showLive(const Snapshot&) override {}
 
  private:
-  RecordList listOf(const char* key, const QString& item);
   void addTypes();
   void showTypes();
   void chooseObject();
@@ -46,7 +47,15 @@ class SlaveStartupPage final : public Page {
   [[nodiscard]] std::uint16_t typeOf(const StartupCommand& command) const;
   [[nodiscard]] std::optional<StartupCommand> selected() const;
 
+  /// The list of one of the protocols that know only whole messages.
+  struct Messages {
+    RecordEditor* editor;
+    const MessageProtocol* protocol;
+    const char* key;
+  };
+
   RecordEditor *coe_, *soe_;
+  std::vector<Messages> messages_;
   QComboBox* type_;
   QWidget* choose_;
   /// As what the user wants to see a value: slave, index and sub-index to a data type.

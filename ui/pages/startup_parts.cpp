@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/startup_parts.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
 #include "config/device_description.h"
+#include "config/startup_origin.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
 #include "settings/startup_text.h"
 #include "ui/editors/record_part.h"
+#include "ui/pages/command_parts.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
 namespace {
-
-using Kind = RecordPart::Kind;
-
-/// Words of the page.
-class Words {
-  Q_DECLARE_TR_FUNCTIONS(SlaveStartupPage)
-};
 
 const StartupCommand& none() {
   static const StartupCommand command;
@@ -30,110 +24,8 @@ const StartupCommand& none() {
 StartupCommand coeOf(const std::string& record) { return settings::parse_startup(record).value_or(none()); }
 SoeCommand soeOf(const std::string& record) { return settings::parse_soe(record).value_or(SoeCommand{}); }
 
-/// The columns and fields of a command of either kind.
-template <class Command>
-struct Codec {
-  Command (*parse)(const std::string&);
-  std::string (*format)(const Command&);
-
-  template <class Read>
-  auto text(Read read) const {
-    return [*this, read](const Records& records, std::size_t row) -> QString { return read(parse(records[row])); };
-  }
-  template <class Change>
-  auto put(Change change) const {
-    return [*this, change](const std::string& record, const QString& typed) -> Result<std::string> {
-      auto command = parse(record);
-      if (auto status = change(command, typed); !status) return tl::unexpected(status.error());
-      return format(command);
-    };
-  }
-};
-constexpr Codec<StartupCommand> kCoe{coeOf, settings::format_startup};
-constexpr Codec<SoeCommand> kSoe{soeOf, settings::format_soe};
-
-QString flag(bool on) { return on ? QStringLiteral("on") : QString(); }
-
-template <class Command>
-RecordPart toggle(const Codec<Command>& codec, const char* name, const QString& label, const QString& tip, int width,
-                  bool Command::*part) {
-  return {.object_name = name,
-          .label = label,
-          .tip = tip,
-          .kind = Kind::kToggle,
-          .width = width,
-          .text = codec.text([part](const Command& command) { return flag(command.*part); }),
-          .put = codec.put([part](Command& command, const QString& typed) -> Status {
-            command.*part = !typed.isEmpty();
-            return {};
-          })};
-}
-
-QList<std::pair<QString, QString>> transitions() {
-  QList<std::pair<QString, QString>> all;
-  constexpr std::pair<const char*, const char*> kKnown[] = {
-      {"IP", QT_TRANSLATE_NOOP("SlaveStartupPage", "INIT to PREOP")},
-      {"PS", QT_TRANSLATE_NOOP("SlaveStartupPage", "PREOP to SAFEOP")},
-      {"SO", QT_TRANSLATE_NOOP("SlaveStartupPage", "SAFEOP to OP")},
-      {"IB", QT_TRANSLATE_NOOP("SlaveStartupPage", "INIT to BOOT")},
-      {"PP", QT_TRANSLATE_NOOP("SlaveStartupPage", "PREOP again")},
-      {"OS", QT_TRANSLATE_NOOP("SlaveStartupPage", "OP to SAFEOP")},
-      {"OP", QT_TRANSLATE_NOOP("SlaveStartupPage", "OP to PREOP")},
-      {"SP", QT_TRANSLATE_NOOP("SlaveStartupPage", "SAFEOP to PREOP")},
-      {"SI", QT_TRANSLATE_NOOP("SlaveStartupPage", "SAFEOP to INIT")},
-      {"PI", QT_TRANSLATE_NOOP("SlaveStartupPage", "PREOP to INIT")}};
-  for (const auto& [word, text] : kKnown) all.append({QLatin1String(word), Words::tr(text)});
-  return all;
-}
-
-template <class Command>
-RecordPart transitionPart(const Codec<Command>& codec, const char* name) {
-  return {.object_name = name,
-          .label = Words::tr("Transitions"),
-          .tip = Words::tr("State changes at which the command is sent (ENI InitCmd/Transition)"),
-          .kind = Kind::kSet,
-          .width = 78,
-          .text = codec.text([](const Command& command) {
-            return QString::fromStdString(settings::format_transitions(command.transitions));
-          }),
-          .put = codec.put([](Command& command, const QString& typed) -> Status {
-            return settings::parse_transitions(typed.toStdString(), command.transitions);
-          }),
-          .options = transitions};
-}
-
-template <class Command>
-RecordPart timeoutPart(const Codec<Command>& codec, const char* name) {
-  return {
-      .object_name = name,
-      .label = Words::tr("Time-out"),
-      .tip = Words::tr("ms for the answer; empty: the master's own (ENI InitCmd/Timeout)"),
-      .width = -1,
-      .text = codec.text([](const Command& command) {
-        return command.timeout_ms == 0 ? QString() : QString::number(command.timeout_ms);
-      }),
-      .put = codec.put([](Command& command, const QString& typed) -> Status {
-        bool good = true;
-        const auto ms = typed.trimmed().isEmpty() ? 0U : typed.trimmed().toUInt(&good);
-        if (!good)
-          return settings::bad_value(Reason::verbatim(Words::tr("a time-out is a whole number of ms").toStdString()));
-        command.timeout_ms = ms;
-        return {};
-      })};
-}
-
-template <class Command>
-RecordPart commentPart(const Codec<Command>& codec, const char* name) {
-  return {.object_name = name,
-          .label = Words::tr("Comment"),
-          .tip = Words::tr("Beside the command in the ENI (InitCmd/Comment)"),
-          .width = 0,
-          .text = codec.text([](const Command& command) { return QString::fromStdString(command.comment); }),
-          .put = codec.put([](Command& command, const QString& typed) -> Status {
-            command.comment = typed.simplified().toStdString();
-            return {};
-          })};
-}
+constexpr CommandCodec<StartupCommand> kCoe{coeOf, settings::format_startup};
+constexpr CommandCodec<SoeCommand> kSoe{soeOf, settings::format_soe};
 
 QString startupObjectText(const StartupCommand& command) {
   return QStringLiteral("%1:%2").arg(hexText(command.index, 4), hexText(command.sub_index, 2).mid(2));
@@ -143,7 +35,7 @@ Status setObject(StartupCommand& command, const QString& typed) {
   const auto object = object_name(typed.trimmed().toStdString());
   if (!object || object->index == 0) {
     return settings::bad_value(
-        Reason::verbatim(Words::tr("\"%1\" is no object like 0x6060:00").arg(typed).toStdString()));
+        Reason::verbatim(CommandWords::tr("\"%1\" is no object like 0x6060:00").arg(typed).toStdString()));
   }
   command.index = object->index;
   command.sub_index = object->sub_index;
@@ -152,8 +44,8 @@ Status setObject(StartupCommand& command, const QString& typed) {
 
 RecordPart valuePart(const ValueType& type) {
   return {.object_name = "coeValue",
-          .label = Words::tr("Value"),
-          .tip = Words::tr("Decimal, or hexadecimal with 0x; bytes in the order of the wire (ENI InitCmd/Data)"),
+          .label = CommandWords::tr("Value"),
+          .tip = CommandWords::tr("Decimal, or hexadecimal with 0x; bytes in the order of the wire (ENI InitCmd/Data)"),
           .width = 84,
           .text = kCoe.text([type](const StartupCommand& command) {
             return QString::fromStdString(value_text(type(command), command.data));
@@ -177,7 +69,8 @@ Status setIdn(SoeCommand& command, const QString& typed) {
   text.replace(u':' + idnText(command) + u'=', u':' + typed.trimmed() + u'=');
   auto changed = settings::parse_soe(text.toStdString());
   if (!changed)
-    return settings::bad_value(Reason::verbatim(Words::tr("\"%1\" is no IDN like S-0-0047").arg(typed).toStdString()));
+    return settings::bad_value(
+        Reason::verbatim(CommandWords::tr("\"%1\" is no IDN like S-0-0047").arg(typed).toStdString()));
   command.idn = changed->idn;
   return {};
 }
@@ -186,17 +79,14 @@ Status setDrive(SoeCommand& command, const QString& typed) {
   bool good = false;
   const auto drive = typed.trimmed().toUInt(&good);
   if (!good || drive > 7)
-    return settings::bad_value(Reason::verbatim(Words::tr("drives count from 0 to 7").toStdString()));
+    return settings::bad_value(Reason::verbatim(CommandWords::tr("drives count from 0 to 7").toStdString()));
   command.drive = static_cast<std::uint8_t>(drive);
   return {};
 }
 
-Status setBytes(SoeCommand& command, const QString& typed) {
-  auto bytes = settings::parse_hex_data(typed.simplified().remove(u' ').toStdString());
-  if (!bytes) return settings::bad_value(bytes.error().detail);
-  command.data = std::move(*bytes);
-  return {};
-}
+constexpr auto kEsiHasIt = [](const auto& command, const DeviceDescription& device) {
+  return is_from_esi(command, device);
+};
 
 }  // namespace
 
@@ -214,57 +104,58 @@ std::uint16_t usualType(const DeviceDescription& device, const StartupCommand& c
   return command.data.size() == 4 ? kUdint : kBytesType;
 }
 
-std::vector<RecordPart> coeParts(const ValueType& type) {
-  return {
-      toggle(kCoe, "coeEnabled", Words::tr("Enabled"), Words::tr("Off: the command is kept, but not sent"), 58,
-             &StartupCommand::enabled),
-      transitionPart(kCoe, "coeTransitions"),
-      {.object_name = "coeObject",
-       .label = Words::tr("Object"),
-       .tip = Words::tr("Index and sub-index, hexadecimal: 0x6060:00 (ENI InitCmd/Index and SubIndex)"),
-       .width = 90,
-       .text = kCoe.text(startupObjectText),
-       .put = kCoe.put(setObject)},
-      valuePart(type),
-      commentPart(kCoe, "coeComment"),
-      timeoutPart(kCoe, "coeTimeout"),
-      toggle(kCoe, "coeComplete", Words::tr("Complete access"),
-             Words::tr("The value is the whole object, from sub-index 0 or 1 on (ENI InitCmd@CompleteAccess)"), -1,
-             &StartupCommand::complete_access),
-      toggle(kCoe, "coeFixed", Words::tr("Fixed"),
-             Words::tr("The device needs the command as it is (ENI InitCmd@Fixed)"), -1, &StartupCommand::fixed),
-      toggle(kCoe, "coeAdapt", Words::tr("Adapt automatically"),
-             Words::tr("The value follows another setting, such as the cycle time (ESI InitCmd@AdaptAutomatically)"),
-             -1, &StartupCommand::adapt_automatically)};
+std::vector<RecordPart> coeParts(const ValueType& type, const ShownDevice& device) {
+  return {togglePart(kCoe, "coeEnabled", CommandWords::tr("Enabled"),
+                     CommandWords::tr("Off: the command is kept, but not sent"), 58, &StartupCommand::enabled),
+          transitionPart(kCoe, "coeTransitions"),
+          {.object_name = "coeObject",
+           .label = CommandWords::tr("Object"),
+           .tip = CommandWords::tr("Index and sub-index, hexadecimal: 0x6060:00 (ENI InitCmd/Index and SubIndex)"),
+           .width = 90,
+           .text = kCoe.text(startupObjectText),
+           .put = kCoe.put(setObject)},
+          valuePart(type),
+          originPart(kCoe, "coeOrigin", device, kEsiHasIt),
+          commentPart(kCoe, "coeComment"),
+          timeoutPart(kCoe, "coeTimeout"),
+          togglePart(
+              kCoe, "coeComplete", CommandWords::tr("Complete access"),
+              CommandWords::tr("The value is the whole object, from sub-index 0 or 1 on (ENI InitCmd@CompleteAccess)"),
+              -1, &StartupCommand::complete_access),
+          togglePart(kCoe, "coeFixed", CommandWords::tr("Fixed"),
+                     CommandWords::tr("The device needs the command as it is (ENI InitCmd@Fixed)"), -1,
+                     &StartupCommand::fixed),
+          togglePart(kCoe, "coeAdapt", CommandWords::tr("Adapt automatically"),
+                     CommandWords::tr(
+                         "The value follows another setting, such as the cycle time (ESI InitCmd@AdaptAutomatically)"),
+                     -1, &StartupCommand::adapt_automatically)};
 }
 
-std::vector<RecordPart> soeParts() {
-  return {toggle(kSoe, "soeEnabled", Words::tr("Enabled"), Words::tr("Off: the command is kept, but not sent"), 58,
-                 &SoeCommand::enabled),
+std::vector<RecordPart> soeParts(const ShownDevice& device) {
+  return {togglePart(kSoe, "soeEnabled", CommandWords::tr("Enabled"),
+                     CommandWords::tr("Off: the command is kept, but not sent"), 58, &SoeCommand::enabled),
           transitionPart(kSoe, "soeTransitions"),
           {.object_name = "soeDrive",
-           .label = Words::tr("Drive"),
-           .tip = Words::tr("Drive of the device, 0 to 7 (ENI InitCmd/DriveNo)"),
+           .label = CommandWords::tr("Drive"),
+           .tip = CommandWords::tr("Drive of the device, 0 to 7 (ENI InitCmd/DriveNo)"),
            .width = 56,
            .text = kSoe.text([](const SoeCommand& command) { return QString::number(command.drive); }),
            .put = kSoe.put(setDrive)},
           {.object_name = "soeIdn",
-           .label = Words::tr("IDN"),
-           .tip = Words::tr("Standard or product parameter: S-0-0047, P-0-0100 (ENI InitCmd/IDN)"),
+           .label = CommandWords::tr("IDN"),
+           .tip = CommandWords::tr("Standard or product parameter: S-0-0047, P-0-0100 (ENI InitCmd/IDN)"),
            .width = 90,
            .text = kSoe.text(idnText),
            .put = kSoe.put(setIdn)},
-          {.object_name = "soeValue",
-           .label = Words::tr("Value"),
-           .tip = Words::tr("Bytes in hexadecimal, in the order of the wire (ENI InitCmd/Data)"),
-           .width = 84,
-           .text = kSoe.text(
-               [](const SoeCommand& command) { return QString::fromStdString(value_text(kBytesType, command.data)); }),
-           .put = kSoe.put(setBytes)},
+          bytesPart(kSoe, "soeValue", CommandWords::tr("Value"),
+                    CommandWords::tr("Bytes in hexadecimal, in the order of the wire (ENI InitCmd/Data)"), 84,
+                    &SoeCommand::data),
+          originPart(kSoe, "soeOrigin", device, kEsiHasIt),
           commentPart(kSoe, "soeComment"),
           timeoutPart(kSoe, "soeTimeout"),
-          toggle(kSoe, "soeFixed", Words::tr("Fixed"),
-                 Words::tr("The device needs the command as it is (ENI InitCmd@Fixed)"), -1, &SoeCommand::fixed)};
+          togglePart(kSoe, "soeFixed", CommandWords::tr("Fixed"),
+                     CommandWords::tr("The device needs the command as it is (ENI InitCmd@Fixed)"), -1,
+                     &SoeCommand::fixed)};
 }
 
 }  // namespace syncline::ui

@@ -35,7 +35,7 @@ SyncUnitEditor::SyncUnitEditor(int unit, Card& card, Page& page) : QObject(&page
   const auto& names = kNames[unit];
   const auto title = QStringLiteral("SYNC%1").arg(unit);
   choice_ = named(new ChoiceEdit, names.factor_name, tr("Sync Unit Cycle of %1").arg(title));
-  choice_->setMinimumContentsLength(16);
+  choice_->setMinimumContentsLength(18);
   connect(choice_, &QComboBox::activated, this, &SyncUnitEditor::takeChoice);
   page.fields().bind(*choice_, names.factor);
   card.addRow(tr("Sync Unit Cycle"), choice_, choice_->toolTip());

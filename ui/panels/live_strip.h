@@ -107,6 +107,8 @@ class LiveStrip : public QWidget {
   [[nodiscard]] QString figures() const;
 
  Q_SIGNALS:
+  /// So many slaves are to be drawn by the panel of this name, the worst of them.
+  void slavesShownChosen(const QString& panel, int count);
   /// A note is to be written at this moment, or the one that is there to be changed.
   void noteWanted(syncline::Nanoseconds time);
   /// What lies over the plots is to be later by so many ns.
@@ -156,7 +158,7 @@ class LiveStrip : public QWidget {
   [[nodiscard]] TimeView& activeView();
   void openMenu(const QPoint& global, Nanoseconds time, TracePanel* panel = nullptr);
   void addPlotActions(QMenu& menu, TracePanel& panel);
-  static void addSlaveCounts(QMenu& menu, TracePanel& panel);
+  void addSlaveCounts(QMenu& menu, TracePanel& panel);
   void addAxisActions(QMenu& menu);
   void addCursorActions(QMenu& menu, Nanoseconds time);
   void addRecordingActions(QMenu& menu, Nanoseconds time);

@@ -94,7 +94,10 @@ void LiveStrip::addSlaveCounts(QMenu& menu, TracePanel& panel) {
   auto* group = new QActionGroup(counts);
   for (int count = 1; count <= TracePanel::kMostSlaves; ++count) {
     auto* action = counts->addAction(count == 1 ? tr("The worst one") : tr("The worst %1").arg(count), &panel,
-                                     [&panel, count] { panel.setSlavesShown(count); });
+                                     [this, &panel, count] {
+                                       panel.setSlavesShown(count);
+                                       Q_EMIT slavesShownChosen(panel.objectName(), count);
+                                     });
     action->setCheckable(true);
     action->setChecked(panel.slavesShown() == count);
     group->addAction(action);

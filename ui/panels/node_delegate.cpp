@@ -61,6 +61,13 @@ void drawName(QPainter& painter, const QRect& area, const QFont& font, const QFo
   painter.drawText(area.adjusted(wide, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, type);
 }
 
+/// The least that drawName() needs.
+int nameWidth(const QString& name, const QFontMetrics& metrics, const QFontMetrics& small) {
+  const auto bracket = name.endsWith(u']') ? name.lastIndexOf(QStringLiteral(" [")) : -1;
+  if (bracket <= 0) return metrics.horizontalAdvance(name);
+  return metrics.horizontalAdvance(name.left(bracket)) + kMargin + small.horizontalAdvance(name.mid(bracket + 1));
+}
+
 }  // namespace
 
 void drawStateBadge(QPainter& painter, const QRect& box, const QPalette& palette, const QModelIndex& index) {
@@ -126,6 +133,18 @@ void NodeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
 QSize NodeDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   auto size = QStyledItemDelegate::sizeHint(option, index);
   size.setHeight(std::max(size.height(), kBadge + 8));
+  auto small = option.font;
+  small.setPointSizeF(small.pointSizeF() * 0.8);
+  const QFontMetrics metrics(small);
+  int width = kMargin + kBadge + 18 + nameWidth(index.data().toString(), option.fontMetrics, metrics);
+  if (const int slave = index.data(NetworkModel::kSlaveRole).toInt(); slave >= 0) {
+    const auto number = std::max(QString::number(slave), QStringLiteral("00"),
+                                 [](const QString& left, const QString& right) { return left.size() < right.size(); });
+    width += metrics.horizontalAdvance(number) + kMargin + 2;
+  }
+  for (const auto& mark : index.data(NetworkModel::kMarksRole).toStringList())
+    width += metrics.horizontalAdvance(mark) + 8 + kMargin;
+  size.setWidth(width);
   return size;
 }
 

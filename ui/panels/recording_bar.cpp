@@ -14,6 +14,11 @@
 #include "ui/widgets/value_label.h"
 
 namespace syncline::ui {
+namespace {
+
+constexpr int kLeastOfText = 20;  // of the text, so that it says what is shown
+
+}  // namespace
 
 RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* transport, QWidget* parent)
     : QFrame(parent), recording_(recording) {
@@ -28,6 +33,7 @@ RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* transport, QWidg
   text_ = named(new ValueLabel, "recordingBarText", tr("Recording that is shown"));
   // Its length is no reason to take room from the slider.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  text_->setMinimumWidth(kLeastOfText * fontMetrics().averageCharWidth());
   layout->addSpacing(8);
   layout->addWidget(text_, 1);
   auto* close = named(new QToolButton, "recordingBarClose", tr("Close the recording"));

@@ -20,6 +20,15 @@ namespace {
 constexpr int kNameGap = 8, kEndRoom = 30, kUsualRows = 3;
 constexpr int kTimeMarks = 5;
 constexpr double kBarShare = 0.55;  // of a row
+constexpr int kArmedAlpha = 70;
+
+QString latchText(const dc::SlaveTiming::Latch& latch) {
+  QStringList said;
+  if (latch.by_device) said << TimingDiagram::tr("The device's own controller has the latch unit (0x09A8).");
+  if (latch.single) said << TimingDiagram::tr("The latch takes one edge until its time is read (0x09A8).");
+  if (latch.in_frames) said << TimingDiagram::tr("Each frame reads the times of latched edges (0x09AE to 0x09CF).");
+  return said.join(QLatin1Char('\n'));
+}
 
 }  // namespace
 
@@ -58,6 +67,7 @@ QString TimingDiagram::described() const {
                 .arg(timeText(line_.sync1.front()),
                      cycleText(dc::sync1_period(timing_->sync0.period, *timing_->sync1)));
   }
+  if (timing_->latch) said << latchText(*timing_->latch);
   if (line_.margin) {
     said << (isTooTight() ? tr("%1 are left before SYNC0, which is too little.") : tr("%1 are left before SYNC0."))
                 .arg(timeText(*line_.margin));
@@ -72,6 +82,7 @@ QList<TimingDiagram::Row> TimingDiagram::rows() const {
   if (!line_.compute.empty()) rows << Row::kCompute;
   rows << Row::kSync0;
   if (timing_->sync1) rows << Row::kSync1;
+  if (timing_->latch) rows << Row::kLatch;
   return rows;
 }
 
@@ -83,6 +94,8 @@ QString TimingDiagram::rowName(Row row) {
       return tr("Calc + copy");
     case Row::kSync0:
       return QStringLiteral("SYNC0");
+    case Row::kLatch:
+      return tr("Latch");
     case Row::kSync1:
       break;
   }
@@ -93,7 +106,7 @@ int TimingDiagram::rowHeight() const { return fontMetrics().height() + 8; }
 
 int TimingDiagram::nameWidth() const {
   int width = 0;
-  for (const auto row : {Row::kFrame, Row::kCompute, Row::kSync0, Row::kSync1})
+  for (const auto row : {Row::kFrame, Row::kCompute, Row::kSync0, Row::kSync1, Row::kLatch})
     width = std::max(width, fontMetrics().horizontalAdvance(rowName(row)));
   return width + kNameGap;
 }
@@ -180,6 +193,14 @@ void TimingDiagram::drawRow(QPainter& painter, Row row, const QRectF& box) const
     case Row::kSync1:
       for (const auto time : line_.sync1) edge(time, plot_colors::trace(palette(), 1));
       break;
+    case Row::kLatch: {
+      // Edges may come at any time; what is told is when a frame takes their times along.
+      auto armed = plot_colors::trace(palette(), 2);
+      armed.setAlpha(kArmedAlpha);
+      bar({0, line_.length}, armed);
+      for (const auto time : line_.latch_reads) edge(time, plot_colors::trace(palette(), 2));
+      break;
+    }
   }
 }
 

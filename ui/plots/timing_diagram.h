@@ -9,8 +9,9 @@
 namespace syncline::ui {
 
 /// One cycle of a slave to scale: when the frame passes it, how long it calculates and copies, when SYNC0 and SYNC1
-/// come; and the time that is left before SYNC0, which is red where calculating and copying does not fit into it.
-/// What it shows it also says, as its accessible description and beside the pointer.
+/// come, when frames read the times that its latch unit took; and the time that is left before SYNC0, which is red
+/// where calculating and copying does not fit into it. What it shows it also says, as its accessible description and
+/// beside the pointer.
 class TimingDiagram final : public QWidget {
   Q_OBJECT
 
@@ -33,7 +34,7 @@ class TimingDiagram final : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  enum class Row : unsigned char { kFrame, kCompute, kSync0, kSync1 };
+  enum class Row : unsigned char { kFrame, kCompute, kSync0, kSync1, kLatch };
   [[nodiscard]] QList<Row> rows() const;
   [[nodiscard]] static QString rowName(Row row);
   [[nodiscard]] int rowHeight() const;

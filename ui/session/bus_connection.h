@@ -61,8 +61,9 @@ using AdapterLister = std::function<Result<std::vector<NetworkAdapter>>()>;
 
 /// Makes a run of a capture; `progress` gets the bytes that are read and those of the file (0: not known), in the
 /// calling thread, and ends it by false. Called from the reader's thread.
-using CaptureImporter = std::function<Result<ImportedRun>(
-    const QString& path, const std::function<bool(std::uint64_t done, std::uint64_t all)>& progress)>;
+using CaptureImporter =
+    std::function<Result<ImportedRun>(const QString& path, const ImportLimits& limits,
+                                      const std::function<bool(std::uint64_t done, std::uint64_t all)>& progress)>;
 
 /// What the program that hosts the window knows and the window does not: given once at construction.
 struct Environment {

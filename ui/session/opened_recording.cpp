@@ -40,16 +40,18 @@ void OpenedRecording::read(const QString& path) {
   begin(path, [this, path] { return load(path); });
 }
 
-void OpenedRecording::importCapture(const QString& capture, const QString& path, const CaptureImporter& importer) {
-  begin(path, [this, capture, path, importer]() -> Outcome {
-    if (auto made = makeRecording(capture, path, importer); !made) return tl::unexpected(made.error());
+void OpenedRecording::importCapture(const QString& capture, const QString& path, const ImportLimits& limits,
+                                    const CaptureImporter& importer) {
+  begin(path, [this, capture, path, limits, importer]() -> Outcome {
+    if (auto made = makeRecording(capture, path, limits, importer); !made) return tl::unexpected(made.error());
     return load(path);
   });
 }
 
-Status OpenedRecording::makeRecording(const QString& capture, const QString& path, const CaptureImporter& importer) {
+Status OpenedRecording::makeRecording(const QString& capture, const QString& path, const ImportLimits& limits,
+                                      const CaptureImporter& importer) {
   int told = -1;
-  const auto run = importer(capture, [this, &told](std::uint64_t done, std::uint64_t all) {
+  const auto run = importer(capture, limits, [this, &told](std::uint64_t done, std::uint64_t all) {
     const int now = all == 0 ? 0 : static_cast<int>(std::min<std::uint64_t>(done * 1000 / all, 1000));
     if (now != std::exchange(told, now)) {
       post(*this, [this, now] { Q_EMIT progress(now); });

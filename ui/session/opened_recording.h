@@ -40,7 +40,8 @@ class OpenedRecording final : public QObject {
   /// No-op while one is being read.
   void read(const QString& path);
   /// Writes the recording of a capture to a new file and reads that, as read() does. No-op while one is being read.
-  void importCapture(const QString& capture, const QString& path, const CaptureImporter& importer);
+  void importCapture(const QString& capture, const QString& path, const ImportLimits& limits,
+                     const CaptureImporter& importer);
   /// Curves of the recording that is being read, or is going to be; pictured() follows unless it is whole before.
   void picture(std::vector<FirstPicture> pictures) { pictures_.ask(std::move(pictures)); }
   /// Ends the reading within a block; failed() with kCancelled follows.
@@ -96,7 +97,8 @@ class OpenedRecording final : public QObject {
   void begin(const QString& path, std::function<Outcome()> work);
   Outcome load(const QString& path);
   /// In the reader's thread: the recording is at `path` when there is no error.
-  Status makeRecording(const QString& capture, const QString& path, const CaptureImporter& importer);
+  Status makeRecording(const QString& capture, const QString& path, const ImportLimits& limits,
+                       const CaptureImporter& importer);
   /// Between two blocks, in the reader's thread.
   void answer(const QString& path);
   static void keepForReplay(const ImportedRun& run, Whole& whole);

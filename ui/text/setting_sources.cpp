@@ -296,6 +296,35 @@ constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP(
         "Setting",
         "CoE object that is written at these transitions, K counts from 0; the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "Register command"),
+    QT_TRANSLATE_NOOP("Setting",
+                      "Register of the slave that is written or read at these transitions, K counts from 0; the number "
+                      "behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "Register command of the master"),
+    QT_TRANSLATE_NOOP("Setting",
+                      "Register of all slaves that is written or read at these transitions, K counts from 0; the "
+                      "number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "AoE start-up message"),
+    QT_TRANSLATE_NOOP(
+        "Setting",
+        "AoE message that is sent at these transitions, K counts from 0; the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "EoE start-up message"),
+    QT_TRANSLATE_NOOP(
+        "Setting",
+        "EoE message that is sent at these transitions, K counts from 0; the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "FoE start-up message"),
+    QT_TRANSLATE_NOOP(
+        "Setting",
+        "FoE message that is sent at these transitions, K counts from 0; the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "VoE start-up message"),
+    QT_TRANSLATE_NOOP(
+        "Setting",
+        "VoE message that is sent at these transitions, K counts from 0; the number behind the last adds one."),
+    QT_TRANSLATE_NOOP("Setting", "Input reference"),
+    QT_TRANSLATE_NOOP("Setting",
+                      "The input shift of the master is added to the shift of SYNC0, so that inputs are latched for "
+                      "the next frame; auto as in the ESI."),
+    QT_TRANSLATE_NOOP("Setting", "Added to the SYNC0 shift of slaves that are based on the input reference."),
     QT_TRANSLATE_NOOP("Setting", "SoE start-up command"),
     QT_TRANSLATE_NOOP(
         "Setting", "IDN that is written at these transitions, K counts from 0; the number behind the last adds one."),
@@ -316,6 +345,13 @@ constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP("Setting", "POSITION:A..D of another slave"),
     QT_TRANSLATE_NOOP("Setting", "NAME xMULTIPLE, 1..1000 bus cycles; nothing removes it"),
     QT_TRANSLATE_NOOP("Setting", "NAME, NAME@TASK; nothing removes it"),
+    QT_TRANSLATE_NOOP("Setting", "TRANSITIONS data=HEX [fixed] [off] [timeout=MS] [# comment]; nothing removes it"),
+    QT_TRANSLATE_NOOP("Setting",
+                      "TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] "
+                      "[after] [# comment]; nothing removes it"),
+    QT_TRANSLATE_NOOP("Setting",
+                      "TRANSITIONS write REGISTER=HEX or read REGISTER*BYTES [expect=HEX] [mask=HEX] [within=MS] [off] "
+                      "[# comment]; nothing removes it"),
     QT_TRANSLATE_NOOP(
         "Setting",
         "TRANSITIONS DRIVE:IDN=HEX [fixed] [off] [timeout=MS] [# comment]; IDN like S-0-0047; nothing removes it"),

@@ -102,6 +102,26 @@ TEST(DcTimes, TheUsersSettingsReplaceThoseOfTheEsi) {
   EXPECT_EQ(dc_times(both_syncs(factor(1), {}, {}, {}), user, kMillisecond).cycle_time0, 125'000);
 }
 
+/// The master's input shift counts for slaves that latch inputs: as the ESI says (Input), unless the user does.
+TEST(DcTimes, TheInputShiftCountsWhereSync0IsBasedOnTheInputs) {
+  auto shift = value(30'000);
+  shift.input = true;
+  const auto mode = both_syncs(factor(1), shift, factor(-1), {});
+  const auto plain = both_syncs(factor(1), value(30'000), factor(-1), {});
+  constexpr Nanoseconds kInput = 700'000;
+  DcSlaveSettings user;
+  EXPECT_EQ(dc_times(mode, user, kMillisecond, kInput).shift_time, 730'000);
+  EXPECT_EQ(dc_times(plain, user, kMillisecond, kInput).shift_time, 30'000);
+  EXPECT_EQ(dc_times(mode, user, kMillisecond, kInput).cycle_time1, dc_times(mode, user, kMillisecond).cycle_time1)
+      << "SYNC1 goes with SYNC0";
+  user.sync0.shift = -5'000;
+  EXPECT_EQ(dc_times(mode, user, kMillisecond, kInput).shift_time, 695'000) << "on top of the user's shift";
+  user.input_reference = false;
+  EXPECT_EQ(dc_times(mode, user, kMillisecond, kInput).shift_time, -5'000);
+  user.input_reference = true;
+  EXPECT_EQ(dc_times(plain, user, kMillisecond, kInput).shift_time, 695'000);
+}
+
 TEST(DcTimes, TellsWhenADivisionIsNotExact) {
   EXPECT_TRUE(dc_times(sample::op_mode("m", 0x0300, -8), {}, kMillisecond).exact);
   EXPECT_FALSE(dc_times(sample::op_mode("m", 0x0300, -3), {}, kMillisecond).exact);

@@ -110,6 +110,56 @@ TEST(SyncTimeline, TheWorstOfAllFramesInALongerPeriodCounts) {
   EXPECT_EQ(line.margin, 388'000);
 }
 
+/// Frames take the times of latched edges along as they pass the slave, also where it has no outputs.
+TEST(SyncTimeline, LatchedTimesAreReadByEachFrame) {
+  auto timing = usual();
+  timing.wire = 0;
+  timing.sync0.period = 2 * kMillisecond;
+  EXPECT_THAT(sync_timeline(timing).latch_reads, IsEmpty());
+  timing.latch.emplace().single = true;
+  EXPECT_THAT(sync_timeline(timing).latch_reads, IsEmpty()) << "nobody reads them";
+  timing.latch->in_frames = true;
+  EXPECT_THAT(sync_timeline(timing).latch_reads, ElementsAre(2'000, 1'002'000));
+}
+
+TEST(SyncTimeline, KnowsTheLatchUnitOfAConfiguration) {
+  NetworkConfig config;
+  auto& frames = config.cyclic.emplace_back();
+  frames.cycle_time = kMillisecond;
+  auto& slave = config.slaves.emplace_back();
+  slave.station_address = 1001;
+  slave.dc = SlaveDcConfig{.cycle_time0 = kMillisecond, .assign_activate = 0x0300};
+  const auto latch = [&] { return slave_timing(config, 0).value().latch; };
+  InitCmd control;
+  control.command = Command::kFpwr;
+  control.ado = 0x09A8;
+  control.data = {0, 0};
+  slave.init_cmds = {control};
+  EXPECT_EQ(latch(), std::nullopt) << "as it comes out of reset";
+  slave.init_cmds[0].data = {3, 0};
+  ASSERT_TRUE(latch());
+  EXPECT_TRUE(latch()->single);
+  EXPECT_FALSE(latch()->by_device || latch()->in_frames);
+  slave.init_cmds.clear();
+  slave.dc->assign_activate |= 0x0030;
+  ASSERT_TRUE(latch());
+  EXPECT_TRUE(latch()->by_device);
+  CyclicCmd read;
+  read.command = Command::kFprd;
+  read.adp = slave.station_address;
+  read.ado = 0x09B0;
+  frames.frames.emplace_back().commands = {read};
+  EXPECT_TRUE(latch()->in_frames);
+  slave.dc->assign_activate = 0x0300;
+  frames.frames.clear();
+  ConfiguredSyncManager registers;
+  registers.description.start_address = 0x09AE;
+  registers.pdos = {0x1A00};
+  slave.sync_managers = {registers};
+  ASSERT_TRUE(latch()) << "mapped into the process image";
+  EXPECT_TRUE(latch()->in_frames);
+}
+
 TEST(SyncTimeline, OversamplingHasManySync0InACycle) {
   auto timing = usual();
   timing.sync0.period = 100 * kMicrosecond;

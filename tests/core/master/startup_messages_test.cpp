@@ -97,6 +97,42 @@ TEST_F(StartupMessagesOnBus, SetTheAddressOfEoEAndWriteByAoE) {
   EXPECT_EQ(run(), AlState::kOp) << errors;
 }
 
+/// Register commands of the project go out in their transition, and what they expect is held against the slave.
+TEST_F(StartupMessagesOnBus, OwnRegisterCommandsAreSentAndJudged) {
+  RegisterCommand write, read;
+  write.address = read.address = 0x0200;  // event mask, which nobody else writes at this transition
+  write.data = {0x34, 0x12};
+  read.read = true;
+  read.data = {0, 0};
+  read.expected = {0x34, 0x02};
+  read.mask = {0xFF, 0x0F};
+  network.project.slaves[0].register_commands = {write, read};
+  network.project.master.register_commands = {write};
+  config = network.compiled();
+  EXPECT_EQ(run(), AlState::kOp) << errors;
+  network.project.slaves[0].register_commands[1].expected = {0x35, 0x02};
+  network.project.slaves[0].register_commands[1].timeout_ms = 20;
+  config = network.compiled();
+  EXPECT_NE(run(), AlState::kOp);
+  EXPECT_FALSE(errors.empty());
+}
+
+/// As they stand in a project: the drive takes what the ENI carries, and refuses what it cannot.
+TEST_F(StartupMessagesOnBus, MessagesOfTheProjectAreSent) {
+  auto set_ip = message(eoe_header(eoe::Kind::kSetIpRequest));
+  set_ip.data.insert(set_ip.data.end(), {0x02, 0, 0, 0, 192, 168, 0, 7});
+  network.project.slaves[0].eoe_startup = {set_ip};
+  network.project.slaves[0].voe_startup = {message({1, 2, 3})};
+  config = network.compiled();
+  EXPECT_EQ(run(), AlState::kOp) << errors;
+  // The project's description knows a protocol that the drive on the bus does not.
+  network.project.slaves[0].device.mailbox->foe = true;
+  network.project.slaves[0].foe_startup = {message({1, 0, 0, 0, 0, 0, 'n'})};
+  config = network.compiled();
+  EXPECT_NE(run(), AlState::kOp);
+  EXPECT_THAT(errors, HasSubstr("FoE start-up message 1"));
+}
+
 TEST_F(StartupMessagesOnBus, NameTheProtocolThatADeviceLacks) {
   network.sim.slaves[0].device.mailbox->eoe = false;
   mailbox().eoe_commands = {message(eoe_header(eoe::Kind::kSetIpRequest))};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "config/sim_config.h"
+#include "config/startup_messages.h"
 #include "recover/simulated_network.h"
 #include "tests/support/sample_devices.h"
 
@@ -80,6 +81,56 @@ TEST_P(RecoverProject, CompilesToTheSameCommandsWithTheEsi) {
   EXPECT_EQ(recovered.project.slaves[4].dc.sync0.shift, 125'000);
   EXPECT_EQ(recovered.project.slaves[3].device, project.slaves[3].device);
   EXPECT_EQ(recovered.project.slaves[4].assigned_tx_pdos, project.slaves[4].assigned_tx_pdos);
+}
+
+/// Messages and register commands that no setting stands for are the user's own again, whatever register they touch.
+TEST_P(RecoverProject, KeepsMessagesAndRegisterCommands) {
+  auto project = machine();
+  auto& servo = project.slaves[4];
+  for (const auto& protocol : kMessageProtocols) {
+    (*servo.device.mailbox).*protocol.known = true;
+    (servo.*protocol.startup).push_back({{Transition::kPS}, {1, 0, 0, 0}, 70, false, true, "own"});
+  }
+  RegisterCommand write, read;
+  write.address = 0x0310;  // among the error counters, which a setting clears
+  write.data = {1, 1};
+  write.comment = "own";
+  read.transitions = {Transition::kSO, Transition::kOS};
+  read.read = true;
+  read.address = 0x0F10;
+  read.data = {0, 0};
+  read.expected = {8, 0};
+  read.mask = {0xF, 0};
+  read.timeout_ms = 500;
+  servo.register_commands = {write, read};
+  project.master.register_commands = {write, read};
+  project.master.register_commands[1].after_slaves = true;
+  const auto recovered = recover_project(compiled(project, GetParam()));
+  EXPECT_THAT(words(recovered), IsEmpty());
+  EXPECT_THAT(recovered.findings,
+              testing::Not(testing::Contains(testing::ResultOf(describe_finding, HasSubstr("cannot be kept")))));
+  for (const auto& protocol : kMessageProtocols)
+    EXPECT_EQ(recovered.project.slaves[4].*protocol.startup, servo.*protocol.startup) << protocol.name;
+  EXPECT_EQ(recovered.project.slaves[4].register_commands, servo.register_commands);
+  EXPECT_EQ(recovered.project.master.register_commands, project.master.register_commands);
+  EXPECT_TRUE(recovered.project.slaves[3].register_commands.empty());
+}
+
+/// Another tool chooses other commands for the same settings: only what touches a register of its own is kept.
+TEST(RecoverProject, TakesNoCommandOfASettingForTheUsersOwn) {
+  auto config = compiled(machine(), EniDialect::kEcEngineer);
+  auto& commands = config.slaves[4].init_cmds;
+  const auto watchdog = std::ranges::find(commands, std::uint16_t{0x0420}, &InitCmd::ado);
+  ASSERT_NE(watchdog, commands.end());
+  watchdog->comment = "in another tool's words";
+  auto latch = *watchdog;
+  latch.ado = 0x0F20;
+  latch.comment = "its own";
+  commands.push_back(latch);
+  const auto recovered = recover_project(config).project.slaves[4].register_commands;
+  ASSERT_EQ(recovered.size(), 1U);
+  EXPECT_EQ(recovered[0].address, 0x0F20);
+  EXPECT_EQ(recovered[0].comment, "its own");
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, RecoverProject, testing::Values(EniDialect::kEcEngineer, EniDialect::kTwinCat),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/settings_keys.h"
+#include "config/startup_messages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,6 +50,7 @@ TEST(SettingsKeys, TheKeysCarryEveryFieldOfAProject) {
       copy.slaves.push_back(default_slave(slave.device, static_cast<std::uint16_t>(copy.slaves.size())));
       copy.slaves.back().startup.clear();
       copy.slaves.back().soe_startup.clear();
+      for (const auto& protocol : kMessageProtocols) (copy.slaves.back().*protocol.startup).clear();
     }
     for (const auto& setting : list_settings(original)) {
       const auto status = set_setting(copy, setting.key, setting.value);
@@ -68,7 +70,8 @@ TEST(SettingsKeys, EveryListedKeyIsDescribedOnce) {
   for (const auto& setting : list_settings(random_project(7))) {
     auto key = std::regex_replace(setting.key, std::regex("^slave\\.[0-9]+"), "slave.N");
     key = std::regex_replace(key, std::regex("\\.0x[0-9a-f]+"), ".0xIIII");
-    key = std::regex_replace(key, std::regex("(startup|task|sync_unit|soe|module|output_pin|IIII)\\.[0-9]+"), "$1.K");
+    key = std::regex_replace(key, std::regex("(startup|register|task|sync_unit|soe|module|output_pin|IIII)\\.[0-9]+"),
+                             "$1.K");
     EXPECT_TRUE(described.contains(key)) << setting.key;
   }
 }
@@ -93,6 +96,7 @@ Project servo_project() {
   DeviceDescription device = sample::digital_output();
   device.type = "Servo";
   device.mailbox.emplace().coe.emplace().pdo_config = true;
+  device.mailbox->eoe = true;
   device.rx_pdos = {sample::pdo(0x1600, "A", 2, {{0x6040, 0, 16, "Control word", "UINT"}}),
                     sample::pdo(0x1601, "B", std::nullopt, {{0x607A, 0, 32, "Target", "DINT"}}),
                     sample::pdo(0x1602, "C", std::nullopt, {{0x6060, 0, 8, "Mode", "SINT"}})};
@@ -150,6 +154,26 @@ TEST(SettingsKeys, BadEditsSayWhyAndChangeNothing) {
       {"slave.0.startup.0", "XX 0x6060:00=08", kValue, "transition"},
       {"slave.0.startup.0", "PS 0x6060:00=8", kValue, "hexadecimal"},
       {"slave.0.startup.0", "PS 0x6060:00=08 soon", kValue, "timeout=MS"},
+      {"slave.0.foe.startup.0", "PS data=02", kValue, "no FoE mailbox"},
+      {"slave.0.voe.startup.0", "PS data=0200", kValue, "no VoE mailbox"},
+      {"slave.0.aoe.startup.1", "PS data=02", kKey, "item"},
+      {"slave.0.eoe.startup.0", "PS 0200", kValue, "data=HEX"},
+      {"slave.0.eoe.startup.0", "PS data=020", kValue, "hexadecimal"},
+      {"slave.0.eoe.startup.0", "PS data=0200 soon", kValue, "fixed, off, timeout=MS"},
+      {"slave.0.eoe.startup.0", "PX data=0200", kValue, "transition"},
+      {"slave.0.register.0", "PS poke 0x0120=01", kValue, "neither write nor read"},
+      {"slave.0.register.0", "PS write 0x0120", kValue, "REGISTER=DATA"},
+      {"slave.0.register.0", "PS write 0x0120=", kValue, "REGISTER=DATA"},
+      {"slave.0.register.0", "PS write 0xffff=0102", kValue, "REGISTER=DATA"},
+      {"slave.0.register.0", "PS read 0x0130=0102", kValue, "REGISTER*BYTES"},
+      {"slave.0.register.0", "PS read 0x0130*0", kValue, "REGISTER*BYTES"},
+      {"slave.0.register.0", "PS read 0x0130*1487", kValue, "REGISTER*BYTES"},
+      {"slave.0.register.0", "PS read 0x0130*2 expect=01", kValue, "as many bytes as it reads"},
+      {"slave.0.register.0", "PS read 0x0130*2 mask=0100", kValue, "only a read expects"},
+      {"slave.0.register.0", "PS write 0x0130=01 expect=01", kValue, "only a read expects"},
+      {"slave.0.register.0", "PS read 0x0130*2 within=-1", kValue, "within=MS"},
+      {"slave.0.register.0", "PS write 0x0130=01 after", kValue, "only commands of the master"},
+      {"master.register.0", "PS write 0x0130=01 before", kValue, "after"},
   };
   const Project before = servo_project();
   for (const auto& edit : edits) {

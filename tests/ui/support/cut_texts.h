@@ -2,11 +2,15 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHeaderView>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSet>
 #include <QStringList>
 #include <QStyle>
 #include <QStyleOptionComboBox>
@@ -14,9 +18,12 @@
 #include <QTextDocument>
 #include <QToolBar>
 #include <QToolButton>
+#include <QToolTip>
+#include <algorithm>
 
 #include "ui/widgets/pill.h"
 #include "ui/widgets/value_label.h"
+#include "ui/widgets/whole_texts.h"
 
 namespace syncline::test {
 
@@ -31,7 +38,9 @@ class CutTexts {
   [[nodiscard]] const QStringList& found() const { return found_; }
 
  private:
-  static constexpr int kLongPill = 24;  // what has more characters may end in its tool tip
+  static constexpr qsizetype kLeastShown = 12;  // of a value that ends in an ellipsis, with it
+  static constexpr int kLeastCell = 20;         // px of a cell that is in view
+  static constexpr int kLongPill = 24;          // what has more characters may end in its tool tip
 
   void say(const QWidget& widget, const QString& text, int wanted, int has) {
     QString path = widget.objectName();
@@ -49,6 +58,7 @@ class CutTexts {
     }
     if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) return lookAt(*tabs);
     if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) return lookAt(*header);
+    if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget)) return lookAt(*view);
     if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) return lookAt(*combo);
     if (const auto* area = qobject_cast<const QScrollArea*>(&widget)) {
       if (area->horizontalScrollBar()->isVisible())
@@ -56,7 +66,8 @@ class CutTexts {
     }
   }
   void lookAt(const QLabel& label) {
-    if (qobject_cast<const ui::ValueLabel*>(&label) != nullptr || label.text().isEmpty()) return;
+    if (label.text().isEmpty()) return;
+    if (const auto* value = qobject_cast<const ui::ValueLabel*>(&label)) return lookAt(*value);
     const auto room = label.contentsRect();
     if (label.wordWrap()) {
       const int high = label.heightForWidth(label.width());
@@ -67,6 +78,47 @@ class CutTexts {
     const int wide = Qt::mightBeRichText(label.text()) ? label.sizeHint().width()
                                                        : label.fontMetrics().size(keys, label.text()).width();
     if (wide > room.width() || seen(label) < label.width()) say(label, label.text(), wide, seen(label));
+  }
+  /// What ends in an ellipsis has its whole text in the tool tip that its user sees, and shows enough to be known by.
+  void lookAt(const ui::ValueLabel& label) {
+    const auto shown = label.shown();
+    if (shown == label.text() && seen(label) >= label.width()) return;
+    const bool known = shown.size() >= std::min<qsizetype>(label.text().size(), kLeastShown);
+    const auto middle = label.rect().center();
+    if (!known || !tipAt(label, middle).contains(label.text()))
+      say(label, label.text(), label.sizeHint().width(), seen(label));
+  }
+  /// Cells that are in view.
+  void lookAt(const QAbstractItemView& view) {
+    const auto* viewport = view.viewport();
+    const auto& model = view.model();
+    if (model == nullptr) return;
+    QSet<QModelIndex> seen_cells;
+    const int step = std::max(4, view.fontMetrics().height() / 2);
+    for (int y = step / 2; y < viewport->height(); y += step) {
+      const auto first = view.indexAt(QPoint(viewport->width() / 2, y));
+      if (!first.isValid() || seen_cells.contains(first)) continue;
+      seen_cells.insert(first);
+      for (int column = 0; column < model->columnCount(first.parent()); ++column)
+        lookAt(view, first.siblingAtColumn(column));
+    }
+  }
+  void lookAt(const QAbstractItemView& view, const QModelIndex& cell) {
+    const auto room = view.visualRect(cell) & view.viewport()->rect();
+    if (room.width() < kLeastCell || room.height() < view.fontMetrics().height() || !ui::WholeTexts::isCut(view, cell))
+      return;
+    const auto text = cell.data().toString();
+    if (!tipAt(*view.viewport(), room.center()).contains(text))
+      say(view, text, view.sizeHintForIndex(cell).width(), room.width());
+  }
+  /// What stands beside the pointer there.
+  static QString tipAt(const QWidget& widget, QPoint at) {
+    QToolTip::hideText();
+    QHelpEvent asks(QEvent::ToolTip, at, widget.mapToGlobal(at));
+    QCoreApplication::sendEvent(const_cast<QWidget*>(&widget), &asks);
+    const auto text = QToolTip::text();
+    QToolTip::hideText();
+    return text;
   }
   void lookAt(const QAbstractButton& button) {
     if (button.objectName() == QLatin1String("qt_toolbar_ext_button"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "config/startup_messages.h"
 #include "ui_test_support.h"
 
 namespace syncline::test {
@@ -48,6 +49,20 @@ inline Project editableProject() {
   parameter.idn = 47;
   parameter.data = {1, 0};
   with_lists.soe_startup = {parameter};
+  with_lists.device.mailbox->foe = with_lists.device.mailbox->voe = true;
+  for (const auto& protocol : kMessageProtocols) {
+    MailboxInitCmd message;
+    message.transitions = {Transition::kPS};
+    message.data = {1, 0, 0, 0};
+    with_lists.*protocol.startup = {message};
+  }
+  RegisterCommand own;
+  own.address = 0x0F10;
+  own.read = true;
+  own.data = {0, 0};
+  own.expected = {1, 0};
+  own.mask = {0xFF, 0xFF};
+  with_lists.register_commands = project.master.register_commands = {own};
   return project;
 }
 

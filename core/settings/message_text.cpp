@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "settings/message_text.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "config/mailbox_config.h"
+#include "config/register_command.h"
+#include "protocol/frame.h"
+#include "reasons/because.h"
+#include "settings/number_text.h"
+#include "settings/setting_type.h"
+#include "settings/startup_text.h"
+#include "support/utf8.h"
+
+namespace syncline::settings {
+namespace {
+
+constexpr std::string_view kTimeoutWord = "timeout=", kData = "data=", kExpect = "expect=", kMask = "mask=",
+                           kWithin = "within=";
+constexpr std::int64_t kRegisters = 0x10000;
+
+/// What stands behind `name` in `word`; nothing where another word stands there.
+std::optional<std::string_view> value_of(std::string_view word, std::string_view name) {
+  return word.starts_with(name) ? std::optional(word.substr(name.size())) : std::nullopt;
+}
+
+std::optional<std::uint32_t> milliseconds(std::string_view text) {
+  const auto ms = parse_integer(text);
+  return ms && *ms >= 0 && *ms <= 0xFFFF'FFFF ? std::optional(static_cast<std::uint32_t>(*ms)) : std::nullopt;
+}
+
+/// The comment goes into `comment`; what stands before it is left.
+Result<std::string_view> without_comment(std::string_view text, std::string& comment) {
+  const auto mark = text.find(kCommentMark);
+  if (mark != std::string_view::npos) comment = text.substr(mark + kCommentMark.size());
+  if (!is_utf8(comment)) return bad_value(because("the comment is no UTF-8 text"));
+  return text.substr(0, mark);
+}
+
+Status parse_message_option(std::string_view word, MailboxInitCmd& message) {
+  const auto timeout = value_of(word, kTimeoutWord);
+  const auto ms = timeout ? milliseconds(*timeout) : std::nullopt;
+  if (word == "fixed") {
+    message.fixed = true;
+  } else if (word == "off") {
+    message.enabled = false;
+  } else if (ms) {
+    message.timeout_ms = *ms;
+  } else {
+    return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
+  }
+  return {};
+}
+
+/// "0x09a8=0100" of a write, "0x0130*2" of a read.
+Status parse_register_place(std::string_view text, RegisterCommand& command) {
+  const auto mark = text.find(command.read ? '*' : '=');
+  const auto wrong = [&] {
+    return bad_value(because("\"{text}\" is no REGISTER=DATA like 0x09A8=0100, nor, for a read, REGISTER*BYTES", text));
+  };
+  if (mark == std::string_view::npos) return wrong();
+  const auto address = parse_integer(text.substr(0, mark));
+  if (!address || *address < 0) return wrong();
+  if (command.read) {
+    const auto length = parse_integer(text.substr(mark + 1));
+    if (!length || *length < 1 || std::cmp_greater(*length, kMaxDatagramData)) return wrong();
+    command.data.assign(static_cast<std::size_t>(*length), 0);
+  } else {
+    auto data = parse_hex_data(text.substr(mark + 1));
+    if (!data) return tl::unexpected(data.error());
+    if (data->empty() || std::cmp_greater(data->size(), kMaxDatagramData)) return wrong();
+    command.data = std::move(*data);
+  }
+  if (*address + static_cast<std::int64_t>(command.data.size()) > kRegisters) return wrong();
+  command.address = static_cast<std::uint16_t>(*address);
+  return {};
+}
+
+Status parse_bytes(std::string_view text, std::vector<std::uint8_t>& bytes) {
+  auto data = parse_hex_data(text);
+  if (!data) return tl::unexpected(data.error());
+  bytes = std::move(*data);
+  return {};
+}
+
+Status parse_register_option(std::string_view word, RegisterCommand& command) {
+  if (const auto expected = value_of(word, kExpect)) return parse_bytes(*expected, command.expected);
+  if (const auto mask = value_of(word, kMask)) return parse_bytes(*mask, command.mask);
+  const auto within = value_of(word, kWithin);
+  const auto ms = within ? milliseconds(*within) : std::nullopt;
+  if (ms) {
+    command.timeout_ms = *ms;
+  } else if (word == "off") {
+    command.enabled = false;
+  } else if (word == "after") {
+    command.after_slaves = true;
+  } else {
+    return bad_value(because("\"{text}\" is none of expect=HEX, mask=HEX, within=MS, off, after", word));
+  }
+  return {};
+}
+
+/// What is compared is as long as what is read.
+Status check_expected(const RegisterCommand& command) {
+  const auto fits = [&](const std::vector<std::uint8_t>& bytes) {
+    return bytes.empty() || (command.read && bytes.size() == command.data.size());
+  };
+  if (fits(command.expected) && fits(command.mask) && (command.mask.empty() || !command.expected.empty())) return {};
+  return bad_value(because("only a read expects a value, of as many bytes as it reads; a mask is as long"));
+}
+
+}  // namespace
+
+std::string format_message(const MailboxInitCmd& message) {
+  std::string text =
+      fmt::format("{} {}{:02x}", format_transitions(message.transitions), kData, fmt::join(message.data, ""));
+  if (message.fixed) text += " fixed";
+  if (!message.enabled) text += " off";
+  if (message.timeout_ms != 0) text += fmt::format(" {}{}", kTimeoutWord, message.timeout_ms);
+  if (!message.comment.empty()) text.append(kCommentMark).append(message.comment);
+  return text;
+}
+
+Result<MailboxInitCmd> parse_message(std::string_view text) {
+  MailboxInitCmd message;
+  auto rest = without_comment(text, message.comment);
+  if (!rest) return tl::unexpected(rest.error());
+  if (auto status = parse_transitions(next_word(*rest), message.transitions); !status) {
+    return tl::unexpected(status.error());
+  }
+  const auto word = next_word(*rest);
+  const auto digits = value_of(word, kData);
+  if (!digits) return bad_value(because("\"{text}\" is no data=HEX like data=0200", word));
+  if (auto status = parse_bytes(*digits, message.data); !status) return tl::unexpected(status.error());
+  for (auto option = next_word(*rest); !option.empty(); option = next_word(*rest)) {
+    if (auto status = parse_message_option(option, message); !status) return tl::unexpected(status.error());
+  }
+  return message;
+}
+
+std::string format_register(const RegisterCommand& command) {
+  std::string text = fmt::format("{} {} 0x{:04x}", format_transitions(command.transitions),
+                                 command.read ? "read" : "write", command.address);
+  if (command.read) {
+    text += fmt::format("*{}", command.data.size());
+  } else {
+    text += fmt::format("={:02x}", fmt::join(command.data, ""));
+  }
+  if (!command.expected.empty()) text += fmt::format(" {}{:02x}", kExpect, fmt::join(command.expected, ""));
+  if (!command.mask.empty()) text += fmt::format(" {}{:02x}", kMask, fmt::join(command.mask, ""));
+  if (command.timeout_ms != RegisterCommand::kUsualTimeoutMs) text += fmt::format(" {}{}", kWithin, command.timeout_ms);
+  if (!command.enabled) text += " off";
+  if (command.after_slaves) text += " after";
+  if (!command.comment.empty()) text.append(kCommentMark).append(command.comment);
+  return text;
+}
+
+Result<RegisterCommand> parse_register(std::string_view text) {
+  RegisterCommand command;
+  auto rest = without_comment(text, command.comment);
+  if (!rest) return tl::unexpected(rest.error());
+  if (auto status = parse_transitions(next_word(*rest), command.transitions); !status) {
+    return tl::unexpected(status.error());
+  }
+  const auto direction = next_word(*rest);
+  command.read = direction == "read";
+  if (!command.read && direction != "write")
+    return bad_value(because("\"{text}\" is neither write nor read", direction));
+  if (auto status = parse_register_place(next_word(*rest), command); !status) return tl::unexpected(status.error());
+  for (auto word = next_word(*rest); !word.empty(); word = next_word(*rest)) {
+    if (auto status = parse_register_option(word, command); !status) return tl::unexpected(status.error());
+  }
+  if (auto status = check_expected(command); !status) return tl::unexpected(status.error());
+  return command;
+}
+
+}  // namespace syncline::settings
