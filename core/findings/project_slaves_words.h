@@ -88,7 +88,7 @@ inline constexpr FindingWords kProjectSlaves[] = {
      "",
      "Shorten it, or enlarge the output mailbox.",
      "slave.N.mailbox.out_size",
-     {{"", "The message has {bytes} bytes, the slave's mailbox takes {most}."}}},
+     {{"", "In bytes: the message {bytes}, room in the slave's mailbox {most}."}}},
     {"watchdog-too-short",
      Severity::kError,
      "The process data watchdog is shorter than two cycles",

@@ -237,6 +237,8 @@ class EveryKey : public test::ProjectWindow {
   /// With mailboxes that the ENI has, so that what goes through them is in it.
   static Project machineWithMailboxes() {
     auto project = test::projectOfFamilies();
+    project.master.dc.input_shift = 100 * kMicrosecond;
+    project.slaves[1].dc.input_reference = true;
     const auto manager = [](SyncManagerType type, std::uint16_t start, std::uint8_t control) {
       SyncManagerDescription made;
       made.type = type;

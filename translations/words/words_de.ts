@@ -7901,8 +7901,8 @@
         <translation>Sie kürzen oder die Ausgangs-Mailbox vergrößern.</translation>
     </message>
     <message>
-        <source>The message has {bytes} bytes, the slave's mailbox takes {most}.</source>
-        <translation>Die Nachricht hat {bytes} Bytes, die Mailbox des Slaves fasst {most}.</translation>
+        <source>In bytes: the message {bytes}, room in the slave's mailbox {most}.</source>
+        <translation>In Bytes: die Nachricht {bytes}, Platz in der Mailbox des Slaves {most}.</translation>
     </message>
     <message>
         <source>"{text}" is no IDN of a drive 0..7</source>

@@ -7901,8 +7901,8 @@
         <translation>缩短消息，或增大输出邮箱。</translation>
     </message>
     <message>
-        <source>The message has {bytes} bytes, the slave's mailbox takes {most}.</source>
-        <translation>消息有 {bytes} 字节，从站的邮箱可容纳 {most} 字节。</translation>
+        <source>In bytes: the message {bytes}, room in the slave's mailbox {most}.</source>
+        <translation>字节数：消息 {bytes}，从站邮箱的容量 {most}。</translation>
     </message>
     <message>
         <source>"{text}" is no IDN of a drive 0..7</source>
