@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "config/network_config.h"
 #include "record/recording_writer.h"
 #include "tests/core/record/made_samples.h"
 

@@ -20,6 +20,7 @@
 
 namespace syncline {
 struct ImportedRun;
+struct ImportLimits;
 }  // namespace syncline
 
 namespace syncline::ui {

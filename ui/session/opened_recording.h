@@ -24,6 +24,7 @@
 
 namespace syncline {
 struct ImportedRun;
+struct ImportLimits;
 }  // namespace syncline
 
 namespace syncline::ui {

@@ -10,38 +10,18 @@
 #include "config/project.h"
 #include "config/startup_messages.h"
 #include "config/startup_origin.h"
-#include "exports/init_command_origin.h"
-#include "exports/init_commands.h"
-#include "settings/settings_keys.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/talkative_machine.h"
 
 namespace syncline {
 namespace {
 
+using sample::set_own;
+using sample::talkative_machine;
+using sample::talkative_servo;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-DeviceDescription talkative_servo() {
-  auto device = sample::servo();
-  device.mailbox->aoe = device.mailbox->eoe = device.mailbox->foe = device.mailbox->voe = true;
-  device.mailbox->aoe_options.init_commands = {{{Transition::kPS}, 0, {1, 2, 3}, "from the ESI"}};
-  device.mailbox->eoe_options.init_commands = {{{Transition::kIP}, 2, {0x02, 0, 0, 0, 10, 0, 0, 1}, "its address"}};
-  return device;
-}
-
-Project talkative_machine() {
-  auto project = sample::project({sample::coupler()});
-  project.slaves.push_back(default_slave(talkative_servo(), 1));
-  project.slaves.back().previous = PreviousPort{0, 1};
-  return project;
-}
-
 const MailboxConfig& own_mailbox_of(const CompileResult& result) { return *result.config.slaves[1].mailbox; }
-
-void set_own(Project& project, const char* key, const char* value) {
-  const auto status = set_setting(project, key, value);
-  ASSERT_TRUE(status) << key << ": " << status.error().detail.text();
-}
 
 TEST(OwnCommands, MessagesOfTheEsiComeFirstAndCanBeTakenOut) {
   auto project = talkative_machine();
@@ -125,22 +105,6 @@ TEST(OwnCommands, TheMastersGoToAllBeforeTheSlavesOrBehindThem) {
   EXPECT_TRUE(all[without.size()].before_slave);
   EXPECT_EQ(all.back().command, Command::kBrd);
   EXPECT_FALSE(all.back().before_slave);
-}
-
-TEST(OwnCommands, EachSaysWhereItComesFrom) {
-  using exports::InitCommandOrigin;
-  auto project = talkative_machine();
-  set_own(project, "slave.1.aoe.startup.1", "SO data=aabb # own message");
-  set_own(project, "slave.1.register.0", "PS write 0x09a8=0101 # own register");
-  set_own(project, "master.register.0", "IP write 0x0101=01 # own broadcast");
-  const auto config = compile(project).value().config;
-  std::map<std::string, InitCommandOrigin> origins;
-  for (const auto& row : exports::init_commands(config)) origins[row.comment] = exports::origin_of(row, project);
-  EXPECT_EQ(origins["from the ESI"], InitCommandOrigin::kEsi);
-  EXPECT_EQ(origins["own message"], InitCommandOrigin::kStartup);
-  EXPECT_EQ(origins["own register"], InitCommandOrigin::kOwn);
-  EXPECT_EQ(origins["own broadcast"], InitCommandOrigin::kOwn);
-  EXPECT_EQ(origins["count slaves"], InitCommandOrigin::kStateMachine);
 }
 
 std::vector<std::string> too_long(const Project& project) {

@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
+#include "compile/compile.h"
 #include "config/project.h"
 #include "exports/init_commands.h"
+#include "tests/support/talkative_machine.h"
 
 namespace syncline::exports {
 namespace {
@@ -60,6 +65,23 @@ TEST(InitCommandOrigin, OfPdosIsTheirAssignmentUnlessTheUserWroteThem) {
   own.index = 0x1C12;
   project.slaves[0].startup.push_back(own);
   EXPECT_EQ(origin_of(row_of("CoE", 0x1C12), project), kStartup);
+}
+
+/// A whole machine: messages of the ESI, the user's own ones, and what the compiler adds.
+TEST(InitCommandOrigin, OfAMachineSaysWhoseEachCommandIs) {
+  using sample::set_own;
+  auto project = sample::talkative_machine();
+  set_own(project, "slave.1.aoe.startup.1", "SO data=aabb # own message");
+  set_own(project, "slave.1.register.0", "PS write 0x09a8=0101 # own register");
+  set_own(project, "master.register.0", "IP write 0x0101=01 # own broadcast");
+  const auto config = compile(project).value().config;
+  std::map<std::string, InitCommandOrigin> origins;
+  for (const auto& row : init_commands(config)) origins[row.comment] = origin_of(row, project);
+  EXPECT_EQ(origins["from the ESI"], kEsi);
+  EXPECT_EQ(origins["own message"], kStartup);
+  EXPECT_EQ(origins["own register"], kOwn);
+  EXPECT_EQ(origins["own broadcast"], kOwn);
+  EXPECT_EQ(origins["count slaves"], kStateMachine);
 }
 
 }  // namespace

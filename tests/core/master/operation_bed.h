@@ -18,6 +18,7 @@
 #include "protocol/al_state.h"
 #include "tests/support/event_match.h"
 #include "tests/support/holding_link.h"
+#include "tests/support/own_devices.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/simulated_segment.h"
 
