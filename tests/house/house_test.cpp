@@ -255,7 +255,7 @@ struct DepthBound {
 TEST(House, ChainsOfIncludesGrowNoLonger) {
   constexpr DepthBound kBounds[] = {
       {"core", 5, 13},         {"core/advice", 6, 8},    {"core/capture", 4, 7}, {"core/channels", 4, 7},
-      {"core/check", 6, 8},    {"core/compare", 5, 7},   {"core/compile", 7, 9}, {"core/config", 4, 6},
+      {"core/check", 6, 8},    {"core/compare", 5, 7},   {"core/compile", 7, 9}, {"core/config", 5, 6},
       {"core/dc", 2, 5},       {"core/diagnosis", 5, 6}, {"core/engine", 7, 8},  {"core/exports", 5, 6},
       {"core/families", 4, 4}, {"core/findings", 4, 5},  {"core/link", 4, 5},    {"core/master", 8, 13},
       {"core/protocol", 3, 5}, {"core/reasons", 4, 4},   {"core/record", 6, 8},  {"core/recover", 6, 8},
