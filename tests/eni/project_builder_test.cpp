@@ -13,6 +13,7 @@
 #include "eni/project/line_wiring.h"
 #include "eni/xml/file_warning.h"
 #include "eni/xml/xml_text.h"
+#include "findings/error_text.h"
 
 namespace syncline::eni {
 namespace {

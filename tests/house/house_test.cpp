@@ -450,5 +450,21 @@ TEST(House, NoSourceUsesARangeThatClangCannotCompile) {
   }
 }
 
+/// A filter of the whole application sees what other threads have posted, whose types it must not read: WidgetEvents
+/// keeps those from all who derive from it.
+TEST(House, WhoSeesAllEventsSeesThoseOfWidgetsOnly) {
+  for (const char* place : {"ui", "app/gui"}) {
+    for (const auto& file : sources(place)) {
+      if (file == "ui/widgets/widget_events.cpp") continue;
+      const auto text = text_of(file);
+      for (const char* application : {"instance()", "qApp", "application", "app"}) {
+        for (const char* access : {"->", "."}) {
+          EXPECT_EQ(text.find(std::string(application) + access + "installEventFilter"), std::string::npos) << file;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace syncline

@@ -19,19 +19,15 @@ QWidget* turnable(QObject* object) {
 
 }  // namespace
 
-CalmWheel::CalmWheel(QObject* parent) : QObject(parent) { QCoreApplication::instance()->installEventFilter(this); }
-
-bool CalmWheel::eventFilter(QObject* watched, QEvent* event) {
-  // What other threads have posted is of no widget, and theirs until its receiver takes it.
-  if (!watched->isWidgetType()) return false;
-  if (event->type() == QEvent::Polish) {
-    if (auto* widget = turnable(watched); widget != nullptr && widget->focusPolicy() == Qt::WheelFocus)
+bool CalmWheel::take(QObject& watched, QEvent& event) {
+  if (event.type() == QEvent::Polish) {
+    if (auto* widget = turnable(&watched); widget != nullptr && widget->focusPolicy() == Qt::WheelFocus)
       widget->setFocusPolicy(Qt::StrongFocus);
   }
-  if (event->type() != QEvent::Wheel) return false;
-  const auto* widget = turnable(watched);
+  if (event.type() != QEvent::Wheel) return false;
+  const auto* widget = turnable(&watched);
   if (widget == nullptr || widget->hasFocus() || widget->isAncestorOf(QApplication::focusWidget())) return false;
-  event->ignore();  // so that the application offers it to what the widget stands in
+  event.ignore();  // so that the application offers it to what the widget stands in
   return true;
 }
 

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QObject>
+#include "ui/widgets/widget_events.h"
 
 namespace syncline::ui {
 
 /// While it lives, the wheel changes no choice, number or slider of the program's windows that has not the focus, and
 /// gives none the focus: what scrolls on its way over them scrolls on. Menus and lists that are open are no such
 /// fields.
-class CalmWheel final : public QObject {
+class CalmWheel final : public WidgetEvents {
   Q_OBJECT
 
  public:
-  /// Watches the application.
-  explicit CalmWheel(QObject* parent);
+  using WidgetEvents::WidgetEvents;
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool take(QObject& watched, QEvent& event) override;
 };
 
 }  // namespace syncline::ui

@@ -2,24 +2,22 @@
 #include "ui/widgets/whole_texts.h"
 
 #include <QAbstractItemView>
-#include <QCoreApplication>
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QToolTip>
 
 namespace syncline::ui {
 
-WholeTexts::WholeTexts(QObject* parent) : QObject(parent) { QCoreApplication::instance()->installEventFilter(this); }
-
 bool WholeTexts::isCut(const QAbstractItemView& view, const QModelIndex& index) {
   return !index.data().toString().isEmpty() && view.sizeHintForIndex(index).width() > view.visualRect(index).width();
 }
 
-bool WholeTexts::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::ToolTip || !watched->isWidgetType()) return false;
-  const auto* view = qobject_cast<const QAbstractItemView*>(watched->parent());
-  if (view == nullptr || view->viewport() != watched || qobject_cast<const QHeaderView*>(view) != nullptr) return false;
-  const auto* help = static_cast<const QHelpEvent*>(event);
+bool WholeTexts::take(QObject& watched, QEvent& event) {
+  if (event.type() != QEvent::ToolTip) return false;
+  const auto* view = qobject_cast<const QAbstractItemView*>(watched.parent());
+  if (view == nullptr || view->viewport() != &watched || qobject_cast<const QHeaderView*>(view) != nullptr)
+    return false;
+  const auto* help = static_cast<const QHelpEvent*>(&event);
   const auto index = view->indexAt(help->pos());
   if (!index.isValid() || !isCut(*view, index)) return false;
   const auto text = index.data().toString();

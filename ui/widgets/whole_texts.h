@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QObject>
+#include "ui/widgets/widget_events.h"
 
 class QAbstractItemView;
 class QModelIndex;
@@ -10,17 +10,16 @@ namespace syncline::ui {
 
 /// While it lives, the tool tip of every cell of a list, table or tree that ends in an ellipsis begins with its whole
 /// text.
-class WholeTexts final : public QObject {
+class WholeTexts final : public WidgetEvents {
   Q_OBJECT
 
  public:
-  /// Watches the application.
-  explicit WholeTexts(QObject* parent);
+  using WidgetEvents::WidgetEvents;
   /// The text of the cell does not fit into it.
   [[nodiscard]] static bool isCut(const QAbstractItemView& view, const QModelIndex& index);
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool take(QObject& watched, QEvent& event) override;
 };
 
 }  // namespace syncline::ui

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "config/device_description.h"
 #include "protocol/sii.h"
 #include "tests/support/sample_image.h"
 
