@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QLabel>
+#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
@@ -31,8 +32,10 @@ namespace syncline::test {
 class CutTexts {
  public:
   explicit CutTexts(const QWidget& window) {
-    for (const auto* widget : window.findChildren<QWidget*>()) {
-      if (widget->isVisible() && !widget->visibleRegion().isEmpty()) look(*widget);
+    // Asking for a tip deletes the one that was shown before, which is a child of the window, too.
+    const auto found = window.findChildren<QWidget*>();
+    for (const auto& widget : QList<QPointer<QWidget>>(found.begin(), found.end())) {
+      if (widget && widget->isVisible() && !widget->visibleRegion().isEmpty()) look(*widget);
     }
   }
   [[nodiscard]] const QStringList& found() const { return found_; }
