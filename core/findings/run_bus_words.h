@@ -303,8 +303,7 @@ inline constexpr FindingWords kRunBus[] = {
      {{"",
        "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
        "{count:# cycle was|# cycles were} left out. The master came {held} too late, and other threads had its "
-       "processor for {waited} of that only: it was "
-       "stopped, or its timer came late."}}},
+       "processor for {waited} of that only: it was stopped, or its timer came late."}}},
     {"host-late",
      Severity::kWarning,
      "The host sends late",

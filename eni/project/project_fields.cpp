@@ -160,17 +160,6 @@ constexpr auto startup_fields = [](auto& x, auto& command) {
   x.init_cmd(command);
 };
 
-constexpr auto soe_fields = [](auto& x, auto& soe) {
-  x.attribute("Drive", soe.drive);
-  x.attribute("Idn", soe.idn);
-  x.attribute("Enabled", soe.enabled);
-  x.attribute("Fixed", soe.fixed);
-  x.attribute("TimeoutMs", soe.timeout_ms);
-  x.transitions(soe.transitions);
-  x.bytes("Data", soe.data);
-  x.optional_text("Comment", soe.comment);
-};
-
 constexpr auto message_fields = [](auto& x, auto& message) {
   x.attribute("Enabled", message.enabled);
   x.attribute("Fixed", message.fixed);
@@ -178,6 +167,12 @@ constexpr auto message_fields = [](auto& x, auto& message) {
   x.transitions(message.transitions);
   x.bytes("Data", message.data);
   x.optional_text("Comment", message.comment);
+};
+
+constexpr auto soe_fields = [](auto& x, auto& soe) {
+  x.attribute("Drive", soe.drive);
+  x.attribute("Idn", soe.idn);
+  message_fields(x, soe);
 };
 
 constexpr auto module_fields = [](auto& x, auto& module) {
