@@ -108,8 +108,12 @@ Json dc_json(const RunReport& report) {
           {"deviation_ns", {{"now", or_null(dc.deviation_ns)}, {"max", or_null(report.deviation_max_ns)}}}};
 }
 
+/// Errors count from the moment on at which the master was in sync: before it there are no figures of them.
+bool has_error_figures(const DcmStatus& dcm) { return dcm.in_sync_after_ms.has_value(); }
+
 Json dcm_json(const RunReport& report) {
   const auto& dcm = report.dcm;
+  const auto figure = [&](auto value) { return has_error_figures(dcm) ? Json(value) : Json(nullptr); };
   return {{"mode", dcm_mode_name(dcm.mode)},
           {"in_sync", or_null(master_in_sync(dcm))},
           {"in_sync_after_ms", rounded(dcm.in_sync_after_ms)},
@@ -118,13 +122,13 @@ Json dcm_json(const RunReport& report) {
                            ? Json(nullptr)
                            : Json(dc::obstacle_text(dcm.obstacle))},
           {"error_ns",
-           {{"mean", rounded(dcm.error_mean_ns)},
-            {"rms", rounded(dcm.error_rms_ns)},
-            {"max", dcm.error_max_ns},
+           {{"mean", figure(rounded(dcm.error_mean_ns))},
+            {"rms", figure(rounded(dcm.error_rms_ns))},
+            {"max", figure(dcm.error_max_ns)},
             {"mean_95", mean_interval(dcm.error_mean_ns, report.dcm_error)}}},
-          {"frame_error_ns", {{"now", dcm.frame_error_ns}, {"max", dcm.frame_error_max_ns}}},
+          {"frame_error_ns", {{"now", dcm.frame_error_ns}, {"max", figure(dcm.frame_error_max_ns)}}},
           {"late_allowed_ns", dcm.late_allowed_ns},
-          {"late_sends", dcm.late_sends},
+          {"late_sends", figure(dcm.late_sends)},
           {"drift_ppm", rounded(dcm.drift_ppm)},
           {"error_code", dcm.error_code == 0 ? Json(nullptr) : Json(hex(dcm.error_code, 8))},
           {"set_value_ns", dcm.set_value_ns},
@@ -186,10 +190,12 @@ std::string to_text(const RunReport& report) {
   fmt::format_to(out, "\nmaster: {}, {}", dcm_mode_name(dcm.mode), sync_state_text(dcm.state));
   if (dcm.mode != DcmMode::kOff) {
     if (dcm.in_sync_after_ms) fmt::format_to(out, " {}", ms_text(dcm.in_sync_after_ms));
-    fmt::format_to(
-        out, ", error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed), drift {:.3f} ppm{}",
-        dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.frame_error_max_ns, dcm.late_allowed_ns,
-        dcm.drift_ppm, dcm.drift_half_width_ppm ? fmt::format(" ±{:.3f}", *dcm.drift_half_width_ppm) : "");
+    if (has_error_figures(dcm))
+      fmt::format_to(out, ", error mean {:.1f} ns, rms {:.1f} ns, largest {} ns (frames {} ns, {} allowed)",
+                     dcm.error_mean_ns, dcm.error_rms_ns, dcm.error_max_ns, dcm.frame_error_max_ns,
+                     dcm.late_allowed_ns);
+    fmt::format_to(out, ", drift {:.3f} ppm{}", dcm.drift_ppm,
+                   dcm.drift_half_width_ppm ? fmt::format(" ±{:.3f}", *dcm.drift_half_width_ppm) : "");
     if (dcm.state == SyncState::kOutOfSync) fmt::format_to(out, " ({})", dc::obstacle_text(dcm.obstacle));
   }
   if (dcm.control_off)

@@ -191,6 +191,11 @@ void SyncEventAccount::confirm_op() {
   settle_peaks();
 }
 
+void SyncEventAccount::came_back() {
+  evaluated_.reset();
+  delivered_.reset();
+}
+
 void SyncEventAccount::left_op() {
   const auto never = explain_by_doubt(explain(std::exchange(unexplained_, 0)));
   correct(never);

@@ -55,6 +55,8 @@ class SyncEventAccount {
   [[nodiscard]] bool at_limit() const { return limit_ > 0 && integrator_ >= limit_; }
   /// The slave is known to be in OP still: whatever was computed, it has not reached its limit.
   void confirm_op();
+  /// It was away for a while: what went on meanwhile only its counter knows.
+  void came_back();
   /// The slave left OP: what it did not tell any more is taken from what was computed.
   void left_op();
   /// It left OP by its own count of misses, and its outputs nominally leave less than it needs: what it had missed at

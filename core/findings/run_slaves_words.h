@@ -180,7 +180,14 @@ inline constexpr FindingWords kRunSlaves[] = {
      {{"", "{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all."},
       {"stepped",
        "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
-       "the reference clock stepped or changed its rate; they came back, {count} in all."}}},
+       "the reference clock stepped or changed its rate; they came back, {count} in all."},
+      {"before",
+       "Before that, at {since}, {slave} had left the sync window as well ({deviation}, limit {limit}); {count} in "
+       "all."},
+      {"stepped before",
+       "Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window "
+       "({deviation}, "
+       "limit {limit}): the reference clock stepped or changed its rate; {count} in all."}}},
     {"reference-clock-written-late",
      Severity::kWarning,
      "A frame that was held up brought the reference clock an old time",

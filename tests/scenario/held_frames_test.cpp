@@ -43,6 +43,47 @@ TEST_P(HeldFrames, AreTheCauseOfWhatTheyDo) {
   }
 }
 
+/// Nothing came back for longer than slaves may be silent, and then all of it: nobody was away, no plug is loose.
+TEST_P(HeldFrames, OfAllSlavesAreNoAbsence) {
+  for (const bool coming_back : {false, true}) {
+    auto run = machine;
+    constexpr auto kLong = 108 * kMillisecond;
+    run.held_up.push_back({5 * kSecond, 5 * kSecond + kLong, kLong, coming_back});
+    run.run(12 * kSecond);
+    SCOPED_TRACE(run.said());
+    EXPECT_EQ(run.report.lost_frames, 0U);
+    EXPECT_FALSE(run.report.history.slaves.front().absences.empty());
+    EXPECT_FALSE(run.found(code::kSlaveWasAbsent));
+    EXPECT_TRUE(run.found(code::kFramesLate));
+    for (const int axis : {1, 2}) {
+      // Outputs that come in time serve the drive, whatever becomes of its answer; without them it falls, and whoever
+      // did not answer is led up again.
+      const auto& slave = run.report.slaves.at(static_cast<std::size_t>(axis));
+      EXPECT_EQ(al_state_of(slave.al_status), AlState::kOp);
+      EXPECT_EQ(run.found(code::kSlaveHadFallen, axis), !coming_back);
+      if (!coming_back) continue;
+      EXPECT_EQ(slave.sm2_missed->missed, 0U);
+      EXPECT_EQ(slave.sm2_missed->integrator_highest, 0U);
+      EXPECT_FALSE(run.found(code::kMissedByHeldFrames, axis));
+    }
+  }
+}
+
+/// Nobody moves the timer, and frames slide through SYNC0: not the little that some are held up makes them late there.
+TEST(HeldFramesUncontrolled, AreNotWhyFramesSlideThroughSync0) {
+  test::DiagnosedRun run;
+  test::add_two_axes(run.network);
+  run.network.project.master.dc.dcm.mode = DcmMode::kMasterShiftByApp;
+  run.jitter = JitterProfile::desktop();
+  for (auto& slave : run.network.sim.slaves) slave.oscillator.ppm = 20;
+  run.run(50 * kSecond);
+  for (const std::size_t axis : {1U, 2U}) {
+    const auto& missed = *run.report.slaves.at(axis).sm2_missed;
+    ASSERT_GT(missed.missed, 20U) << run.said();
+    EXPECT_EQ(missed.by_cause[static_cast<std::size_t>(dc::MissCause::kFrameHeldUp)], 0U) << run.said();
+  }
+}
+
 /// Nobody monitors the slaves, and nobody's clock has stepped.
 TEST(HeldFramesUnmonitored, AccuseNoClock) {
   test::DiagnosedRun run;

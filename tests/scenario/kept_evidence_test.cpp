@@ -59,6 +59,22 @@ TEST_F(KeptEvidence, ADriveThatFallsAtOnceHasMissedWhatItsLimitProves) {
   }
 }
 
+/// A plug that is loose for two cycles: whoever is behind it goes on, and knows best what it missed.
+TEST_F(KeptEvidence, WhoWasAwayAndIsInOpStillMissedWhatItsCounterSays) {
+  auto& pulled = machine.fault(FaultKind::kCableBreak, 6 * kSecond + 300 * kMicrosecond, 1);
+  pulled.until = pulled.at + 2 * kMillisecond;
+  machine.run(12 * kSecond);
+  for (const std::size_t axis : {1U, 2U}) {
+    ASSERT_FALSE(machine.report.history.slaves[axis].absences.empty()) << machine.said();
+    ASSERT_EQ(al_state_of(machine.report.slaves[axis].al_status), AlState::kOp);
+    const auto& missed = *machine.report.slaves[axis].sm2_missed;
+    EXPECT_EQ(missed.missed, 2U) << machine.said();
+    EXPECT_EQ(missed.computed, 0U);
+    EXPECT_FALSE(missed.at_least);
+    EXPECT_LT(missed.integrator_highest, missed.limit);
+  }
+}
+
 TEST_F(KeptEvidence, AFallIsToldWhenItIsOver) {
   machine.network.add(test::servo(), "servo-y");
   machine.fault(FaultKind::kLoseFrames, 6 * kSecond).count = 6;

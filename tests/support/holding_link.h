@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,12 +13,14 @@
 
 namespace syncline::test {
 
-/// Frames that are sent between `from` and `to` (since the start) reach the bus `longer` later.
+/// Frames that are sent between `from` and `to` (since the start) reach the bus `longer` later; or, `coming_back` then,
+/// the master.
 struct HeldSpan {
   Nanoseconds from = 0, to = 0, longer = 0;
+  bool coming_back = false;
 };
 
-/// A card or a switch that holds frames up on their way to the bus; their order stays.
+/// A card or a switch that holds frames up on their way to the bus, or back; their order stays.
 class HoldingLink final : public Link {
  public:
   HoldingLink(std::unique_ptr<Link> inner, Clock& clock, std::vector<HeldSpan> spans)
@@ -25,20 +28,34 @@ class HoldingLink final : public Link {
 
   Status send(std::span<const std::uint8_t> frame) override {
     if (auto passed_on = pass_on(); !passed_on) return passed_on;
-    const auto now = clock_.now() - begin_;
-    const auto span = std::ranges::find_if(spans_, [now](const auto& s) { return now >= s.from && now < s.to; });
-    if (span == spans_.end() && held_.empty()) return inner_->send(frame);
-    const auto due = clock_.now() + (span == spans_.end() ? 0 : span->longer);
-    held_.push_back({held_.empty() ? due : std::max(due, held_.back().due), {frame.begin(), frame.end()}});
+    const auto longer = held_now(false);
+    if (longer == 0 && held_.empty()) return inner_->send(frame);
+    hold(held_, clock_.now() + longer, frame);
     return {};
   }
 
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
     for (;;) {
       if (auto passed_on = pass_on(); !passed_on) return tl::unexpected(passed_on.error());
-      const auto until = held_.empty() ? deadline : std::min(deadline, held_.front().due);
+      if (!returning_.empty() && returning_.front().due <= clock_.now()) {
+        const auto frame = std::move(returning_.front());
+        returning_.pop_front();
+        std::ranges::copy(frame.bytes, buffer.begin());
+        return ReceivedFrame{frame.bytes.size(), frame.due};
+      }
+      auto until = deadline;
+      for (const auto* held : {&held_, &returning_}) {
+        if (!held->empty()) until = std::min(until, held->front().due);
+      }
       auto received = inner_->receive(buffer, until);
-      if (!received || received->length > 0 || until == deadline) return received;
+      if (!received) return received;
+      if (received->length == 0) {
+        if (until == deadline) return received;
+        continue;
+      }
+      const auto longer = held_now(true);
+      if (longer == 0 && returning_.empty()) return received;
+      hold(returning_, received->arrival_time + longer, buffer.first(received->length));
     }
   }
 
@@ -49,6 +66,15 @@ class HoldingLink final : public Link {
     Nanoseconds due = 0;
     std::vector<std::uint8_t> bytes;
   };
+  [[nodiscard]] Nanoseconds held_now(bool coming_back) const {
+    const auto now = clock_.now() - begin_;
+    const auto span = std::ranges::find_if(
+        spans_, [&](const auto& s) { return s.coming_back == coming_back && now >= s.from && now < s.to; });
+    return span == spans_.end() ? 0 : span->longer;
+  }
+  static void hold(std::deque<Held>& held, Nanoseconds due, std::span<const std::uint8_t> frame) {
+    held.push_back({held.empty() ? due : std::max(due, held.back().due), {frame.begin(), frame.end()}});
+  }
   Status pass_on() {
     for (; !held_.empty() && held_.front().due <= clock_.now(); held_.pop_front()) {
       if (auto sent = inner_->send(held_.front().bytes); !sent) return sent;
@@ -59,7 +85,7 @@ class HoldingLink final : public Link {
   Clock& clock_;
   std::vector<HeldSpan> spans_;
   Nanoseconds begin_;
-  std::deque<Held> held_{};
+  std::deque<Held> held_{}, returning_{};
 };
 
 }  // namespace syncline::test

@@ -8789,6 +8789,14 @@
         <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang oder änderte ihre Geschwindigkeit; sie kamen zurück, insgesamt {count}.</translation>
     </message>
     <message>
+        <source>Before that, at {since}, {slave} had left the sync window as well ({deviation}, limit {limit}); {count} in all.</source>
+        <translation>Davor, bei {since}, hatte auch {slave} das Sync-Window verlassen ({deviation}, Grenze {limit}); {count} insgesamt.</translation>
+    </message>
+    <message>
+        <source>Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; {count} in all.</source>
+        <translation>Davor, bei {since}, hatten sich alle Slaves zugleich und zur selben Seite aus dem Sync-Window bewegt ({deviation}, Grenze {limit}): Die Referenzuhr sprang oder änderte ihre Geschwindigkeit; {count} insgesamt.</translation>
+    </message>
+    <message>
         <source>Outputs are forced</source>
         <translation>Ausgänge sind erzwungen</translation>
     </message>

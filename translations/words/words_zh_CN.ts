@@ -8789,6 +8789,14 @@
         <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变或改变速率；之后恢复，共 {count}。</translation>
     </message>
     <message>
+        <source>Before that, at {since}, {slave} had left the sync window as well ({deviation}, limit {limit}); {count} in all.</source>
+        <translation>在此之前，{slave} 已在 {since} 超出同步窗口（{deviation}，限值 {limit}）；共 {count}。</translation>
+    </message>
+    <message>
+        <source>Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; {count} in all.</source>
+        <translation>在此之前，所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变或改变速率；共 {count}。</translation>
+    </message>
+    <message>
         <source>Outputs are forced</source>
         <translation>输出被强制</translation>
     </message>

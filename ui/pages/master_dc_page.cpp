@@ -149,12 +149,14 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
                        : none);
   const bool dcm = snapshot.online && snapshot.dcm.mode != DcmMode::kOff;
   error_->setText(dcm ? signedTimeText(snapshot.dcm.error_filtered_ns) : none);
-  error_statistics_->setText(dcm ? tr("%1 / %2").arg(timeText(static_cast<Nanoseconds>(snapshot.dcm.error_rms_ns)),
-                                                     timeText(snapshot.dcm.error_max_ns))
-                                 : none);
+  // Errors count from the moment on at which the master was in sync.
+  const bool counted = dcm && snapshot.dcm.in_sync_after_ms;
+  error_statistics_->setText(counted ? tr("%1 / %2").arg(timeText(static_cast<Nanoseconds>(snapshot.dcm.error_rms_ns)),
+                                                         timeText(snapshot.dcm.error_max_ns))
+                                     : none);
   frame_error_->setText(
-      dcm ? tr("%1 / %2").arg(timeText(snapshot.dcm.frame_error_max_ns), timeText(snapshot.dcm.late_allowed_ns))
-          : none);
+      counted ? tr("%1 / %2").arg(timeText(snapshot.dcm.frame_error_max_ns), timeText(snapshot.dcm.late_allowed_ns))
+              : none);
   drift_->setText(dcm ? withSpreadPpmText(snapshot.dcm.drift_ppm, snapshot.dcm.drift_half_width_ppm) : none);
   locked_after_->setText(dcm ? afterText(snapshot.dcm.in_sync_after_ms) : none);
 }

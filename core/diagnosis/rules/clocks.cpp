@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -168,10 +169,14 @@ bool without_time(const RunReport& report, const RunHistory::SyncLoss& loss) {
   });
 }
 
-void find_left_window(const RunReport& report, Findings& findings) {
+/// Of those who are not in sync at the end what came before is told as well, by others than `culprit`.
+void find_left_window(const RunReport& report, std::optional<int> culprit, Findings& findings) {
+  const auto& all = report.history.slave_losses;
   std::vector<RunHistory::SyncLoss> losses;
-  std::ranges::copy_if(report.history.slave_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
-    const bool told = loss.back && was_written_late(report, loss.time);
+  std::ranges::copy_if(all, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
+    const bool lasts = culprit && !loss.back && &loss == &all.back();
+    const bool told =
+        lasts || (loss.slave >= 0 && loss.slave == culprit) || (loss.back && was_written_late(report, loss.time));
     return !told && !came_back(report, loss) && !without_adapter(report, loss) && !without_time(report, loss);
   });
   if (losses.empty()) return;
@@ -179,10 +184,10 @@ void find_left_window(const RunReport& report, Findings& findings) {
   Finding finding{code::kWindowLeft, Severity::kWarning, first.slave, first.time, losses.back().back.value_or(0)};
   name_loss(report, first, finding);
   finding.figures.push_back(times_figure("count", losses.size()));
-  if (first.obstacle == dc::SyncObstacle::kClockStep) {
-    finding.place.slave = report.dc.reference_clock;
-    finding.facts = sentence_of(*find_finding_words(code::kWindowLeft), "stepped");
-  }
+  const bool stepped = first.obstacle == dc::SyncObstacle::kClockStep;
+  if (stepped) finding.place.slave = report.dc.reference_clock;
+  const auto* variant = culprit ? (stepped ? "stepped before" : "before") : stepped ? "stepped" : "";
+  finding.facts = sentence_of(*find_finding_words(code::kWindowLeft), variant);
   findings.push_back(std::move(finding));
 }
 
@@ -219,8 +224,9 @@ void find_clocks(const RunReport& report, Findings& findings) {
   find_changed_ways(report, findings);
   // Also where nobody follows who leads by now.
   if (!report.dc.monitored || report.dc.state == SyncState::kNotMonitored) return find_unmonitored(report, findings);
-  if (report.dc.state != SyncState::kInSync) return find_out_of_sync(report, findings);
-  find_left_window(report, findings);
+  if (report.dc.state == SyncState::kInSync) return find_left_window(report, std::nullopt, findings);
+  find_out_of_sync(report, findings);
+  find_left_window(report, findings.back().place.slave, findings);
 }
 
 void find_master_sync(const RunReport& report, Findings& findings) {

@@ -36,24 +36,17 @@ Finding absent(const RunReport& report, std::size_t first, std::size_t last) {
   return finding;
 }
 
-/// All were silent at once because every frame was damaged on its way: that is told with the port, and nobody was away.
-/// A plug that is pulled may damage frames, too, and loses the link of the first slave.
+/// Every frame was damaged on its way: that is told with the port, and nobody was away. A plug that is pulled may
+/// damage frames, too, and loses the link.
 bool was_noise(const RunReport& report, const Spell& spell) {
-  constexpr Nanoseconds kFound = 100 * kMillisecond;  // one after the other
-  const auto& slaves = report.history.slaves;
-  const auto silent = [&](const RunReport::Slave& slave) {
-    return slave.optional || slaves[slave.position].absences.near(spell, kFound);
-  };
-  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
-  return std::ranges::all_of(report.slaves, silent) && !slaves.front().lost_links.front().near(read, kReadLater) &&
-         noisy_port(report, spell).slave >= 0;
+  return was_silence_of_all(report, spell) && noisy_port(report, spell).slave >= 0;
 }
 
 void find_earlier(const RunReport& report, Findings& findings) {
   for (std::size_t i = 0; i < report.slaves.size(); ++i) {
     const auto& absences = report.history.slaves[i].absences;
     const auto explained = [&](const Spell& spell) {
-      return adapter_was_away(report, spell) || was_noise(report, spell);
+      return adapter_was_away(report, spell) || was_noise(report, spell) || were_held_up(report, spell);
     };
     if (!absences.empty() && std::ranges::all_of(absences.list(), explained)) continue;
     if (absences.empty() || is_absent(report, i) || report.slaves[i].optional) continue;

@@ -71,6 +71,13 @@ void find_short_cycle(const RunReport& report, Findings& findings);
 [[nodiscard]] bool was_written_late(const RunReport& report, Nanoseconds loss);
 /// Where frames were damaged first in the spell, as far as the readings of the ports tell; nobody: slave -1.
 [[nodiscard]] DamagedPort noisy_port(const RunReport& report, const Spell& spell);
+/// All slaves were silent at once in the spell, and the first one did not lose its link.
+[[nodiscard]] bool was_silence_of_all(const RunReport& report, const Spell& spell);
+/// The same, and every frame that nobody waited for any more came back after all: they were held up on their way, which
+/// is told as late frames, and nobody was away.
+[[nodiscard]] bool were_held_up(const RunReport& report, const Spell& spell);
+/// The slave was away in the spell, and not only as it seemed.
+[[nodiscard]] bool was_absent(const RunReport& report, int slave, const Spell& spell);
 /// Who lost the link over which frames came to it, shortly after the spell; -1: nobody. Its counters are read in turn.
 [[nodiscard]] int lost_link_after(const RunReport& report, const Spell& spell);
 /// The slave was away, fell, or lost its link near that time: what is seen then on the bus is its doing; -1: nobody.

@@ -58,6 +58,34 @@ DamagedPort noisy_port(const RunReport& report, const Spell& spell) {
   });
 }
 
+bool was_silence_of_all(const RunReport& report, const Spell& spell) {
+  constexpr Nanoseconds kFound = 100 * kMillisecond;  // one after the other
+  const auto& slaves = report.history.slaves;
+  const auto silent = [&](const RunReport::Slave& slave) {
+    return slave.optional || slaves[slave.position].absences.near(spell, kFound);
+  };
+  const Spell read{spell.from, spell.to + kReadLater, 0, 0};
+  return std::ranges::all_of(report.slaves, silent) && !slaves.front().lost_links.front().near(read, kReadLater);
+}
+
+bool were_held_up(const RunReport& report, const Spell& spell) {
+  constexpr Nanoseconds kSilence = 100 * kMillisecond;  // until slaves count as absent
+  const Spell silence{spell.from - kSilence, spell.to, 0, 0};
+  const auto lost = [&](const Spell& frames) {
+    return frames.count > 0 && frames.from <= silence.to && silence.from <= frames.to;
+  };
+  const auto& history = report.history;
+  return was_silence_of_all(report, spell) && history.late_frames.near(spell, kTogether) &&
+         std::ranges::none_of(history.lost_frames.list(), lost);
+}
+
+bool was_absent(const RunReport& report, int slave, const Spell& spell) {
+  const auto& absences = report.history.slaves[static_cast<std::size_t>(slave)].absences.list();
+  return std::ranges::any_of(absences, [&](const Spell& absence) {
+    return absence.from <= spell.to && spell.from <= absence.to && !were_held_up(report, absence);
+  });
+}
+
 int lost_link_after(const RunReport& report, const Spell& spell) {
   const Spell read{spell.from, spell.to + kReadLater, 0, 0};
   for (const auto& slave : report.slaves) {

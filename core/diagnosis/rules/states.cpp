@@ -52,7 +52,7 @@ std::uint64_t integrator_at_fall(const RunReport& report, const RunReport::Slave
 bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, const RunHistory::Fall& fall) {
   const Spell before{fall.time - kReadLater, fall.time, 0, 0};
   if (adapter_was_away(report, before)) return true;
-  return report.history.slaves[slave.position].absences.near(before, 0);
+  return was_absent(report, slave.position, before);
 }
 
 Finding fallen(const RunReport& report, const RunReport::Slave& slave) {

@@ -8,6 +8,7 @@
 #include "config/frame_time.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
+#include "dc/sync0_arrival.h"
 #include "families/device_family.h"
 #include "families/families.h"
 #include "master/clocks/sync_watch.h"
@@ -23,6 +24,16 @@ namespace {
 constexpr Nanoseconds kStillInOp = 600 * kMillisecond;
 /// What a slave counts while it finds into OP is no fault of the running bus; what makes it fall again is.
 constexpr Nanoseconds kSettling = 100 * kMillisecond;
+
+/// How much of the hold made the outputs late: nothing where they would not have come at their place anyway, because
+/// nobody keeps the frames there.
+Nanoseconds counting_hold(const dc::Sync0Grid& grid, Nanoseconds came, Nanoseconds held, Nanoseconds nominal_margin,
+                          Nanoseconds cycle_time) {
+  // A SYNC0 that comes every n-th cycle has n places in its period.
+  const auto step = std::min(grid.period, cycle_time);
+  const auto otherwise = dc::sync0_arrival(grid, came - held).margin % step;
+  return held > 0 && otherwise < nominal_margin % step / 2 ? 0 : held;
+}
 
 bool in_op(const SlaveStatus& slave) {
   return slave.present && al_state_of(slave.al_status) == AlState::kOp && (slave.al_status & kAlErrorFlag) == 0;
@@ -74,6 +85,19 @@ void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) const {
   slave.account = slave.before;
   slave.account->entered_op(grid_of(slave));
   slave.before.reset();
+}
+
+/// Whoever is in OP still when it comes back tells itself what it missed meanwhile.
+bool SyncEventWatch::follow_presence(Slave& slave) const {
+  const auto& status = run_.snapshot.slaves[slave.position];
+  if (!status.present) {
+    slave.away = slave.in_op_since.has_value();
+    return !slave.away;
+  }
+  if (!std::exchange(slave.away, false)) return true;
+  slave.account->came_back();
+  if (in_op(status)) slave.account->confirm_op();
+  return true;
 }
 
 void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
@@ -188,8 +212,11 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
       continue;
     }
     settle(slave);
+    if (!follow_presence(slave)) continue;
     // The gap that made a slave fall may be told in the same cycle as its fall: first the gap, then the state.
-    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped, slave.need, outputs.held};
+    const auto held =
+        counting_hold(grid_of(slave), came, outputs.held, nominal_margin(slave), run_.config().cycle_time());
+    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped, slave.need, held};
     const bool was_in_op = slave.in_op_since.has_value();
     if (was_in_op) slave.account->observe(cycle);
     follow_state(slave, outputs.send_time);

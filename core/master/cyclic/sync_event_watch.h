@@ -53,6 +53,7 @@ class SyncEventWatch {
     std::optional<std::uint32_t> told;
     Nanoseconds need = 0;  // see SyncEventAccount::Cycle
     std::optional<Nanoseconds> in_op_since, at_limit_since;
+    bool away = false;     // it was in OP when it answered last: whether it still is, nobody knows
     bool fallen = false;   // with an AL status code that says so: it left OP by its own count of misses
     bool gave_up = false;  // the same, and that is not explained yet
     // While all of its cycles are regular they are counted only, and the account gets them when it is asked:
@@ -81,6 +82,8 @@ class SyncEventWatch {
   void observe_each(const Outputs& outputs);
   [[nodiscard]] Slave* find(std::size_t position);
   void follow_state(Slave& slave, Nanoseconds time);
+  /// False as long as it is away.
+  [[nodiscard]] bool follow_presence(Slave& slave) const;
   static void confirm(Slave& slave, Nanoseconds time);
   /// The outputs came at `time`: when they should, after all others did.
   [[nodiscard]] bool observe_regular(Slave& slave, Nanoseconds time) const;

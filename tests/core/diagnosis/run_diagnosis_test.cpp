@@ -694,6 +694,38 @@ TEST(RunDiagnosis, AllThatLeaveTheWindowToTheSameSideHaveNotMovedThemselves) {
   EXPECT_THAT(facts_text(*found), testing::HasSubstr("the reference clock stepped"));
 }
 
+/// Who is out at the end, by little, does not hide who went out before, by much.
+TEST(RunDiagnosis, WhoLeftTheWindowBeforeTheCulpritIsToldAsWell) {
+  auto report = healthy();
+  report.dc.state = SyncState::kOutOfSync;
+  report.history.slave_losses = {{kStart + 6 * kSecond, 2, 242'000, {}, {}}, {kStart + 9 * kSecond, 1, 144, {}, {}}};
+  auto findings = diagnose(report);
+  const auto earlier = std::ranges::find(findings, code::kWindowLeft, &Finding::code);
+  ASSERT_NE(earlier, findings.end());
+  EXPECT_EQ(earlier->place.slave, 2);
+  EXPECT_THAT(facts_text(*earlier), testing::HasSubstr("Before that, at 6.000 s, slave 2 had left"));
+  EXPECT_THAT(codes(report), Contains(code::kSlavesOutOfSync));
+  report.history.slave_losses.front().slave = 1;
+  EXPECT_THAT(codes(report), Not(Contains(code::kWindowLeft))) << "the same one, again";
+  report.history.slave_losses.front() = {kStart + 6 * kSecond, -1, 20'000, dc::SyncObstacle::kClockStep, {}};
+  findings = diagnose(report);
+  const auto step = std::ranges::find(findings, code::kWindowLeft, &Finding::code);
+  ASSERT_NE(step, findings.end());
+  EXPECT_EQ(step->place.slave, report.dc.reference_clock);
+}
+
+TEST(RunDiagnosis, FramesThatAllCameBackLateAreNoAbsence) {
+  auto report = healthy();
+  for (auto& slave : report.history.slaves)
+    slave.absences.note(kStart + 5108 * kMillisecond, 1, 0, kStart + 5100 * kMillisecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlaveWasAbsent));
+  report.history.late_frames.note(kStart + 5108 * kMillisecond, 1, 107 * kMillisecond);
+  report.late_frames = 108;
+  EXPECT_THAT(codes(report), ElementsAre(code::kFramesLate));
+  report.history.lost_frames.note(kStart + 5050 * kMillisecond, 1);
+  EXPECT_THAT(codes(report), Contains(code::kSlaveWasAbsent)) << "one of them did not";
+}
+
 TEST(RunDiagnosis, AMailboxThatWasSilentIsToldWhenItAnswersAgain) {
   auto report = healthy();
   report.history.slaves[1].mailbox_silences = 4;
