@@ -31,12 +31,12 @@
 #include "engine/run_network.h"
 #include "findings/error_text.h"
 #include "protocol/object_value.h"
+#include "record/dcm_log_session.h"
 #include "sim/scenario/host_profile_file.h"
 #include "support/jitter_profile.h"
 #include "support/output_file.h"
 #include "support/whole_file.h"
 #include "trace/csv.h"
-#include "trace/dcm_log.h"
 #include "trace/host_recorder.h"
 #include "trace/watch_lists.h"
 
@@ -55,14 +55,14 @@ struct RunOptions {
 class SideFile {
  public:
   explicit SideFile(Context& context) : context_(context) {}
-  Status open(const std::string& path, const std::string& header) {
+  Status open(const std::string& path) {
     auto file = OutputFile::create(path);
     if (!file) return tl::unexpected(file.error());
     file_.emplace(std::move(*file));
-    return file_->write(header);
+    return {};
   }
   [[nodiscard]] bool is_open() const { return file_.has_value(); }
-  void add(const std::string& text) {
+  void add(std::string_view text) {
     keep(file_->write(text));
     if (file_) keep(file_->flush());
   }
@@ -85,15 +85,15 @@ class SideFile {
 /// The tables of a run that are written while it goes on.
 class RunFiles {
  public:
-  RunFiles(Context& context, const NetworkConfig& config, const WatchLists& watched)
-      : csv_(context),
-        log_file_(context),
-        watched_(watched),
-        log_(effective_set_value(config.dc.dcm, config.cycle_time()), config.cycle_time()) {}
-  Status open(const std::string& csv, const std::string& dcm_log) {
-    auto status = Status{};
-    if (!csv.empty()) status = csv_.open(csv, sample_csv_header(watched_));
-    if (status && !dcm_log.empty()) status = log_file_.open(dcm_log, dcm_log_header());
+  RunFiles(Context& context, const WatchLists& watched) : csv_(context), log_file_(context), watched_(watched) {}
+  Status open_csv(const std::string& path) {
+    auto status = csv_.open(path);
+    if (status) csv_.add(sample_csv_header(watched_));
+    return status;
+  }
+  Status open_log(const std::string& path, const NetworkConfig& config) {
+    auto status = log_file_.open(path);
+    if (status) log_.emplace(config, [this](std::string_view text) { log_file_.add(text); });
     return status;
   }
   void add(std::span<const CycleSample> samples) {
@@ -102,14 +102,11 @@ class RunFiles {
       append_sample_csv(text_, samples, watched_);
       csv_.add(text_);
     }
-    if (!log_file_.is_open()) return;
-    text_.clear();
-    for (const auto& sample : samples) {
-      if (const auto row = log_.row(sample)) append_dcm_log(text_, *row);
-    }
-    log_file_.add(text_);
+    if (log_file_.is_open()) log_->add(samples);
   }
-  void note(const Snapshot& snapshot) { log_.set_start_time(snapshot.dc.start_time); }
+  void note(const Snapshot& snapshot) {
+    if (log_) log_->add(snapshot);
+  }
   void finish() {
     csv_.finish();
     log_file_.finish();
@@ -118,7 +115,7 @@ class RunFiles {
  private:
   SideFile csv_, log_file_;
   const WatchLists& watched_;
-  DcmLog log_;
+  std::optional<DcmLogSession> log_;
   std::string text_;
 };
 
@@ -209,6 +206,13 @@ Status check_files(const RunOptions& options, bool log_is_on) {
       .check();
 }
 
+Status open_files(RunFiles& files, const RunOptions& options, bool log_is_on, const NetworkConfig& config) {
+  auto status = options.csv.empty() ? Status{} : files.open_csv(options.csv);
+  const auto log = log_is_on ? kUsualLog : options.dcm_log;
+  if (status && !log.empty()) status = files.open_log(log, config);
+  return status;
+}
+
 void execute(Context& context, const RunOptions& options) {
   const auto duration = parse_duration(options.duration);
   if (!duration) return context.fail_with(duration.error());
@@ -237,8 +241,8 @@ void execute(Context& context, const RunOptions& options) {
   if (!opened) return context.fail_with(opened.error());
 
   const bool virtual_time = opened->clock->is_virtual();
-  RunFiles files(context, compiled->config, *watched);
-  if (auto status = files.open(options.csv, log_is_on ? kUsualLog : options.dcm_log); !status)
+  RunFiles files(context, *watched);
+  if (const auto status = open_files(files, options, log_is_on, compiled->config); !status)
     return context.fail_with(status.error());
   const auto started = RunRecording::start(context, options.record, options.file, options.link, compiled->config,
                                            *watched, virtual_time);

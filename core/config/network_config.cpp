@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "config/network_config.h"
 
+#include "config/hot_connect_groups.h"
+
 namespace syncline {
 
 std::optional<std::uint16_t> NetworkConfig::reference_clock() const {
@@ -13,12 +15,7 @@ std::optional<std::uint16_t> NetworkConfig::reference_clock() const {
 }
 
 std::optional<std::size_t> NetworkConfig::hot_connect_head(std::size_t slave) const {
-  for (std::size_t head = slave + 1; head-- > 0;) {
-    if (!slaves[head].hot_connect) continue;
-    const bool member = slave - head < slaves[head].hot_connect->member_count;
-    return member ? std::optional(head) : std::nullopt;
-  }
-  return std::nullopt;
+  return syncline::hot_connect_head(slaves, slave);
 }
 
 }  // namespace syncline

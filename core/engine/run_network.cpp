@@ -11,6 +11,7 @@
 #include "engine/background_master.h"
 #include "engine/capture_file.h"
 #include "engine/opened_link.h"
+#include "record/request_queue.h"
 #include "record/run_session.h"
 #include "support/clock.h"
 
@@ -54,12 +55,14 @@ class Drain {
       if (const auto* failure = event.as<events::Failure>(); failure && !error_) error_ = failure->error;
       if (event.is<events::Online>()) ask();
     }
-    take_answers();
+    take_answers(&session_.channels().requests);
   }
   /// What happened before the end and is told only now; how the bus was left is no part of the run. The error when
   /// slaves were not left in INIT.
   std::optional<Error> rest() {
-    take_answers();
+    take_answers(&session_.channels().requests);
+    queue_.end_all();
+    take_answers(nullptr);
     const auto end = end_;
     std::optional<Error> left_behind;
     for (const auto& event : session_.channels().events.drain()) {
@@ -78,24 +81,22 @@ class Drain {
 
  private:
   void ask() {
-    for (const auto& what : request_.requests) {
-      const auto id = session_.channels().requests.submit(what);
-      if (id) asked_.emplace_back(*id, &what);
-      if (!id && request_.on_answer) request_.on_answer(what, {.error = id.error()});
-    }
+    for (std::size_t i = 0; i < request_.requests.size(); ++i) queue_.post(i, request_.requests[i]);
   }
-  void take_answers() {
-    std::erase_if(asked_, [this](const auto& asked) {
-      const auto answer = session_.channels().requests.take(asked.first);
-      if (answer && request_.on_answer) request_.on_answer(*asked.second, *answer);
-      return answer.has_value();
-    });
+  void take_answers(RequestDesk* desk) {
+    for (auto& ended : queue_.take_ended(desk)) {
+      const auto& what = request_.requests[ended.id];
+      if (ended.end == RequestEnd::kGone && !ended.answer.error)  // the run was over before its turn
+        ended.answer.error = Error{ErrorCode::kCancelled, subject_of(what)};
+      if (request_.on_answer) request_.on_answer(what, ended.answer);
+    }
   }
 
   RunSession& session_;
   const RunRequest& request_;
   CaptureWatch& capture_;
-  std::vector<std::pair<RequestId, const SlaveRequest*>> asked_;
+  // Nobody waits for one of them while others fill a page: all that the desk takes.
+  RequestQueue queue_{{RequestDesk::kCapacity, RequestDesk::kCapacity}};
   RunRecorder recorder_;
   Nanoseconds end_ = 0;
   std::optional<Error> error_;

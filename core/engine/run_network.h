@@ -30,7 +30,7 @@ struct RunRequest {
   std::function<Status(MasterChannels&)> on_ready;    // before the first frame; its error is that of the run
   std::function<void(const Event&)> on_event;         // may be empty
   WatchCommand watch;                                 // variables that the samples hold, from the first cycle on
-  std::vector<SlaveRequest> requests;                 // asked once the bring-up is over, all at once
+  std::vector<SlaveRequest> requests;                 // any number, asked once the bring-up is over
   std::function<void(const SlaveRequest&, const SlaveAnswer&)> on_answer;  // in the order in which they come
   std::function<void(std::span<const CycleSample>)> on_samples;
   std::function<void(const Snapshot&)> on_snapshot;  // a newer one, before the samples that came with it

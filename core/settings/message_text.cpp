@@ -10,49 +10,19 @@
 #include "config/register_command.h"
 #include "protocol/frame.h"
 #include "reasons/because.h"
+#include "settings/command_words.h"
 #include "settings/number_text.h"
 #include "settings/setting_type.h"
-#include "settings/startup_text.h"
-#include "support/utf8.h"
 
 namespace syncline::settings {
 namespace {
 
-constexpr std::string_view kTimeoutWord = "timeout=", kData = "data=", kExpect = "expect=", kMask = "mask=",
-                           kWithin = "within=";
+constexpr std::string_view kData = "data=", kExpect = "expect=", kMask = "mask=", kWithin = "within=";
 constexpr std::int64_t kRegisters = 0x10000;
 
-/// What stands behind `name` in `word`; nothing where another word stands there.
-std::optional<std::string_view> value_of(std::string_view word, std::string_view name) {
-  return word.starts_with(name) ? std::optional(word.substr(name.size())) : std::nullopt;
-}
-
-std::optional<std::uint32_t> milliseconds(std::string_view text) {
-  const auto ms = parse_integer(text);
-  return ms && *ms >= 0 && *ms <= 0xFFFF'FFFF ? std::optional(static_cast<std::uint32_t>(*ms)) : std::nullopt;
-}
-
-/// The comment goes into `comment`; what stands before it is left.
-Result<std::string_view> without_comment(std::string_view text, std::string& comment) {
-  const auto mark = text.find(kCommentMark);
-  if (mark != std::string_view::npos) comment = text.substr(mark + kCommentMark.size());
-  if (!is_utf8(comment)) return bad_value(because("the comment is no UTF-8 text"));
-  return text.substr(0, mark);
-}
-
 Status parse_message_option(std::string_view word, MailboxInitCmd& message) {
-  const auto timeout = value_of(word, kTimeoutWord);
-  const auto ms = timeout ? milliseconds(*timeout) : std::nullopt;
-  if (word == "fixed") {
-    message.fixed = true;
-  } else if (word == "off") {
-    message.enabled = false;
-  } else if (ms) {
-    message.timeout_ms = *ms;
-  } else {
-    return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
-  }
-  return {};
+  if (take_usual_option(word, message)) return {};
+  return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
 }
 
 /// "0x09a8=0100" of a write, "0x0130*2" of a read.
@@ -90,7 +60,7 @@ Status parse_register_option(std::string_view word, RegisterCommand& command) {
   if (const auto expected = value_of(word, kExpect)) return parse_bytes(*expected, command.expected);
   if (const auto mask = value_of(word, kMask)) return parse_bytes(*mask, command.mask);
   const auto within = value_of(word, kWithin);
-  const auto ms = within ? milliseconds(*within) : std::nullopt;
+  const auto ms = within ? parse_milliseconds(*within) : std::nullopt;
   if (ms) {
     command.timeout_ms = *ms;
   } else if (word == "off") {
@@ -115,18 +85,13 @@ Status check_expected(const RegisterCommand& command) {
 }  // namespace
 
 std::string format_message(const MailboxInitCmd& message) {
-  std::string text =
-      fmt::format("{} {}{:02x}", format_transitions(message.transitions), kData, fmt::join(message.data, ""));
-  if (message.fixed) text += " fixed";
-  if (!message.enabled) text += " off";
-  if (message.timeout_ms != 0) text += fmt::format(" {}{}", kTimeoutWord, message.timeout_ms);
-  if (!message.comment.empty()) text.append(kCommentMark).append(message.comment);
-  return text;
+  return fmt::format("{} {}{:02x}{}{}", format_transitions(message.transitions), kData, fmt::join(message.data, ""),
+                     format_usual_options(message), format_comment(message.comment));
 }
 
 Result<MailboxInitCmd> parse_message(std::string_view text) {
   MailboxInitCmd message;
-  auto rest = without_comment(text, message.comment);
+  auto rest = take_comment(text, message.comment);
   if (!rest) return tl::unexpected(rest.error());
   if (auto status = parse_transitions(next_word(*rest), message.transitions); !status) {
     return tl::unexpected(status.error());
@@ -154,13 +119,12 @@ std::string format_register(const RegisterCommand& command) {
   if (command.timeout_ms != RegisterCommand::kUsualTimeoutMs) text += fmt::format(" {}{}", kWithin, command.timeout_ms);
   if (!command.enabled) text += " off";
   if (command.after_slaves) text += " after";
-  if (!command.comment.empty()) text.append(kCommentMark).append(command.comment);
-  return text;
+  return text + format_comment(command.comment);
 }
 
 Result<RegisterCommand> parse_register(std::string_view text) {
   RegisterCommand command;
-  auto rest = without_comment(text, command.comment);
+  auto rest = take_comment(text, command.comment);
   if (!rest) return tl::unexpected(rest.error());
   if (auto status = parse_transitions(next_word(*rest), command.transitions); !status) {
     return tl::unexpected(status.error());

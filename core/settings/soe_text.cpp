@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "reasons/because.h"
+#include "settings/command_words.h"
 #include "settings/number_text.h"
 #include "settings/setting_type.h"
 #include "settings/startup_text.h"
-#include "support/utf8.h"
 
 namespace syncline::settings {
 namespace {
@@ -46,43 +46,27 @@ Status parse_target(std::string_view text, SoeCommand& command) {
 }
 
 Status parse_option(std::string_view word, SoeCommand& command) {
-  constexpr std::string_view kTimeout = "timeout=";
-  if (word == "fixed") {
-    command.fixed = true;
-  } else if (word == "off") {
-    command.enabled = false;
-  } else if (const auto ms = parse_integer(word.substr(std::min(kTimeout.size(), word.size())));
-             word.starts_with(kTimeout) && ms && *ms >= 0 && *ms <= 0xFFFF'FFFF) {
-    command.timeout_ms = static_cast<std::uint32_t>(*ms);
-  } else {
-    return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
-  }
-  return {};
+  if (take_usual_option(word, command)) return {};
+  return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
 }
 
 }  // namespace
 
 std::string format_soe(const SoeCommand& command) {
-  std::string text = fmt::format("{} {}:{}={:02x}", format_transitions(command.transitions), command.drive,
-                                 format_idn(command.idn), fmt::join(command.data, ""));
-  if (command.fixed) text += " fixed";
-  if (!command.enabled) text += " off";
-  if (command.timeout_ms != 0) text += fmt::format(" timeout={}", command.timeout_ms);
-  if (!command.comment.empty()) text.append(kCommentMark).append(command.comment);
-  return text;
+  return fmt::format("{} {}:{}={:02x}{}{}", format_transitions(command.transitions), command.drive,
+                     format_idn(command.idn), fmt::join(command.data, ""), format_usual_options(command),
+                     format_comment(command.comment));
 }
 
 Result<SoeCommand> parse_soe(std::string_view text) {
   SoeCommand command;
-  const auto mark = text.find(kCommentMark);
-  if (mark != std::string_view::npos) command.comment = text.substr(mark + kCommentMark.size());
-  if (!is_utf8(command.comment)) return bad_value(because("the comment is no UTF-8 text"));
-  auto rest = text.substr(0, mark);
-  if (auto status = parse_transitions(next_word(rest), command.transitions); !status) {
+  auto rest = take_comment(text, command.comment);
+  if (!rest) return tl::unexpected(rest.error());
+  if (auto status = parse_transitions(next_word(*rest), command.transitions); !status) {
     return tl::unexpected(status.error());
   }
-  if (auto status = parse_target(next_word(rest), command); !status) return tl::unexpected(status.error());
-  for (auto word = next_word(rest); !word.empty(); word = next_word(rest)) {
+  if (auto status = parse_target(next_word(*rest), command); !status) return tl::unexpected(status.error());
+  for (auto word = next_word(*rest); !word.empty(); word = next_word(*rest)) {
     if (auto status = parse_option(word, command); !status) return tl::unexpected(status.error());
   }
   return command;

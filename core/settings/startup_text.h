@@ -3,10 +3,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "config/mailbox_description.h"
-#include "protocol/al_state.h"
 #include "support/result.h"
 
 namespace syncline::settings {
@@ -20,14 +18,5 @@ namespace syncline::settings {
 /// As format_startup() for SoE: "PS 0:S-0-0047=0a00 fixed off timeout=500 # comment"; drive, IDN, data in wire order.
 [[nodiscard]] std::string format_soe(const SoeCommand& command);
 [[nodiscard]] Result<SoeCommand> parse_soe(std::string_view text);
-
-// Parts of these.
-/// What stands between a command and its comment.
-inline constexpr std::string_view kCommentMark = " # ";
-/// Takes the next word off the front of `text`; "" at its end.
-[[nodiscard]] std::string_view next_word(std::string_view& text);
-[[nodiscard]] std::string format_transitions(const std::vector<Transition>& transitions);
-[[nodiscard]] Status parse_transitions(std::string_view text, std::vector<Transition>& transitions);
-[[nodiscard]] Result<std::vector<std::uint8_t>> parse_hex_data(std::string_view digits);
 
 }  // namespace syncline::settings

@@ -7,6 +7,7 @@
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
 #include "config/frame_time.h"
+#include "config/hot_connect_groups.h"
 #include "config/network_config.h"
 #include "dc/sync0_arrival.h"
 #include "protocol/dc_registers.h"
@@ -15,7 +16,12 @@ namespace syncline {
 
 RunRecorder::RunRecorder(const NetworkConfig& config)
     : sync_window_enabled_(config.dc.sync_window.enabled), readings_(config.slaves.size()), history_(config) {
-  for (std::size_t i = 0; i < config.slaves.size(); ++i) configured_.push_back(configured(config, i));
+  const auto heads = hot_connect_heads(config.slaves);
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    auto& slave = configured_.emplace_back(configured(config, i));
+    slave.optional = heads[i].has_value();
+    if (heads[i]) slave.group_head = static_cast<int>(*heads[i]);
+  }
   wire_time_ = cycle_need(config).wire;
   if (wire_time_ > 0) first_wire_time_ = wire_time(config.cyclic.front().frames.front());
 }
@@ -26,9 +32,6 @@ RunReport::Slave RunRecorder::configured(const NetworkConfig& config, std::size_
   slave.position = static_cast<std::uint16_t>(position);
   slave.name = from.name;
   slave.identity = from.identity;
-  const auto head = config.hot_connect_head(position);
-  slave.optional = head.has_value();
-  if (head) slave.group_head = static_cast<int>(*head);
   if (from.previous) {
     slave.parent = from.previous->position;
     slave.parent_port = from.previous->port;

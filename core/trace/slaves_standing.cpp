@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/hot_connect_groups.h"
 #include "config/network_config.h"
 #include "protocol/al_state.h"
 #include "trace/sample_store.h"
@@ -13,6 +14,7 @@ namespace syncline {
 std::optional<SlavesStanding> slaves_standing(const NetworkConfig& config, const SampleStore& samples,
                                               const SyncOverview& overview) {
   SlavesStanding standing{.slaves = samples.slave_count()};
+  const auto heads = hot_connect_heads(config.slaves);
   bool told = false;
   for (std::size_t slave = 0; slave < standing.slaves; ++slave) {
     told = told || !samples.series(Signal::kAlState, slave).empty();
@@ -21,7 +23,7 @@ std::optional<SlavesStanding> slaves_standing(const NetworkConfig& config, const
     const auto state = states->at(std::min(overview.end, states->heard()));
     const bool followed = slave < overview.followed.size() && overview.followed[slave];
     standing.followers += followed ? 1 : 0;
-    if (!state && config.hot_connect_head(slave)) continue;  // it may be away
+    if (!state && slave < heads.size() && heads[slave]) continue;  // it may be away
     if (!state) {
       ++standing.silent;
       standing.silent_followers += followed ? 1 : 0;

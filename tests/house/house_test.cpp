@@ -101,7 +101,7 @@ std::vector<Include> includes_of(const std::string& file) {
 
 /// Where an include of ours lies; empty when it is made by the build.
 std::string file_of(const std::string& include) {
-  for (const auto& candidate : {"core/" + include, include}) {
+  for (const auto& candidate : {"core/" + include, include, "tests/" + include}) {
     if (fs::exists(fs::path(test::source_dir()) / candidate)) return candidate;
   }
   return {};
@@ -170,6 +170,44 @@ TEST(House, RoomsIncludeOnlyWhatStandsBelowThem) {
   for (const auto& entry : fs::directory_iterator(fs::path(test::source_dir()) / "core")) {
     if (entry.is_directory()) {
       EXPECT_TRUE(known.contains("core/" + entry.path().filename().string())) << entry.path();
+    }
+  }
+}
+
+/// All rooms that a room may see, by way of others, too.
+Names sees(const std::vector<Room>& all, const std::string& folder) {
+  Names seen{folder};
+  for (auto room = all.rbegin(); room != all.rend(); ++room) {  // each stands behind those that it may include
+    if (seen.contains(room->folder)) seen.insert(room->may.begin(), room->may.end());
+  }
+  return seen;
+}
+
+/// Headers of the rooms that a test includes, itself or through what tests share.
+Names included_rooms(const std::string& file, Names& done) {
+  Names found;
+  if (!done.insert(file).second) return found;
+  for (const auto& include : includes_of(file)) {
+    const auto target = include.ours ? file_of(include.name) : std::string();
+    if (target.empty()) continue;
+    const auto room = room_of(target);
+    room == "tests" ? found.merge(included_rooms(target, done)) : void(found.insert(room));
+  }
+  return found;
+}
+
+/// What is built and linked for the tests of a room is that room and what stands below it: they say what it does, and
+/// nobody waits for the rest. Rooms that take whole configurations have them made by core/compile.
+TEST(House, TestsSeeTheRoomThatTheyTest) {
+  const auto all = rooms();
+  const auto compiled = sees(all, "core/compile");
+  for (const auto& room : all) {
+    if (!fs::exists(fs::path(test::source_dir()) / "tests" / room.folder)) continue;
+    auto may = sees(all, room.folder);
+    if (room.folder == "core/compare" || room.folder == "core/exports") may.insert(compiled.begin(), compiled.end());
+    for (const auto& file : sources("tests/" + room.folder)) {
+      Names done;
+      for (const auto& other : included_rooms(file, done)) EXPECT_TRUE(may.contains(other)) << file << ": " << other;
     }
   }
 }

@@ -9,7 +9,7 @@
 #include "sim/scenario/scenario_loader.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
-#include "tests/support/swapped_tree.h"
+#include "tests/support/swapped_network.h"
 
 namespace syncline {
 namespace {

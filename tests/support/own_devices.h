@@ -2,13 +2,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "config/device_description.h"
 
-/// Devices of our own ESI files.
+/// The devices of resources/esi, without reading a file: tests of rooms that know no XML use them. tests/eni holds them
+/// against the files.
 namespace syncline::sample {
 
-/// The first device of resources/esi/TYPE.xml; an empty description where the file cannot be read.
+[[nodiscard]] std::vector<DeviceDescription> own_devices();
+/// The one with that ESI Type, e.g. "SL-SV7"; an empty description where there is none.
 [[nodiscard]] DeviceDescription own(const std::string& type);
 
 }  // namespace syncline::sample

@@ -14,17 +14,9 @@
 #include "link/simulated_link.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
+#include "tests/support/machine_devices.h"
 
 namespace syncline::test {
-
-/// A terminal with 4 bytes out and 4 in, distributed clocks, no mailbox.
-[[nodiscard]] DeviceDescription io8();
-
-/// A terminal that maps the time stamps of its external synchronisation.
-[[nodiscard]] DeviceDescription bridge();
-
-/// A servo drive with a CoE mailbox and start-up objects.
-[[nodiscard]] DeviceDescription servo();
 
 /// The same devices as a project and as a simulated line.
 struct SimulatedNetwork {

@@ -57,14 +57,14 @@ TEST_F(RequestsOfTheWindow, OfflineTheySayWhatToDo) {
   ask(0, 1);
   EXPECT_TRUE(told_.empty()) << "not before post() has returned";
   ASSERT_TRUE(test::waitFor([this] { return !told_.empty(); }));
-  EXPECT_EQ(told_.front().second.state, RequestState::kGone);
+  EXPECT_EQ(told_.front().second.end, RequestEnd::kGone);
   EXPECT_TRUE(told_.front().second.why.contains(QStringLiteral("go online")));
 }
 
 TEST_F(RequestsOfTheWindow, AnswersComeOnATick) {
   goOnline();
   const auto id = ask(0, 5);
-  EXPECT_EQ(requests_.state(id), RequestState::kWaiting);
+  EXPECT_TRUE(requests_.isWaiting(id));
   const auto tickets = taken();
   ASSERT_EQ(tickets.size(), 1U);
   answer(*tickets.front());
@@ -73,7 +73,7 @@ TEST_F(RequestsOfTheWindow, AnswersComeOnATick) {
   ASSERT_EQ(told_.size(), 1U);
   EXPECT_TRUE(told_.front().second.ok());
   EXPECT_EQ(told_.front().second.answer.data, std::vector<std::uint8_t>{7});
-  EXPECT_EQ(requests_.state(id), std::nullopt);
+  EXPECT_FALSE(requests_.isWaiting(id));
 }
 
 TEST_F(RequestsOfTheWindow, FailuresComeInWords) {
@@ -84,7 +84,7 @@ TEST_F(RequestsOfTheWindow, FailuresComeInWords) {
   master_->channels().requests.answer(*ticket, 0);
   live_.advance(kMillisecond);
   ASSERT_EQ(told_.size(), 1U);
-  EXPECT_EQ(told_.front().second.state, RequestState::kFailed);
+  EXPECT_EQ(told_.front().second.end, RequestEnd::kFailed);
   EXPECT_FALSE(told_.front().second.why.isEmpty());
 }
 
@@ -94,7 +94,7 @@ TEST_F(RequestsOfTheWindow, WhatIsBeyondItsLimitsFails) {
                  [this](const RequestOutcome& outcome) { told_.emplace_back(0, outcome); });
   EXPECT_TRUE(told_.empty());
   ASSERT_TRUE(test::waitFor([this] { return !told_.empty(); }));
-  EXPECT_EQ(told_.front().second.state, RequestState::kFailed);
+  EXPECT_EQ(told_.front().second.end, RequestEnd::kFailed);
 }
 
 TEST_F(RequestsOfTheWindow, APersonDoesNotWaitBehindADictionary) {
@@ -103,7 +103,7 @@ TEST_F(RequestsOfTheWindow, APersonDoesNotWaitBehindADictionary) {
   for (std::uint16_t i = 100; i < 110; ++i) ask(1, i);
   ask(0, 500, RequestUrgency::kPerson);
   const auto first = taken();
-  EXPECT_EQ(first.size(), SlaveRequests::kPerSlave + 10) << "another slave's go on";
+  EXPECT_EQ(first.size(), RequestQueue::Room{}.per_slave + 10) << "another slave's go on";
   answer(*first.front());
   live_.advance(kMillisecond);
   const auto next = taken();
@@ -116,7 +116,7 @@ TEST_F(RequestsOfTheWindow, AllAreCarriedOutInTheEnd) {
   for (std::uint16_t i = 0; i < 200; ++i) ask(static_cast<std::uint16_t>(i % 5), i);
   for (int round = 0; round < 40 && told_.size() < 200; ++round) {
     const auto tickets = taken();
-    EXPECT_LE(tickets.size(), SlaveRequests::kTotal);
+    EXPECT_LE(tickets.size(), RequestQueue::Room{}.total);
     for (auto* ticket : tickets) answer(*ticket);
     live_.advance(kMillisecond);
   }
@@ -127,7 +127,7 @@ TEST_F(RequestsOfTheWindow, AllAreCarriedOutInTheEnd) {
 TEST_F(RequestsOfTheWindow, CancelledOnesSaySo) {
   goOnline();
   const auto given = ask(0, 1);
-  for (std::uint16_t i = 0; i < SlaveRequests::kPerSlave; ++i) ask(0, 2);
+  for (std::uint16_t i = 0; i < RequestQueue::Room{}.per_slave; ++i) ask(0, 2);
   const auto kept = ask(0, 3);
   requests_.cancel(given);
   requests_.cancel(kept);
@@ -137,7 +137,7 @@ TEST_F(RequestsOfTheWindow, CancelledOnesSaySo) {
   master_->channels().requests.answer(*ticket, 0);
   live_.advance(kMillisecond);
   ASSERT_TRUE(test::waitFor([this] { return told_.size() == 2; }));
-  for (const auto& [address, outcome] : told_) EXPECT_EQ(outcome.state, RequestState::kCancelled) << address;
+  for (const auto& [address, outcome] : told_) EXPECT_EQ(outcome.end, RequestEnd::kCancelled) << address;
 }
 
 TEST_F(RequestsOfTheWindow, WhoDropsOrGoesHearsNothing) {
@@ -176,7 +176,7 @@ TEST_F(RequestsOfTheWindow, AreAnsweredAlsoWhenAnotherRunIsShown) {
   ask(3, 4);
   QCoreApplication::processEvents();
   ASSERT_EQ(told_.size(), 2U);
-  EXPECT_EQ(told_.back().second.state, RequestState::kGone) << "the one that is shown now is offline";
+  EXPECT_EQ(told_.back().second.end, RequestEnd::kGone) << "the one that is shown now is offline";
   live_.show(run_);
 }
 
@@ -186,7 +186,7 @@ TEST_F(RequestsOfTheWindow, TheEndOfTheBusEndsThem) {
   live_.shutDown();
   EXPECT_EQ(live_.phase(), LiveSession::Phase::kOffline);
   ASSERT_EQ(told_.size(), 20U);
-  for (const auto& [address, outcome] : told_) EXPECT_EQ(outcome.state, RequestState::kGone) << address;
+  for (const auto& [address, outcome] : told_) EXPECT_EQ(outcome.end, RequestEnd::kGone) << address;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <QMenu>
 
+#include "protocol/al_state_rank.h"
 #include "ui/dialogs/questions.h"
 #include "ui/session/running_slave.h"
 #include "ui/session/slave_requests.h"
@@ -10,23 +11,6 @@
 #include "ui/text/glossary.h"
 
 namespace syncline::ui {
-namespace {
-
-/// INIT, BOOT, PREOP, SAFEOP, OP: how much of the slave works.
-int rankOf(AlState state) {
-  switch (state) {
-    case AlState::kPreop:
-      return 1;
-    case AlState::kSafeop:
-      return 2;
-    case AlState::kOp:
-      return 3;
-    default:
-      return 0;
-  }
-}
-
-}  // namespace
 
 SlaveStateCommands::SlaveStateCommands(Workspace& workspace, QWidget& window, QObject* parent)
     : QObject(parent), workspace_(workspace), window_(window) {}
@@ -45,7 +29,7 @@ QString SlaveStateCommands::obstacle(int slave) const {
   if (!running) return tr("The machine was started without this slave.");
   if (!running->present()) return tr("The slave does not answer.");
   // The master leads single slaves beside its cycles only.
-  if (rankOf(workspace_.live().snapshot().requested) == 0) {
+  if (al_state_rank(workspace_.live().snapshot().requested) < al_state_rank(AlState::kPreop)) {
     return tr("The whole bus is in INIT: request PREOP or more for all first.");
   }
   return {};
@@ -59,7 +43,7 @@ bool SlaveStateCommands::failed(int slave) const {
 /// What a lower state does to a machine that runs; empty when nothing is hurt.
 QString SlaveStateCommands::consequence(int slave, AlState state) const {
   const auto running = runningSlave(workspace_, slave);
-  if (!running || !running->drives() || rankOf(state) >= rankOf(running->state())) return {};
+  if (!running || !running->drives() || al_state_rank(state) >= al_state_rank(running->state())) return {};
   auto text =
       tr("Its outputs stop and its inputs are no longer valid. The other slaves go on, and the master expects the "
          "working counter without it.");

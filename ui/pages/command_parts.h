@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "settings/command_words.h"
 #include "settings/setting_type.h"
-#include "settings/startup_text.h"
 #include "ui/editors/record_part.h"
 
 namespace syncline {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "config/register_command.h"
+#include "settings/command_words.h"
 #include "settings/message_text.h"
 #include "ui/pages/message_parts.h"
 #include "ui/text/units.h"

@@ -272,7 +272,7 @@ void SlaveEepromPage::write(std::vector<std::uint8_t> bytes, const QString& done
 /// The journal goes when all is written, and when what was there is there again.
 void SlaveEepromPage::settle(const Write& begun, const RequestOutcome& outcome) {
   const auto why = outcome.ok() ? QString() : outcome.why;
-  if (outcome.state == RequestState::kGone) return tellEnd(begun, why);
+  if (outcome.end == RequestEnd::kGone) return tellEnd(begun, why);
   const auto words = static_cast<std::uint32_t>(begun.before.size() / 2);
   workspace().requests().post(requests::EepromRead{begun.position, 0, words}, workspace().eepromRepair(),
                               [page = QPointer(this), begun, why](const RequestOutcome& now) {

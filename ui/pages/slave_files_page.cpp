@@ -220,7 +220,7 @@ void SlaveFilesPage::settle(const Transfer& transfer, const RequestOutcome& outc
   auto ended = transfer;
   QString became;
   bool bad = false;
-  if (outcome.state == RequestState::kCancelled) {
+  if (outcome.end == RequestEnd::kCancelled) {
     became = transfer.writes ? tr("Cancelled: the slave has a part of it, or nothing") : tr("Cancelled");
     bad = transfer.writes;
   } else if (!outcome.ok()) {

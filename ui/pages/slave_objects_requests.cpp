@@ -60,7 +60,7 @@ void SlaveObjectsPage::takeOfBatch(const RequestOutcome& outcome) {
   if (!outcome.ok()) ++batch_failed_;
   const int read = batch_done_ - batch_failed_;
   const bool over = batch_done_ >= batch_;
-  if (batch_ == 1 || outcome.state == RequestState::kGone) {
+  if (batch_ == 1 || outcome.end == RequestEnd::kGone) {
     say(outcome.why, !outcome.ok());
   } else if (!over || batch_failed_ == 0) {
     say(tr("%1 of %2 entries").arg(read).arg(batch_));
@@ -86,7 +86,7 @@ void SlaveObjectsPage::readOne(coe::ObjectAddress object, SlaveRequests::Done th
       [this, object, then = std::move(then)](const RequestOutcome& outcome) {
         if (outcome.ok()) {
           model_->setValue(object, outcome.answer.data, outcome.answer.time);
-        } else if (outcome.state == RequestState::kFailed) {
+        } else if (outcome.end == RequestEnd::kFailed) {
           model_->setFailure(object, outcome.why);
         }
         if (then) then(outcome);

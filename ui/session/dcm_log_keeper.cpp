@@ -96,7 +96,7 @@ DcmLogKeeper::DcmLogKeeper(NetworkRun& run, std::function<QString()> name, QObje
     if (run_.phase() == NetworkRun::Phase::kOffline) stop();
   });
   connect(&run_, &NetworkRun::snapshotChanged, this, [this] {
-    if (log_ && run_.snapshot().online) log_->set_start_time(run_.snapshot().dc.start_time);
+    if (log_) log_->add(run_.snapshot());
   });
   connect(&run_, &NetworkRun::samplesArrived, this, &DcmLogKeeper::add);
 }
@@ -106,19 +106,15 @@ DcmLogKeeper::~DcmLogKeeper() {
   finish();
 }
 
-/// Parameters that were applied may switch it on or off; what a log is made with is the same in all of it.
+/// Parameters that were applied may switch it on or off, or be others than those that a log is made with.
 void DcmLogKeeper::follow() {
   const auto& config = run_.origin().config;
-  const auto set_value = effective_set_value(config.dc.dcm, config.cycle_time());
-  if (config.dc.dcm.log && writer_ && set_value == set_value_ && config.cycle_time() == cycle_time_) return;
+  if (config.dc.dcm.log && log_ && log_->suits(config)) return;
   stop();
-  if (!config.dc.dcm.log) return;
-  set_value_ = set_value;
-  cycle_time_ = config.cycle_time();
-  start();
+  if (config.dc.dcm.log) start(config);
 }
 
-void DcmLogKeeper::start() {
+void DcmLogKeeper::start(const NetworkConfig& config) {
   const auto path = logPath(run_.origin().path, name_());
   QDir().mkpath(QFileInfo(path).path());
   auto file = OutputFile::create(path.toStdString());
@@ -126,19 +122,13 @@ void DcmLogKeeper::start() {
     Q_EMIT ended(path, file.error());
     return;
   }
-  log_.emplace(set_value_, cycle_time_);
   writer_ = std::make_unique<Writer>(std::move(*file));
-  writer_->add(dcm_log_header());
+  log_.emplace(config, [writer = writer_.get()](std::string_view text) { writer->add(text); });
   Q_EMIT began(path);
 }
 
 void DcmLogKeeper::add(const std::vector<CycleSample>& samples) {
-  if (!log_) return;
-  std::string text;
-  for (const auto& sample : samples) {
-    if (const auto row = log_->row(sample)) append_dcm_log(text, *row);
-  }
-  writer_->add(text);
+  if (log_) log_->add(samples);
 }
 
 void DcmLogKeeper::stop() {

@@ -9,11 +9,12 @@
 #include <thread>
 #include <vector>
 
+#include "record/dcm_log_session.h"
 #include "support/result.h"
-#include "trace/dcm_log.h"
 
 namespace syncline {
 struct CycleSample;
+struct NetworkConfig;
 }  // namespace syncline
 
 namespace syncline::ui {
@@ -43,7 +44,7 @@ class DcmLogKeeper final : public QObject {
  private:
   class Writer;
   void follow();
-  void start();
+  void start(const NetworkConfig& config);
   void stop();
   void add(const std::vector<CycleSample>& samples);
   void waitForDisk();
@@ -51,9 +52,8 @@ class DcmLogKeeper final : public QObject {
 
   NetworkRun& run_;
   std::function<QString()> name_;
-  std::optional<DcmLog> log_;
-  Nanoseconds set_value_ = 0, cycle_time_ = 0;  // of it
   std::unique_ptr<Writer> writer_, ending_;
+  std::optional<DcmLogSession> log_;  // into `writer_`
   std::thread ender_;
 };
 

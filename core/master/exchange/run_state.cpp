@@ -7,31 +7,10 @@
 #include <utility>
 
 #include "channels/master_channels.h"
+#include "protocol/al_state_rank.h"
 #include "support/overloaded.h"
 
 namespace syncline {
-namespace {
-
-/// BOOT stands beside the ladder INIT, PREOP, SAFEOP, OP, below PREOP.
-int rank(AlState state) {
-  switch (state) {
-    case AlState::kNone:
-      return 0;
-    case AlState::kInit:
-      return 1;
-    case AlState::kBoot:
-      return 2;
-    case AlState::kPreop:
-      return 3;
-    case AlState::kSafeop:
-      return 4;
-    case AlState::kOp:
-      return 5;
-  }
-  return 0;
-}
-
-}  // namespace
 
 RunState::RunState(const NetworkConfig& config, MasterChannels& channels, SharedText adapter)
     : mailboxes(config.slaves.size()),
@@ -112,7 +91,7 @@ void RunState::set_al_status(std::size_t slave, std::uint16_t status, std::uint1
   const bool failed = (status & kAlErrorFlag) != 0;
   // From BOOT a slave goes by itself, with new firmware.
   const bool operated = al_state_of(old) == AlState::kSafeop || al_state_of(old) == AlState::kOp;
-  if (watched_for_others_ && operated && !failed && rank(state) < rank(al_state_of(old)))
+  if (watched_for_others_ && operated && !failed && al_state_rank(state) < al_state_rank(al_state_of(old)))
     event(time, position, events::LeftUnasked{al_state_of(old), state});
   const bool news = (old & kAlErrorFlag) == 0 || old_code != code || al_state_of(old) != al_state_of(status);
   if (failed && news) event(time, position, events::AlStatusError{status, code});
@@ -166,7 +145,7 @@ AlState RunState::lowest_state() const {
   auto lowest = AlState::kNone;
   for (const auto& slave : snapshot.slaves) {
     const auto state = al_state_of(slave.al_status);
-    if (slave.present && (lowest == AlState::kNone || rank(state) < rank(lowest))) lowest = state;
+    if (slave.present && (lowest == AlState::kNone || al_state_rank(state) < al_state_rank(lowest))) lowest = state;
   }
   return lowest;
 }

@@ -4,14 +4,26 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "check/check_network.h"
 #include "compile/compile.h"
 #include "settings/settings_table.h"
-#include "tests/support/small_machines.h"
+#include "tests/support/machine_devices.h"
+#include "tests/support/sample_devices.h"
 
 namespace syncline {
 namespace {
+
+/// A terminal and two servo axes in bus shift, the sync window watched.
+Project two_axes() {
+  auto project = sample::project({test::io8(), test::servo(), test::servo()});
+  for (std::size_t i = 0; i < project.slaves.size(); ++i)
+    project.slaves[i].name = project.slaves[i].device.type + " " + std::to_string(i);
+  project.master.dc.sync_window.enabled = true;
+  project.master.dc.dcm.mode = DcmMode::kBusShift;
+  return project;
+}
 
 std::vector<Finding> findings_of(const Project& project) { return compile(project).value().findings; }
 
@@ -44,13 +56,13 @@ void expect_cures(const Project& project, std::string_view code) {
 }
 
 TEST(QuickFixes, TakeAwayAnAddressThatIsUsedTwice) {
-  auto project = test::two_axes().project;
+  auto project = two_axes();
   project.slaves[2].station_address = project.slaves[1].station_address;
   expect_cures(project, "station-address-twice");
 }
 
 TEST(QuickFixes, ShortenOrFreeASetValueThatDoesNotFit) {
-  auto project = test::two_axes().project;
+  auto project = two_axes();
   project.master.dc.dcm.set_value = 1;
   const auto findings = findings_of(project);
   ASSERT_NE(find(findings, "set-value-too-small"), nullptr);
@@ -58,7 +70,7 @@ TEST(QuickFixes, ShortenOrFreeASetValueThatDoesNotFit) {
 }
 
 TEST(QuickFixes, SwitchOnWhatASlaveNeeds) {
-  auto project = test::two_axes().project;
+  auto project = two_axes();
   project.master.dc.enabled = false;
   const auto findings = findings_of(project);
   const auto* finding = find(findings, "dc-switched-off");
@@ -88,7 +100,7 @@ TEST(QuickFixes, TakeAwayWhatTheCheckerSaysOfTheEni) {
       {"ENI-DC-19", "slave.2.dc.sync0.shift_us", "1200"},
   };
   for (const auto& one : kCases) {
-    auto project = test::two_axes().project;
+    auto project = two_axes();
     const auto setting = settings::find(project, one.key, false);
     ASSERT_TRUE(setting) << one.key;
     const auto value = settings::parse_value(setting->setting->type, one.value);
@@ -108,7 +120,7 @@ TEST(QuickFixes, TakeAwayWhatTheCheckerSaysOfTheEni) {
 }
 
 TEST(QuickFixes, GiveANameThatOthersHaveTheNextNumber) {
-  auto project = test::two_axes().project;
+  auto project = two_axes();
   project.slaves[0].name = "Axis (2)";
   project.slaves[1].name = project.slaves[2].name = "Axis";
   const auto findings = checked(project);
@@ -121,7 +133,7 @@ TEST(QuickFixes, GiveANameThatOthersHaveTheNextNumber) {
 }
 
 TEST(QuickFixes, OfferNothingWhereNoSingleValueDoesIt) {
-  const auto project = test::two_axes().project;
+  const auto project = two_axes();
   Finding unknown{.code = "station-address-twice", .severity = Severity::kError, .place = Place(1, "slave.1.nonsense")};
   EXPECT_TRUE(quick_fixes(project, unknown).empty());
   EXPECT_TRUE(quick_fixes(Project{}, unknown).empty()) << "cannot be compiled";
@@ -131,7 +143,7 @@ TEST(QuickFixes, OfferNothingWhereNoSingleValueDoesIt) {
 
 /// An operation mode brings PDOs with it: what one trial set is gone in the next, and nothing but the value is offered.
 TEST(QuickFixes, TryEachValueOnTheProjectAsItIs) {
-  auto project = test::two_axes().project;
+  auto project = two_axes();
   auto& slave = project.slaves[1];
   slave.dc.op_mode = "no such mode";
   const auto findings = findings_of(project);
@@ -146,7 +158,7 @@ TEST(QuickFixes, TryEachValueOnTheProjectAsItIs) {
 }
 
 TEST(QuickFixes, AreNoMoreThanWanted) {
-  auto project = test::two_axes().project;
+  auto project = two_axes();
   project.slaves[2].station_address = project.slaves[1].station_address;
   const auto findings = findings_of(project);
   EXPECT_LE(quick_fixes(project, *find(findings, "station-address-twice"), {}, 1).size(), 1U);

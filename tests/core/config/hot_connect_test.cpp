@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "config/hot_connect_groups.h"
+#include "config/network_config.h"
 #include "protocol/registers.h"
 
 namespace syncline {
@@ -24,6 +26,22 @@ TEST(HotConnectGroup, IsKnownByTheAliasThatItsCommandsCompare) {
   EXPECT_FALSE(group.alias()) << "half of one";
   group.identify_cmds[1].validate.reset();
   EXPECT_FALSE(group.alias()) << "it is read and not compared";
+}
+
+TEST(HotConnectGroup, HoldsSoManySlavesUnlessAnotherOneBeginsBefore) {
+  NetworkConfig config;
+  config.slaves.resize(9);
+  const auto begins = [&config](std::size_t slave, std::uint16_t members) {
+    config.slaves[slave].hot_connect.emplace().member_count = members;
+  };
+  begins(1, 3);
+  begins(5, 3);
+  begins(6, 1);
+  using Head = std::optional<std::size_t>;
+  const std::vector<Head> heads{{}, 1, 1, 1, {}, 5, 6, {}, {}};
+  EXPECT_EQ(hot_connect_heads(config.slaves), heads);
+  for (std::size_t slave = 0; slave < heads.size(); ++slave)
+    EXPECT_EQ(config.hot_connect_head(slave), heads[slave]) << slave;
 }
 
 }  // namespace

@@ -5,58 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "compile/compile.h"
-#include "settings/settings_keys.h"
-#include "tests/support/sample_devices.h"
+#include "tests/support/modular_device.h"
 
 namespace syncline {
 namespace {
 
+using sample::gateway;
+using sample::kAxis;
+using sample::kIo;
+using sample::module;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-constexpr std::uint32_t kAxis = 0x100, kIo = 0x200;
-
-ModuleDescription module(std::uint32_t ident, std::uint16_t rx, std::uint16_t tx, std::uint16_t object,
-                         std::uint16_t bits) {
-  ModuleDescription out;
-  out.ident = ident;
-  out.type = "M" + std::to_string(ident);
-  Pdo outputs = sample::pdo(rx, "Outputs", 2, {{object, 1, bits, "Out", "UINT", false, true}});
-  Pdo inputs =
-      sample::pdo(tx, "Inputs", 3, {{static_cast<std::uint16_t>(object + 1), 1, bits, "In", "UINT", false, true}});
-  outputs.depend_on_slot = inputs.depend_on_slot = true;
-  out.rx_pdos = {outputs};
-  out.tx_pdos = {inputs};
-  StartupCommand command;
-  command.index = 0x8000;
-  command.data = {1};
-  command.depend_on_slot = true;
-  out.coe.emplace().init_commands = {command};
-  return out;
-}
-
-/// One place without increments, then three in a row: PDOs 0x10 apart, objects 0x800 apart.
-DeviceDescription gateway() {
-  DeviceDescription device = sample::servo();
-  device.rx_pdos.clear();
-  device.tx_pdos.clear();
-  device.dc.reset();
-  device.modules = {module(kAxis, 0x1600, 0x1A00, 0x6040, 16), module(kIo, 0x1601, 0x1A01, 0x7000, 8)};
-  SlotDescription status, axes;
-  status.max_instances = 1;
-  status.modules = {{kIo, false}};
-  axes.name = "Axis";
-  axes.min_instances = 1;
-  axes.max_instances = 3;
-  axes.modules = {{kAxis, true}, {kIo, false}};
-  axes.increments.slot_pdo = 0x10;
-  axes.increments.slot_index = 0x800;
-  device.slots.emplace().slots = {status, axes};
-  device.download_module_list = true;
-  return device;
-}
 
 TEST(ModuleSlots, PlacesCountIncrementsOfThoseBefore) {
   const auto device = gateway();
@@ -195,48 +155,6 @@ TEST(ModuleSlots, ARefusalNamesEightThatFitAndCountsTheOthers) {
     EXPECT_THAT(text, HasSubstr(fmt::format("0x{:08x} M{}{}", all ? ident : 0x308, all ? ident : 0x308,
                                             all ? "" : " and 1 more")));
   }
-}
-
-TEST(ModuleSlots, CompiledWithTheIndicesOfTheirPlaces) {
-  Project project;
-  project.slaves = {default_slave(gateway(), 0)};
-  const auto result = compile(project).value();
-  EXPECT_THAT(result.findings, IsEmpty());
-  const SlaveConfig& slave = result.config.slaves[0];
-  EXPECT_EQ(slave.send->bit_length, 3 * 16U);
-  EXPECT_EQ(slave.pdos.back().pdo.index, 0x1620);
-  EXPECT_EQ(slave.pdos.back().pdo.entries[0].index, 0x7040);
-  // 0xF030: cleared, four places (the first is empty), the count; then the start-up commands of the modules.
-  const auto& commands = slave.mailbox->coe_commands;
-  ASSERT_GE(commands.size(), 6U);
-  EXPECT_EQ(commands[1].command.index, 0xF030);
-  EXPECT_THAT(commands[1].command.data, ElementsAre(0, 0, 0, 0));
-  EXPECT_THAT(commands[4].command.data, ElementsAre(0, 1, 0, 0));
-  EXPECT_THAT(commands[5].command.data, ElementsAre(4));
-  EXPECT_EQ(commands.back().command.index, 0x9000);
-}
-
-TEST(ModuleSlots, FindingsNameThePlace) {
-  Project project;
-  project.slaves = {default_slave(gateway(), 0)};
-  ASSERT_TRUE(plug_module(project.slaves[0], 1, std::nullopt));
-  auto findings = compile(project).value().findings;
-  ASSERT_EQ(findings.size(), 1U);
-  EXPECT_EQ(findings[0].place.key, "slave.0.module.1");
-  project.slaves[0].modules.insert(project.slaves[0].modules.begin(), {1, 0x999});
-  findings = compile(project).value().findings;
-  ASSERT_EQ(findings.size(), 1U);
-  EXPECT_THAT(describe(findings[0]), HasSubstr("0x00000999"));
-}
-
-TEST(ModuleSlots, AKeyPlugsThem) {
-  Project project;
-  project.slaves = {default_slave(gateway(), 0)};
-  ASSERT_TRUE(set_setting(project, "slave.0.module.3", "0x200"));
-  EXPECT_EQ(get_setting(project, "slave.0.module.3"), "0x00000200");
-  EXPECT_EQ(get_setting(project, "slave.0.pdo.map.0x1621"), "0x8000:01:8");
-  EXPECT_EQ(set_setting(project, "slave.0.module.4", "none").error().code, ErrorCode::kUnknownKey);
-  EXPECT_THAT(set_setting(project, "slave.0.module.3", "x").error().detail.text(), HasSubstr("neither none nor"));
 }
 
 TEST(ModuleSlots, GroupsComeInOrderAndAligned) {

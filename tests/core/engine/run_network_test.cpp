@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "channels/request_desk.h"
 #include "engine/opened_link.h"
+#include "findings/error_text.h"
 #include "tests/support/simulated_network.h"
 
 namespace syncline {
@@ -36,6 +38,34 @@ TEST(RunNetwork, KeepsEachCycleOfALongBringUp) {
   EXPECT_GT(next, 20'000U * 4);
   EXPECT_EQ(next, outcome->report.cycles);
   EXPECT_EQ(gaps, 0U);
+}
+
+/// There is no number of them that it refuses, and each is answered once, also where the run is over before its turn.
+TEST(RunNetwork, AnswersMoreRequestsThanAreUnderWayAtOnce) {
+  constexpr std::size_t kMany = 3 * RequestDesk::kCapacity;
+  for (const auto duration : {3 * kSecond, 5 * kMillisecond}) {
+    test::SimulatedNetwork network;
+    network.add(test::io8());
+    OpenedLink opened;
+    opened.clock = std::make_unique<VirtualClock>();
+    opened.link = network.link(*opened.clock);
+    ASSERT_TRUE(opened.link);
+    std::size_t answered = 0, ended = 0;
+    RunRequest request;
+    request.duration = duration;
+    request.requests.assign(kMany, requests::RegisterRead{0, 0x0130, 2});
+    request.on_answer = [&](const SlaveRequest&, const SlaveAnswer& answer) {
+      ++(answer.error ? ended : answered);
+      if (answer.error) {
+        EXPECT_EQ(answer.error->code, ErrorCode::kCancelled) << describe(*answer.error);
+      }
+    };
+    ASSERT_TRUE(run_network(network.compiled(), std::move(opened), request));
+    EXPECT_EQ(answered + ended, kMany);
+    if (duration == 3 * kSecond) {
+      EXPECT_EQ(ended, 0U);
+    }
+  }
 }
 
 }  // namespace

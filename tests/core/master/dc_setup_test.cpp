@@ -11,7 +11,7 @@
 #include "sim/sim_bus.h"
 #include "support/random.h"
 #include "tests/support/clock_bed.h"
-#include "tests/support/swapped_tree.h"
+#include "tests/support/swapped_network.h"
 
 namespace syncline {
 namespace {

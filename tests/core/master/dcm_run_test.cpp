@@ -14,7 +14,6 @@
 #include "master/master_service.h"
 #include "protocol/dcm_error.h"
 #include "tests/support/simulated_network.h"
-#include "trace/dcm_log.h"
 
 namespace syncline {
 namespace {
@@ -172,27 +171,6 @@ TEST_F(DcmRun, DriftThatNobodyBalancesIsTheErrorThatSaysSo) {
   go_online();
   run(2 * kSecond);
   EXPECT_EQ(dcm_status(snapshot).error_code, 0x981201CAU);
-}
-
-TEST_F(DcmRun, TheLogSaysTheRun) {
-  dcm().mode = DcmMode::kMasterShift;
-  network.project.master.dc.sync_window.enabled = true;
-  go_online();
-  run(3 * kSecond);
-  DcmLog log(snapshot.dcm.set_value_ns, snapshot.cycle_time);
-  log.set_start_time(snapshot.dc.start_time);
-  std::vector<DcmLogRow> rows;
-  for (const auto& sample : samples) {
-    if (auto row = log.row(sample)) rows.push_back(*row);
-  }
-  ASSERT_GT(rows.size(), 3'000U);
-  const auto& last = rows.back();
-  EXPECT_TRUE(last.dcm_in_sync && last.dc_in_sync);
-  EXPECT_FALSE(rows.front().dcm_in_sync);
-  EXPECT_EQ(last.bus_time_off_ns, last.bus_time_ns % kMillisecond);
-  EXPECT_NEAR(last.drift_ppm, -35, 1) << "the host is the slower one";
-  EXPECT_NEAR(last.output_sum, -35, 3) << "ns a cycle";
-  EXPECT_NEAR(static_cast<double>(last.output_total), last.time_ms * -35, 5'000);
 }
 
 class DcmDcx : public DcmRun {

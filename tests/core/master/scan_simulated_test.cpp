@@ -11,7 +11,7 @@
 #include "protocol/registers.h"
 #include "sim/device/sii_from_device.h"
 #include "tests/support/scan_bed.h"
-#include "tests/support/swapped_tree.h"
+#include "tests/support/swapped_network.h"
 
 /// The scan against the simulated bus, which executes every byte.
 namespace syncline {

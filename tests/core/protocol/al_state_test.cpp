@@ -5,11 +5,19 @@
 
 #include <set>
 
+#include "protocol/al_state_rank.h"
 #include "protocol/command.h"
 #include "protocol/registers.h"
 
 namespace syncline {
 namespace {
+
+TEST(AlState, BootIsNoStepOnTheWayToOp) {
+  constexpr AlState kWay[] = {AlState::kNone, AlState::kInit, AlState::kPreop, AlState::kSafeop, AlState::kOp};
+  for (std::size_t i = 1; i < std::size(kWay); ++i) EXPECT_LT(al_state_rank(kWay[i - 1]), al_state_rank(kWay[i]));
+  EXPECT_GT(al_state_rank(AlState::kBoot), al_state_rank(AlState::kInit));
+  EXPECT_LT(al_state_rank(AlState::kBoot), al_state_rank(AlState::kPreop));
+}
 
 TEST(AlState, NamesGoBothWays) {
   for (const auto state : {AlState::kInit, AlState::kPreop, AlState::kBoot, AlState::kSafeop, AlState::kOp}) {

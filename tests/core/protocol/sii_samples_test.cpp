@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "byte_helpers.h"
-#include "findings/error_text.h"
 #include "protocol/sii.h"
 #include "tests/support/source_dir.h"
 
@@ -65,7 +64,7 @@ std::size_t compare_all(const fs::path& folder) {
     const auto image = decode(bytes);
     if (!vendor) continue;
     if (!image) {
-      ADD_FAILURE() << describe(image.error());
+      ADD_FAILURE() << image.error().detail.text();
       continue;
     }
     const auto number = [&sample](const char* key) {
@@ -81,7 +80,7 @@ std::size_t compare_all(const fs::path& folder) {
     again.checksum_ok = true;
     const auto second = decode(encode(again));
     if (!second) {
-      ADD_FAILURE() << describe(second.error());
+      ADD_FAILURE() << second.error().detail.text();
       continue;
     }
     again.size_bytes = second->size_bytes;  // may have grown

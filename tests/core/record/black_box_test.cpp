@@ -12,12 +12,11 @@
 #include <filesystem>
 #include <thread>
 
-#include "capture/pcap_reader.h"
 #include "config/network_config.h"
 #include "support/random.h"
 #include "support/whole_file.h"
+#include "tests/support/black_box_file.h"
 #include "tests/support/pcapng_file.h"
-#include "tests/support/temporary_folder.h"
 
 namespace syncline {
 namespace {
@@ -26,48 +25,9 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr Nanoseconds kBegin = 820'000'000 * kSecond;
-constexpr std::uint64_t kMiB = 1ULL << 20;
-
-class BlackBoxFile : public testing::Test {
- protected:
-  BlackBox::Options options(std::uint64_t bytes = kMiB) {
-    return {.name = folder_.file("box"),
-            .most_bytes = bytes,
-            .keep_free_bytes = 0,
-            .virtual_time = true,
-            .program = "test 1.0",
-            .link = "nic:eth1",
-            .description = "machine.syncline"};
-  }
-  std::unique_ptr<BlackBox> start(const BlackBox::Options& wanted) {
-    auto box = BlackBox::start(ring_, wanted, [this](const Error& error) { stopped_.push_back(error); });
-    EXPECT_TRUE(box) << box.error().detail.text();
-    return box ? std::move(*box) : nullptr;
-  }
-  /// A millisecond after the one before; its first bytes are its number.
-  void push(std::size_t size = 300) {
-    std::vector<std::uint8_t> frame(size);
-    store_le(frame, static_cast<std::uint32_t>(pushed_));
-    const auto direction = pushed_ % 2 == 0 ? FrameDirection::kSent : FrameDirection::kReceived;
-    ring_->push(frame, kBegin + static_cast<Nanoseconds>(pushed_++) * kMillisecond, direction);
-  }
-  [[nodiscard]] std::vector<std::string> files() const { return test::files_in(folder_.path()); }
-  [[nodiscard]] std::uint64_t bytes() const {
-    std::uint64_t sum = 0;
-    for (const auto& file : files()) {
-      std::error_code gone;  // the oldest may go meanwhile
-      const auto size = fs::file_size(file, gone);
-      if (!gone) sum += size;
-    }
-    return sum;
-  }
-
-  test::TemporaryFolder folder_;
-  std::shared_ptr<FrameRing> ring_ = std::make_shared<FrameRing>();
-  std::vector<Error> stopped_;
-  std::size_t pushed_ = 0;
-};
+using test::BlackBoxFile;
+using test::kBegin;
+using test::kMiB;
 
 TEST_F(BlackBoxFile, HoldsFramesWithTimesDirectionsAndWhatHappened) {
   auto box = start(options());
@@ -147,41 +107,6 @@ TEST_F(BlackBoxFile, NeverGrowsBeyondItsSizeAndKeepsTheLast) {
   EXPECT_EQ(load_le<std::uint32_t>(packets.back().frame), kFrames - 1);
   for (std::size_t i = 1; i < packets.size(); ++i)
     EXPECT_EQ(load_le<std::uint32_t>(packets[i].frame), load_le<std::uint32_t>(packets[i - 1].frame) + 1);
-}
-
-/// Cut anywhere, as by a kill or a power cut in the middle of writing: our own reader has all before the cut, and
-/// tells.
-TEST_F(BlackBoxFile, CutAtAnyByteItIsWholeUpToThere) {
-  auto box = start(options());
-  Random random(5);
-  for (int i = 0; i < 40; ++i) push(60 + random.next() % 200);
-  box->note(kBegin + 10 * kMillisecond, "something happened");
-  EXPECT_TRUE(box->finish());
-  ASSERT_EQ(files().size(), 1U);
-  const auto whole = *read_whole_file(files().front());
-  const auto blocks = test::pcapng_blocks(bytes_of(whole));
-  ASSERT_EQ(blocks.size(), 43U);
-  for (std::size_t size = blocks[1].end; size < whole.size(); ++size) {
-    std::size_t expected = 0;
-    bool between = false;
-    for (const auto& block : blocks) {
-      expected += block.type == test::kPacketBlock && block.end <= size ? 1 : 0;
-      between = between || block.end == size;
-    }
-    const auto cut = bytes_of(std::string_view(whole).substr(0, size));
-    auto reader = PcapReader::from_memory(cut, "cut");
-    ASSERT_TRUE(reader) << size;
-    std::size_t found = 0;
-    auto next = reader->next();
-    for (; next && *next; next = reader->next()) {
-      ASSERT_LT(found, 40U);
-      EXPECT_EQ((*next)->time, kBegin + static_cast<Nanoseconds>(found) * kMillisecond);
-      EXPECT_EQ((*next)->bytes, blocks[2 + found].frame);
-      ++found;
-    }
-    EXPECT_EQ(found, expected) << size;
-    EXPECT_EQ(next.has_value(), between) << size << ": a cut is told";
-  }
 }
 
 /// What the disk is too slow for is counted where it is missing, and in the sum.

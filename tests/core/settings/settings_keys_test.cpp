@@ -15,6 +15,7 @@
 
 #include "settings/settings_doc.h"
 #include "support/random_project.h"
+#include "tests/support/modular_device.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/source_dir.h"
 
@@ -242,6 +243,16 @@ TEST(SettingsKeys, StartupListGrowsChangesAndShrinks) {
   ASSERT_TRUE(set_setting(project, "slave.0.startup.0", ""));
   ASSERT_EQ(startup.size(), 1U);
   EXPECT_EQ(startup[0].index, 0x1C12);
+}
+
+TEST(SettingsKeys, AKeyPlugsAModule) {
+  Project project;
+  project.slaves = {default_slave(sample::gateway(), 0)};
+  ASSERT_TRUE(set_setting(project, "slave.0.module.3", "0x200"));
+  EXPECT_EQ(get_setting(project, "slave.0.module.3"), "0x00000200");
+  EXPECT_EQ(get_setting(project, "slave.0.pdo.map.0x1621"), "0x8000:01:8");
+  EXPECT_EQ(set_setting(project, "slave.0.module.4", "none").error().code, ErrorCode::kUnknownKey);
+  EXPECT_THAT(set_setting(project, "slave.0.module.3", "x").error().detail.text(), HasSubstr("neither none nor"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "sim/esc/esc.h"
 #include "support/clock.h"
-#include "tests/support/simulated_network.h"
+#include "tests/support/machine_devices.h"
 
 /// Outputs on their way from a SyncManager into the objects.
 namespace syncline::test {

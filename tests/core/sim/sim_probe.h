@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
@@ -8,7 +9,6 @@
 #include <vector>
 
 #include "config/sim_config.h"
-#include "eni/esi/esi_reader.h"
 #include "protocol/datagram.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
@@ -16,33 +16,29 @@
 #include "sim/sim_bus.h"
 #include "support/byte_order.h"
 #include "support/clock.h"
+#include "tests/support/own_devices.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline::test {
 
 inline std::string resource(const std::string& name) { return test::source_dir() + "/resources/" + name; }
 
-inline Result<DeviceDescription> device_from(const std::string& path, const std::string& type) {
-  auto file = eni::read_esi(path);
-  if (!file) return tl::unexpected(file.error());
-  for (auto& device : file->devices) {
-    if (type.empty() || device.type == type) return std::move(device);
-  }
-  return fail(ErrorCode::kUnknownDevice, type);
-}
-
-/// What a scenario of ours names, without the composition.
+/// What a scenario of ours names: the device that the file is called by.
 inline Result<sim::ScenarioDevice> scenario_device(const sim::DeviceQuery& query) {
-  auto device = device_from(query.path, query.type);
-  if (!device) return tl::unexpected(device.error());
-  return sim::ScenarioDevice{std::move(*device), {}};
+  if (!std::filesystem::exists(query.path))
+    return tl::unexpected(Error{.code = ErrorCode::kFileNotFound, .file = query.path});
+  const auto type = std::filesystem::path(query.path).stem().string();
+  auto device = sample::own(type);
+  if (device.type.empty() || (!query.type.empty() && query.type != type))
+    return fail(ErrorCode::kUnknownDevice, query.type);
+  return sim::ScenarioDevice{std::move(device), {}};
 }
 
 inline SimSlaveConfig sim_slave(const std::string& type, const std::string& behaviour = "generic") {
   SimSlaveConfig slave;
   slave.name = type;
   slave.behaviour = behaviour;
-  slave.device = device_from(resource("esi/" + type + ".xml"), "").value();
+  slave.device = sample::own(type);
   return slave;
 }
 
