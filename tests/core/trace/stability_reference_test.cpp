@@ -118,7 +118,8 @@ TEST(StabilityAsOfAllantools, DeviationsAsTheWindowHasThem) {
   const std::span<const float> stretch(x);
   const auto points = stability_octaves(Stretches<float>(&stretch, 1), 1.0 / 8000, 1e-9);
   ASSERT_GE(points.size(), std::size(kWanderingReference)) << "1 .. 4096 intervals and more";
-  for (std::size_t i = 0; i < std::size(kWanderingReference); ++i) expect_as_in(kWanderingReference[i], points[i], 1e-9);
+  for (std::size_t i = 0; i < std::size(kWanderingReference); ++i)
+    expect_as_in(kWanderingReference[i], points[i], 1e-9);
 }
 
 }  // namespace
