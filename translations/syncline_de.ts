@@ -11839,6 +11839,14 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Sollwertaussetzer</translation>
         </message>
         <message>
+            <source>Counts that may be higher</source>
+            <translation>Zählwerte, die höher sein können</translation>
+        </message>
+        <message>
+            <source>Port %1</source>
+            <translation>Port %1</translation>
+        </message>
+        <message>
             <source>Variable</source>
             <translation>Variable</translation>
         </message>

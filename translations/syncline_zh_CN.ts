@@ -11779,6 +11779,14 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>设定值滑移</translation>
         </message>
         <message>
+            <source>Counts that may be higher</source>
+            <translation>可能更高的计数</translation>
+        </message>
+        <message>
+            <source>Port %1</source>
+            <translation>端口 %1</translation>
+        </message>
+        <message>
             <source>Variable</source>
             <translation>变量</translation>
         </message>

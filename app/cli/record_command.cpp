@@ -17,6 +17,7 @@
 #include "app/cli/milliseconds.h"
 #include "app/cli/options.h"
 #include "app/cli/record_figures.h"
+#include "app/cli/record_plot.h"
 #include "app/cli/record_range.h"
 #include "app/cli/record_report.h"
 #include "app/cli/terminal_reason.h"
@@ -362,6 +363,7 @@ figures->add_option("--signal", figures_options->signals, "Key of a signal of th
 figures->add_flag("--json", figures_options->json, "Print JSON");
 figures->callback([&context, figures_options] { show_figures(context, *figures_options); });
 add_report_command(*group, context);
+add_plot_command(*group, context);
 for (auto* command : {show, check}) command->add_flag("--json", options->json, "Print JSON");
 show->callback([&context, options] { show_info(context, *options); });
 copy->callback([&context, options] { export_to(context, *options); });

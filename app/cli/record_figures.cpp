@@ -120,10 +120,11 @@ Json figure_json(const RangeFigure& figure, Signal signal, const std::optional<d
 }
 
 Json lamp_json(const SyncLamp& lamp, const SyncOverview& overview) {
+  const auto lost = lamp.any_lost();
   return {{"state", sync_state_key(lamp.state)},
-          {"for_s", seconds(overview.end - lamp.since)},
-          {"times_lost", lamp.times_lost},
-          {"last_lost_s", lamp.last_lost ? Json(seconds(*lamp.last_lost - overview.begin)) : Json(nullptr)}};
+          {"for_s", seconds(overview.end - lamp.of_all_since())},
+          {"times_lost", lamp.times_any_lost()},
+          {"last_lost_s", lost ? Json(seconds(*lost - overview.begin)) : Json(nullptr)}};
 }
 
 std::string fault_words(const Fault& fault) {
@@ -228,7 +229,7 @@ std::string number_text(double value) {
 }
 
 void append_figure(std::string& text, std::string_view name, std::string_view unit, const RangeFigure& figure,
-                   const std::optional<double>& margin, double limit, Nanoseconds begin) {
+                   const std::optional<double>& margin, double limit, Nanoseconds begin, bool lasting = false) {
   const auto& statistics = figure.statistics;
   const auto quantile = figure.quantile(kQuantile);
   const auto half = statistics.mean_half_width();
@@ -243,15 +244,17 @@ void append_figure(std::string& text, std::string_view name, std::string_view un
   if (margin) {
     text += *margin < 0 ? fmt::format(", over the limit ±{:.0f}", limit)
                         : fmt::format(", {:.0f} % margin to ±{:.0f}", std::floor(*margin * 100), limit);
+    if (lasting) text += " of what lasted";
   }
   text += '\n';
 }
 
 std::string lamp_words(std::string_view who, const SyncLamp& lamp, const SyncOverview& overview) {
-  auto text = fmt::format("{}: {} for {:.3f} s", who, sync_state_text(lamp.state), seconds(overview.end - lamp.since));
-  if (lamp.last_lost) {
-    text += fmt::format(", lost {} since armed, last at {:.3f} s", counted(lamp.times_lost, "time"),
-                        seconds(*lamp.last_lost - overview.begin));
+  auto text =
+      fmt::format("{}: {} for {:.3f} s", who, sync_state_text(lamp.state), seconds(overview.end - lamp.of_all_since()));
+  if (const auto lost = lamp.any_lost()) {
+    text += fmt::format(", lost {} since armed, last at {:.3f} s", counted(lamp.times_any_lost(), "time"),
+                        seconds(*lost - overview.begin));
   }
   return text + '\n';
 }
@@ -282,7 +285,7 @@ std::string figures_text(const Told& told, const FiguresOptions& options) {
   for (const auto& of : told.figures.signals()) {
     if (!is_wanted(options, of)) continue;
     append_figure(text, info(of.signal).name, info(of.signal).unit, of.figure, margin_of(record.limits(), of),
-                  limit_of(record.limits(), of.signal), overview.begin);
+                  limit_of(record.limits(), of.signal), overview.begin, of.signal == Signal::kDcmErrorFiltered);
   }
   for (std::size_t i = 0; i < told.figures.slaves().size(); ++i) {
     const auto& slave = told.figures.slaves()[i];

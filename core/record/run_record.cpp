@@ -45,7 +45,7 @@ RunRecord::RunRecord(NetworkConfig config, std::size_t cycle_capacity, const Run
       limits_(limits),
       samples_(layout_of(config_, cycle_capacity, limits_, speed_counter_start)),
       recorder_(config_),
-      overview_(config_.slaves.size()) {}
+      overview_(config_) {}
 
 void RunRecord::add(std::span<const CycleSample> samples) {
   samples_.append(samples);

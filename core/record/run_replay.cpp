@@ -20,7 +20,7 @@ RunReplay::RunReplay(RecordingReader reader, ReplayedRun& run, std::vector<Recor
     : path_(reader.path()),
       reader_(std::move(reader)),
       record_(run.record.get()),
-      fresh_(run.record->config().slaves.size()),
+      fresh_(run.record->config()),
       marks_(std::exchange(run.marks, OverviewMarks(blocks.size()))),
       blocks_(std::move(blocks)),
       damage_(reader_->damage()),

@@ -94,6 +94,14 @@ bool is_symptom(const Fault& fault) {
                          fault.event->is<events::DcmError>() || fault.event->is<events::MasterOutOfSync>());
 }
 
+/// What went wrong with frames at `moment` did so between two readings of the counters of a port that counted damaged
+/// ones meanwhile: counters are read in turn, and tell later what came first.
+bool explains(const Fault& fault, Nanoseconds moment) {
+  const auto* const errors = fault.event ? fault.event->as<events::PortErrors>() : nullptr;
+  return errors != nullptr && errors->damaged_frames > 0 && errors->since != 0 && errors->since <= moment &&
+         fault.first >= moment;
+}
+
 /// The return to order is that of this fault.
 bool ends(const Event& order, const Fault& fault) {
   const auto& what = *fault.event;
@@ -128,7 +136,11 @@ std::size_t FaultEpisode::leading() const {
   for (std::size_t i = 1; i < faults.size() && faults[i].first - faults.front().first <= kSameMoment; ++i) {
     if (cause_rank(faults[i]) > cause_rank(faults[lead])) lead = i;
   }
-  return lead;
+  const auto& first = *faults.front().event;
+  if (lead > 0 || !(first.is<events::FramesLost>() || first.is<events::WkcError>())) return lead;
+  const auto damaged =
+      std::ranges::find_if(faults, [this](const Fault& f) { return explains(f, faults.front().first); });
+  return damaged == faults.end() ? lead : static_cast<std::size_t>(damaged - faults.begin());
 }
 
 EventMeaning meaning_of(const Event& event) { return std::visit(MeaningOf{}, event.what); }

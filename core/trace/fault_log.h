@@ -29,8 +29,8 @@ struct FaultEpisode {
   std::vector<Fault> faults;       // by time: the first is what the others may have followed from
   std::uint64_t left_out = 0;      // beyond kMostFaults
 
-  /// What is told first: the first fault, or, where that is only what frames or clocks have shown (another working
-  /// counter, no frame, the master out of sync), what was found to be the cause within kSameMoment.
+  /// What is told first: the first fault; where frames or clocks only showed it, what was found to be the cause within
+  /// kSameMoment; of frames also the port that counted damaged ones between its readings about that moment.
   static constexpr Nanoseconds kSameMoment = 20 * kMillisecond;
   [[nodiscard]] std::size_t leading() const;
 };

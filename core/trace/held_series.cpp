@@ -4,19 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace syncline {
 
 void HeldSeries::hear(Nanoseconds time, float value) {
   if (!series_.empty() && time <= heard_) return;
-  if (known_) {
-    interval_ = time - heard_;
-    longest_ = std::max(longest_, interval_);
-  }
+  measure(time);
   if (!known_ || value != value_) series_.append(time, value);
   heard_ = time;
   value_ = value;
   known_ = true;
+}
+
+void HeldSeries::measure(Nanoseconds time) {
+  const bool seldom = !known_ && expired_;
+  const auto before = std::exchange(seldom_, seldom ? time - heard_ : 0);
+  if (!known_ && !seldom) return;
+  interval_ = time - heard_;
+  longest_ = std::max(longest_, seldom ? std::min(before, interval_) : interval_);
 }
 
 void HeldSeries::hear(std::span<const Nanoseconds> times, std::span<const float> values) {
@@ -39,6 +45,7 @@ bool HeldSeries::change(Nanoseconds time, float value) {
 }
 
 void HeldSeries::lose(Nanoseconds time) {
+  expired_ = false;
   if (!known_) return;
   known_ = false;
   heard_ = std::max(heard_ + 1, time);
@@ -46,13 +53,16 @@ void HeldSeries::lose(Nanoseconds time) {
 }
 
 void HeldSeries::expire(Nanoseconds now) {
-  if (known_ && now - heard_ > std::max(kPatience, 4 * longest_)) lose(heard_);
+  if (known_ && now - heard_ > std::max(kPatience, 4 * longest_)) {
+    lose(heard_);
+    expired_ = true;
+  }
 }
 
 void HeldSeries::clear() {
   series_.clear();
-  heard_ = longest_ = interval_ = 0;
-  known_ = false;
+  heard_ = longest_ = interval_ = seldom_ = 0;
+  known_ = expired_ = false;
   shown_until_ = INT64_MAX;
 }
 

@@ -28,7 +28,8 @@ class HeldSeries {
   /// From `time` on nothing is known, until it is heard again. A time before the last reading means just behind it.
   void lose(Nanoseconds time);
   /// Lost where the last reading is old for how often it was read before: four times the longest interval, at least
-  /// kPatience.
+  /// kPatience. What is read more seldom than that is known to be from its third reading on: two intervals that both
+  /// were too long count, the shorter one; a single one is a pause.
   void expire(Nanoseconds now);
   void clear();
   /// What came so far were changes, not readings: how often it is read is not known by them.
@@ -52,10 +53,14 @@ class HeldSeries {
 
  private:
   MinMaxSeries series_;
+  /// What is known by a reading of how often there is one.
+  void measure(Nanoseconds time);
+
   Nanoseconds heard_ = 0, longest_ = 0, interval_ = 0;
+  Nanoseconds seldom_ = 0;  // the interval before, where it was too long; 0: it was not
   Nanoseconds shown_until_ = INT64_MAX;
   float value_ = 0;
-  bool known_ = false;
+  bool known_ = false, expired_ = false;
 };
 
 }  // namespace syncline

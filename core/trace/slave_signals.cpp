@@ -7,6 +7,7 @@
 #include "channels/slave_status.h"
 #include "channels/snapshot.h"
 #include "protocol/dc_registers.h"
+#include "trace/counted_at_least.h"
 
 namespace syncline {
 namespace {
@@ -62,6 +63,12 @@ Reading al_state(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16
 
 Reading propagation_delay(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16_t) {
   return slave.dc_enabled ? Reading({snapshot.time, static_cast<double>(slave.propagation_delay_ns)}) : std::nullopt;
+}
+
+/// Nothing while all are exact.
+Reading at_least(const Snapshot& snapshot, const SlaveStatus& slave, std::uint16_t) {
+  const auto bits = counts_at_least(slave);
+  return bits != 0 ? Reading({snapshot.time, static_cast<double>(bits)}) : std::nullopt;
 }
 
 template <auto Count>
@@ -133,6 +140,8 @@ constexpr std::array kSlaveRows{
                Form::kDerived, Scale::kLinear, Clock::kSlaves, nullptr, nullptr, nullptr},
     count(Signal::kSetpointSlips, "setpoint_slips", "Setpoint slips",
           "SYNC0 periods into which no frame came, or more than are due", nullptr, kSinceKnown),
+    momentary(Signal::kCountsAtLeast, "counts_at_least", "Counts that may be higher", "",
+              "counters that stood at their end stop, or were cleared between two readings", Scale::kBand, at_least),
 };
 
 template <std::size_t Port>

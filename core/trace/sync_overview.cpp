@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "config/network_config.h"
 #include "trace/counted_cycle.h"
 #include "trace/signals.h"
 
@@ -38,6 +39,8 @@ void note(OverviewFigure& figure, const CycleSample& sample, Signal signal, bool
 void forget(SyncLamp& lamp) {
   lamp.last_lost.reset();
   lamp.times_lost = 0;
+  lamp.last_away.reset();
+  lamp.times_away = 0;
 }
 
 void forget(OverviewFigure& figure) {
@@ -55,9 +58,14 @@ std::optional<double> OverviewFigure::margin(std::int64_t limit) const {
 
 bool is_ready(SyncState state) { return !is_watched(state) || state == SyncState::kInSync; }
 
-OverviewRecorder::OverviewRecorder(std::size_t slaves) : counters_(slaves) {
+OverviewRecorder::OverviewRecorder(std::size_t slaves) : counters_(slaves), may_be_away_(slaves) {
   overview_.missed.by_slave.resize(slaves);
   overview_.followed.resize(slaves);
+}
+
+OverviewRecorder::OverviewRecorder(const NetworkConfig& config) : OverviewRecorder(config.slaves.size()) {
+  for (std::size_t slave = 0; slave < may_be_away_.size(); ++slave)
+    may_be_away_[slave] = config.hot_connect_head(slave).has_value();
 }
 
 void OverviewRecorder::add(std::span<const CycleSample> samples) {
@@ -110,6 +118,26 @@ void OverviewRecorder::add_missed(const CycleSample& sample) {
 /// Before it is armed all is bring-up.
 void OverviewRecorder::add(const Event& event) {
   if (overview_.armed) overview_.faults.add(event);
+  note_away(event);
+}
+
+/// By events alone: however they are drained among the samples, it comes out the same.
+void OverviewRecorder::note_away(const Event& event) {
+  auto& lamp = overview_.slaves;
+  if (event.is<events::SlavesInSync>()) {
+    const bool any = !away_.empty();
+    event.slave < 0 ? away_.clear() : static_cast<void>(away_.erase(event.slave));
+    if (any && away_.empty()) lamp.back_since = event.time;
+    return;
+  }
+  const auto slave = static_cast<std::size_t>(event.slave);
+  if (!event.is<events::SlaveLost>() || event.slave < 0 || slave >= may_be_away_.size()) return;
+  if (!overview_.followed[slave] || may_be_away_[slave]) return;
+  const bool first = away_.empty();
+  away_.insert(event.slave);
+  if (!first || !overview_.armed || event.time < *overview_.armed) return;
+  lamp.last_away = event.time;
+  ++lamp.times_away;
 }
 
 bool OverviewRecorder::is_to_be_armed(const CycleSample& sample) const {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@
 namespace syncline {
 
 struct CycleSample;
+struct NetworkConfig;
 
 /// One of the two verdicts over time.
 struct SyncLamp {
@@ -24,6 +26,19 @@ struct SyncLamp {
   Nanoseconds since = 0;                 // host clock: the state is the same since then
   std::optional<Nanoseconds> last_lost;  // when it was left last since it was armed: in sync before, and then not
   std::uint64_t times_lost = 0;          // since it was armed
+  /// Of the slaves: the verdict speaks of those who answer. When one that follows the reference clock fell silent last
+  /// since it was armed, how often one did while none was away, and since when all of them are within the window again.
+  std::optional<Nanoseconds> last_away;
+  std::uint64_t times_away = 0;
+  Nanoseconds back_since = 0;  // 0: none was away
+
+  /// The state is the same, of all of them, since then.
+  [[nodiscard]] Nanoseconds of_all_since() const {
+    return state == SyncState::kInSync && back_since > since ? back_since : since;
+  }
+  /// Both kinds of loss.
+  [[nodiscard]] std::optional<Nanoseconds> any_lost() const { return last_lost > last_away ? last_lost : last_away; }
+  [[nodiscard]] std::uint64_t times_any_lost() const { return times_lost + times_away; }
 };
 
 /// A signal of every cycle as numbers; now at any time, the others since it was armed.
@@ -70,6 +85,8 @@ struct SyncOverview {
 class OverviewRecorder {
  public:
   explicit OverviewRecorder(std::size_t slaves);
+  /// Of its slaves, of which those of hot-connect groups may be away.
+  explicit OverviewRecorder(const NetworkConfig& config);
   void add(std::span<const CycleSample> samples);
   void add(const Event& event);
   /// Figures, losses and faults begin anew behind the newest sample.
@@ -84,12 +101,16 @@ class OverviewRecorder {
  private:
   void add(const CycleSample& sample);
   void add_missed(const CycleSample& sample);
+  /// Who follows the reference clock goes, or is within the sync window again.
+  void note_away(const Event& event);
   [[nodiscard]] bool is_to_be_armed(const CycleSample& sample) const;
   void arm_at(Nanoseconds time);
   void begin_anew(Nanoseconds time);
 
   SyncOverview overview_;
   std::vector<std::optional<std::uint32_t>> counters_;  // of missed SM2 events, as read last
+  std::vector<bool> may_be_away_;                       // by position
+  std::set<int> away_;                                  // followers that went, until they are in sync again
   std::optional<Nanoseconds> armed_from_;
   Nanoseconds disarmed_ = 0;
   bool any_ = false;

@@ -130,6 +130,39 @@ TEST_F(CliRecord, TellsHowFarToBelieveASignal) {
   EXPECT_THAT(text, HasSubstr(" by software"));
 }
 
+TEST_F(CliRecord, PlotsWithoutAWindow) {
+  ASSERT_EQ(run().code, cli::kDone);
+  const auto svg = folder.file("run.svg");
+  const auto usual = cli_run({"record", "plot", recording, svg});
+  ASSERT_EQ(usual.code, cli::kDone) << usual.err;
+  const auto text = read_text(svg);
+  EXPECT_THAT(text, HasSubstr("run.slrec: "));
+  EXPECT_THAT(text, HasSubstr("DCM error"));
+  EXPECT_THAT(text, HasSubstr("stroke-dasharray")) << "its limit";
+  const auto named = cli_run({"record", "plot", recording, svg, "--signal", "round_trip_ns", "--signal",
+                              "deviation_ns@3", "--from", "3s", "--to", "4s", "--size", "640x400"});
+  ASSERT_EQ(named.code, cli::kDone) << named.err;
+  const auto part = read_text(svg);
+  EXPECT_THAT(part, HasSubstr("width=\"640\" height=\"400\""));
+  EXPECT_THAT(part, HasSubstr("Round trip"));
+  EXPECT_THAT(part, HasSubstr(">3.5 s<"));
+  for (const auto& [arguments, words] :
+       {std::pair<std::vector<std::string>, std::string>{{"--signal", "speed"}, "speed"},
+        {{"--signal", "deviation_ns@99"}, "deviation_ns@99"},
+        {{"--signal", "al_status@1"}, "a state"},
+        {{"--size", "640"}, "--size 640"},
+        {{"--from", "1h"}, "the range"}}) {
+    std::vector<std::string> all{"record", "plot", recording, svg};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const auto refused = cli_run(all);
+    EXPECT_EQ(refused.code, cli::kUsage) << words;
+    EXPECT_THAT(refused.err, HasSubstr(words));
+  }
+  EXPECT_EQ(read_text(svg), part) << "what was refused has left it";
+  EXPECT_EQ(cli_run({"record", "plot", recording, folder.file("run.png")}).code, cli::kUsage);
+  EXPECT_EQ(cli_run({"record", "plot", recording, recording + ".svg/x.svg"}).code, cli::kFailed);
+}
+
 TEST_F(CliRecord, ExportsARange) {
   ASSERT_EQ(run().code, cli::kDone);
   const auto all = folder.file("all.csv"), part = folder.file("part.csv");

@@ -12,6 +12,9 @@ inline void expect_same(const SyncLamp& is, const SyncLamp& was) {
   EXPECT_EQ(is.since, was.since);
   EXPECT_EQ(is.last_lost, was.last_lost);
   EXPECT_EQ(is.times_lost, was.times_lost);
+  EXPECT_EQ(is.last_away, was.last_away);
+  EXPECT_EQ(is.times_away, was.times_away);
+  EXPECT_EQ(is.back_since, was.back_since);
 }
 
 /// Bit for bit.

@@ -267,6 +267,16 @@ TEST_F(FreeViewTest, CountsAreTotalsOrRates) {
   EXPECT_THAT(legend(0), HasSubstr("1/s"));
 }
 
+TEST_F(FreeViewTest, ACountIsALowerBoundFromTheMomentOnAtWhichItsCounterStoodAtItsEndStop) {
+  showView(viewWith({ofSlave(1001, "port1_invalid_frames"), ofSlave(1001, "counts_at_least")}));
+  EXPECT_THAT(legend(0), HasSubstr("\u2265 150"));
+  EXPECT_THAT(legend(0), HasSubstr("Port 1"));
+  strip.timeView()->setSpan(kSecond);
+  strip.timeView()->goTo(kBegin + 8 * kSecond);
+  settle();
+  EXPECT_THAT(legend(0), Not(HasSubstr("\u2265"))) << "before it did";
+}
+
 TEST_F(FreeViewTest, UnitsThatDifferHaveAnAxisEach) {
   auto drift = ofBus("drift_ppm");
   showView(viewWith({ofBus("dcm_error_ns"), drift}));

@@ -250,11 +250,11 @@ const FreePlot::Curve* FreePlot::curveOf(const SeriesItem& item) const {
   return found == curves_.end() ? nullptr : &*found;
 }
 
-/// A count whose counter has stood at its end stop, or was cleared: told by the newest snapshot of a run.
-bool FreePlot::atLeast(const Curve& curve) const {
+/// A count whose counter had stood at its end stop, or was cleared, by `time`.
+bool FreePlot::atLeast(const Curve& curve, Nanoseconds time) const {
   if (!curve.source || signalOf(curve).rate || info(curve.source->signal).scope != SignalInfo::Scope::kSlave)
     return false;
-  return counted_at_least(source().snapshot(), curve.source->signal, curve.source->slave);
+  return counted_at_least(source().samples(), curve.source->signal, curve.source->slave, time);
 }
 
 std::vector<LegendBar::Entry> FreePlot::entries(Nanoseconds time) const {
@@ -264,7 +264,7 @@ std::vector<LegendBar::Entry> FreePlot::entries(Nanoseconds time) const {
     LegendBar::Entry one;
     if (curve.item != nullptr) {
       one = entry(*curve.item, time);
-      if (atLeast(curve) && one.value != noText()) one.value = QStringLiteral("\u2265 ") + one.value;
+      if (atLeast(curve, time) && one.value != noText()) one.value = QStringLiteral("\u2265 ") + one.value;
     } else {
       one.name = curveName(signal);
       one.color = theme::outline(palette());

@@ -81,7 +81,7 @@ class FreePlot final : public TracePanel {
   [[nodiscard]] const Curve* curveOf(const SeriesItem& item) const;
   [[nodiscard]] QString autoTitle() const;
   [[nodiscard]] QString curveName(const ViewSignal& signal) const;
-  [[nodiscard]] bool atLeast(const Curve& curve) const;
+  [[nodiscard]] bool atLeast(const Curve& curve, Nanoseconds time) const;
   void attachCurve(Curve& curve);
   void drawCurve(Curve& curve);
   void layAxes();

@@ -13,6 +13,7 @@
 
 #include "reasons/because.h"
 #include "record/replay_run.h"
+#include "trace/named_signal.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/free_plot.h"
@@ -218,46 +219,24 @@ std::optional<CycleView::Figure> cycleFigureOf(const QString& name) {
 }
 
 Result<SignalSource> signalSourceOf(const QString& text, const RunRecord& record) {
-  const auto none = [&text] {
-    return fail(ErrorCode::kBadValue, text.toStdString(),
-                because("it is no signal that can be shown here, such as dcm_error_ns or deviation_ns@1"));
+  const auto named = named_signal(text.toStdString(), record.samples());
+  const auto there = [&record](const NamedSignal& of) {
+    const auto& row = info(of.signal);
+    if (row.scope == SignalInfo::Scope::kBus) return !signalText(row.id).isEmpty();
+    if (row.id == Signal::kArrivalPhase) return record.samples().sync0(of.slave).period > 0;
+    return row.id == Signal::kSlaveDeviation && !seriesOf(record, {row.id, of.slave}).empty();
   };
-  const auto parts = text.split(u'@');
-  const auto scope = parts.size() == 1 ? SignalInfo::Scope::kBus : SignalInfo::Scope::kSlave;
-  const auto* row = find_signal(parts.first().toStdString(), scope);
-  if (parts.size() > 2 || row == nullptr) return none();
-  if (scope == SignalInfo::Scope::kBus) {
-    if (signalText(row->id).isEmpty()) return none();
-    return SignalSource{row->id, 0};
-  }
-  bool number = false;
-  const auto slave = parts.last().toUInt(&number);
-  if (!number || slave >= record.samples().slave_count()) return none();
-  const SignalSource source{row->id, slave};
-  const bool there = row->id == Signal::kArrivalPhase
-                         ? record.samples().sync0(slave).period > 0
-                         : row->id == Signal::kSlaveDeviation && !seriesOf(record, source).empty();
-  if (!there) return none();
-  return source;
+  if (named && there(*named)) return SignalSource{named->signal, named->slave};
+  return fail(ErrorCode::kBadValue, text.toStdString(),
+              because("it is no signal that can be shown here, such as dcm_error_ns or deviation_ns@1"));
 }
 
 Result<SignalSource> drawnSignalOf(const QString& text, const RunRecord& record) {
-  const auto& variables = record.watched().variables();
-  const auto variable = std::ranges::find(variables, text.toStdString(), &WatchedVariable::name);
-  if (variable != variables.end())
-    return SignalSource{Signal::kVariable, static_cast<std::size_t>(variable - variables.begin())};
-  const auto parts = text.split(u'@');
-  const auto scope = parts.size() == 1 ? SignalInfo::Scope::kBus : SignalInfo::Scope::kSlave;
-  const auto* row = find_signal(parts.first().toStdString(), scope);
-  bool number = parts.size() == 1;
-  const auto slave = parts.size() == 2 ? parts.last().toUInt(&number) : 0U;
-  const bool known = row != nullptr && parts.size() <= 2 && number && row->form != SignalInfo::Form::kCell;
-  if (!known || (scope == SignalInfo::Scope::kSlave && slave >= record.samples().slave_count())) {
-    return fail(
-        ErrorCode::kBadValue, text.toStdString(),
-        because("it is no signal that can be drawn, such as lost_frames_total, al_status@1 or a variable's name"));
-  }
-  return SignalSource{row->id, slave};
+  const auto named = named_signal(text.toStdString(), record.samples());
+  if (named) return SignalSource{named->signal, named->slave};
+  return fail(
+      ErrorCode::kBadValue, text.toStdString(),
+      because("it is no signal that can be drawn, such as lost_frames_total, al_status@1 or a variable's name"));
 }
 
 Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wanted, const QString& path) {

@@ -40,12 +40,13 @@ class Overview {
 
   static QString lamp(const SyncLamp& lamp, const SyncOverview& overview) {
     if (lamp.since == 0) return {};
-    const auto since = tr("for %1").arg(spanText(overview.end - lamp.since));
+    const auto since = tr("for %1").arg(spanText(overview.end - lamp.of_all_since()));
     if (!is_watched(lamp.state) || !overview.armed) return since;
-    if (!lamp.last_lost) return lamp.state == SyncState::kInSync ? since + tr(", not lost since it was armed") : since;
+    const auto lost = lamp.any_lost();
+    if (!lost) return lamp.state == SyncState::kInSync ? since + tr(", not lost since it was armed") : since;
     return since + tr(", last lost %1 ago, %n time(s)", nullptr,
-                      static_cast<int>(std::min<std::uint64_t>(lamp.times_lost, INT32_MAX)))
-                       .arg(spanText(overview.end - *lamp.last_lost));
+                      static_cast<int>(std::min<std::uint64_t>(lamp.times_any_lost(), INT32_MAX)))
+                       .arg(spanText(overview.end - *lost));
   }
 
   static QString link(Nanoseconds time, const QString& text) {

@@ -135,6 +135,8 @@ QString signalName(Signal signal) {
       return words(QT_TRANSLATE_NOOP("Signals", "Setpoint slips"));
     case Signal::kVariable:
       return words(QT_TRANSLATE_NOOP("Signals", "Variable"));
+    case Signal::kCountsAtLeast:
+      return words(QT_TRANSLATE_NOOP("Signals", "Counts that may be higher"));
     default:
       break;
   }

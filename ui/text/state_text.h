@@ -7,7 +7,8 @@ namespace syncline::ui {
 
 struct StateText;
 
-/// A value of a signal that is a state (SignalInfo::Scale::kBand), in words and tone: "SAFEOP + ERR", "In sync".
+/// A value of a signal that is a state (SignalInfo::Scale::kBand), in words and tone: "SAFEOP + ERR", "In sync",
+/// "Port 0, PDI watchdog".
 [[nodiscard]] StateText stateText(Signal signal, int value);
 
 }  // namespace syncline::ui

@@ -23,6 +23,7 @@
 #include "tests/core/record/made_samples.h"
 #include "tests/core/record/older_recording.h"
 #include "tests/support/temporary_folder.h"
+#include "trace/counted_at_least.h"
 #include "trace/csv.h"
 
 namespace syncline {
@@ -232,6 +233,37 @@ TEST_F(RecordingFile, HoldsAFallThatNoSnapshotHasMet) {
   EXPECT_EQ(samples.value(Signal::kAlState, 1, fall)->value, 0x14) << "with its error";
   EXPECT_EQ(samples.value(Signal::kAlState, 1, back)->value, 8);
   EXPECT_EQ(samples.value(Signal::kAlState, 1, samples.last_time())->value, 8) << "how it was left is no part of it";
+}
+
+/// A counter at its end stop counts no further: what a recording shows of it is a lower bound from then on.
+TEST_F(RecordingFile, HoldsWhichCountsMayBeHigher) {
+  const auto errors = port_signal(0, PortSignal::kLostLinks);
+  auto recorder = start({.by_clock = false});
+  test::MadeSamples made(3);
+  Nanoseconds before = 0, since = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto samples = made.next(100);
+    recorder->add(samples);
+    auto now = snapshot(samples.back().send_time, static_cast<std::uint32_t>(i));
+    now.slaves[1].evidence.ports[0].at_least = i >= 15;
+    recorder->add(now);
+    if (i < 15) before = now.time;
+    if (i == 15) since = now.time;
+  }
+  ASSERT_TRUE(recorder->finish());
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  EXPECT_TRUE(reader->verify());
+  NetworkConfig config;
+  config.slaves.resize(3);
+  const auto run = replay_run(*reader, config);
+  ASSERT_TRUE(run);
+  const auto& store = run->record->samples();
+  EXPECT_FALSE(counted_at_least(store, errors, 1, before));
+  EXPECT_TRUE(counted_at_least(store, errors, 1, since));
+  EXPECT_TRUE(counted_at_least(store, errors, 1, store.last_time()));
+  EXPECT_FALSE(counted_at_least(store, errors, 2, store.last_time())) << "of another slave";
+  EXPECT_FALSE(counted_at_least(store, Signal::kSm2Missed, 2, store.last_time())) << "of another count";
 }
 
 TEST_F(RecordingFile, TellsHowOftenEachSignalWasReadAndWhoStampedIt) {

@@ -12,24 +12,12 @@
 #include <random>
 #include <vector>
 
+#include "nist_frequencies.h"
+
 namespace syncline {
 namespace {
 
 using Points = std::vector<double>;
-
-/// Table 31 and the text about it in NIST SP 1065: 1000 fractional frequencies of a linear congruential generator.
-Points nist_frequencies() {
-  Points y;
-  for (std::uint64_t n = 1234567890; y.size() < 1000; n = 16807 * n % 2147483647)
-    y.push_back(static_cast<double>(n) / 2147483647);
-  return y;
-}
-
-Points phases_of(const Points& y) {
-  Points x{0};
-  for (const double value : y) x.push_back(x.back() + value);
-  return x;
-}
 
 StabilityPoint at(const Points& x, std::size_t m, double interval = 1, double unit = 1) {
   const std::span<const double> stretch(x);

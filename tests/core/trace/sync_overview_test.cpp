@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "config/network_config.h"
+
 namespace syncline {
 namespace {
 
@@ -54,6 +56,53 @@ TEST(SyncOverview, ALampSaysSinceWhenAndWhenItWasLost) {
   EXPECT_EQ(lamp.since, at(30));
   EXPECT_EQ(lamp.last_lost, at(20));
   EXPECT_EQ(lamp.times_lost, 1U);
+}
+
+CycleSample read_of(std::int64_t ms, int slave, SyncState state = SyncState::kInSync) {
+  auto one = sample(ms, state);
+  one.slave_position = static_cast<std::int16_t>(slave);
+  one.flags |= CycleSample::kSlaveFollows;
+  return one;
+}
+
+/// The verdict speaks of those who answer; that one of them has gone is no less a loss, and what is said of all begins
+/// when it is within the window again.
+TEST(SyncOverview, WhoFollowsAndFallsSilentIsALoss) {
+  OverviewRecorder recorder(4);
+  for (int ms = 0; ms < 100; ++ms) feed(recorder, read_of(ms, 1 + ms % 2));
+  const auto& lamp = recorder.overview().slaves;
+  EXPECT_EQ(lamp.of_all_since(), at(0));
+  recorder.add(Event{at(90), 3, events::SlaveLost{}});
+  EXPECT_EQ(lamp.times_any_lost(), 0U) << "it follows no clock";
+  EXPECT_FALSE(lamp.any_lost());
+  recorder.add(Event{at(95), 1, events::SlaveLost{}});
+  recorder.add(Event{at(95), 2, events::SlaveLost{}});
+  EXPECT_EQ(lamp.times_any_lost(), 1U) << "they went together";
+  EXPECT_EQ(lamp.any_lost(), at(95));
+  for (int ms = 100; ms < 200; ++ms) feed(recorder, read_of(ms, 1));
+  recorder.add(Event{at(160), 1, events::SlavesInSync{}});
+  EXPECT_EQ(lamp.of_all_since(), at(0)) << "the other one is away";
+  recorder.add(Event{at(190), 2, events::SlavesInSync{}});
+  EXPECT_EQ(lamp.of_all_since(), at(190));
+  for (int ms = 200; ms < 210; ++ms) feed(recorder, sample(ms, SyncState::kOutOfSync));
+  EXPECT_EQ(lamp.of_all_since(), at(200)) << "of another state it is since that";
+  EXPECT_EQ(lamp.any_lost(), at(200));
+  EXPECT_EQ(lamp.times_any_lost(), 2U);
+  recorder.arm();
+  EXPECT_EQ(lamp.times_any_lost(), 0U);
+}
+
+TEST(SyncOverview, WhoMayBeAwayIsNoLoss) {
+  NetworkConfig config;
+  config.slaves.resize(3);
+  config.slaves[1].hot_connect.emplace();
+  config.slaves[1].hot_connect->member_count = 1;
+  OverviewRecorder recorder(config);
+  for (int ms = 0; ms < 100; ++ms) feed(recorder, read_of(ms, 1 + ms % 2));
+  recorder.add(Event{at(95), 1, events::SlaveLost{}});
+  EXPECT_EQ(recorder.overview().slaves.times_any_lost(), 0U);
+  recorder.add(Event{at(96), 2, events::SlaveLost{}});
+  EXPECT_EQ(recorder.overview().slaves.times_any_lost(), 1U);
 }
 
 /// From when its run was armed last on all is judged, in sync or not, and nothing of before; until then as the run was,
@@ -214,8 +263,15 @@ TEST(FaultLog, LeadsWithTheCauseOfTheSameMoment) {
   EXPECT_EQ(leading(), 1U) << "the loss says why, the code does not";
   log.add({at(12'001), -1, events::CyclesLeftOut{}});
   EXPECT_EQ(leading(), 2U);
-  log.add({at(20'000), 3, events::AlStatusError{}});
-  log.add({at(20'001), 3, events::CableChanged{}});
+  log.add({at(30'000), -1, events::FramesLost{1}});
+  log.add({at(30'060), 4, events::PortErrors{0, 1, 0, at(30'010)}});
+  EXPECT_EQ(leading(), 0U) << "it was clean when the frame was lost";
+  log.add({at(40'000), -1, events::FramesLost{1}});
+  log.add({at(40'060), 3, events::PortErrors{1, 0, 1, at(39'900)}});
+  log.add({at(40'061), 4, events::PortErrors{0, 1, 0, at(39'901)}});
+  EXPECT_EQ(leading(), 2U) << "the frame was lost between the two readings of the port that damaged one";
+  log.add({at(50'000), 3, events::AlStatusError{}});
+  log.add({at(50'001), 3, events::CableChanged{}});
   EXPECT_EQ(leading(), 0U) << "a slave that says something itself came first";
 }
 

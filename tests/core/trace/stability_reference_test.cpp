@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The figures of NIST SP 1065 and ITU-T G.810, against those that the field's Python package allantools (2024.06, numpy
+// 1.24) gives for the same samples.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "nist_frequencies.h"
+#include "trace/stability.h"
+
+namespace syncline {
+namespace {
+
+struct StabilityReference {
+  std::size_t m;  // sampling intervals
+  double oadev, mdev, tdev, mtie, adev, tie_rms;
+};
+
+/// Phases of the 1000 frequencies of NIST SP 1065, a second apart.
+constexpr StabilityReference kNistReference[] = {
+    {1, 0.29223187810675949, 0.29223187810675894, 0.16872015349072719, 0.99574529425973424, 0.29223187810675949,
+     0.56833850405940445},
+    {2, 0.20101604217093852, 0.15820719829726188, 0.18268193704932131, 1.9130324050379102, 0.2051016155948554,
+     1.0586834757530865},
+    {4, 0.14479130721843791, 0.10779737453821495, 0.24894737283029325, 3.4632043524008509, 0.14942714244027105,
+     2.0399276936586892},
+    {8, 0.10570385007869976, 0.074192200127862748, 0.34267909372473715, 6.3793495885931719, 0.11013480328176921,
+     3.9972734200882432},
+    {16, 0.061914778418745348, 0.041375946275909431, 0.38221461952594887, 10.787563470559064, 0.062381339809960253,
+     7.9125837398351813},
+    {32, 0.048082142621282097, 0.034254980866373776, 0.63286791757716421, 19.557738383560377, 0.056232944725717188,
+     15.791234007853328},
+    {64, 0.036237212985704918, 0.027871051150462588, 1.0298469685963139, 37.858264762376507, 0.032549905440331296,
+     31.588303268463278},
+    {128, 0.027673855820694152, 0.018669328742917473, 1.3796789728400667, 69.504253907829423, 0.033855195122481425,
+     63.355103333313735},
+    {256, 0.01028221763903267, 0.0042545114954404524, 0.62882389943370309, 131.52353282949076, 0.010799272262407662,
+     126.21629479427754},
+    {10, 0.091599534201186467, 0.061723763824522312, 0.35636231659484846, 7.596559725048337, 0.099657360631747752,
+     4.975003615378089},
+    {100, 0.032413430260569781, 0.021709209136942256, 1.2533817739107496, 55.381773340693599, 0.038978043308026573,
+     49.424065780748343},
+    {333, 0.0082441236261367543, 0.00059983564161831952, 0.11532298462957027, 168.80614779228608, 0.0027161907734790224,
+     163.78117790815},
+};
+
+/// See wandering(), 8 kHz.
+constexpr StabilityReference kWanderingReference[] = {
+    {1, 0.00032446039304461416, 0.0003244603930446141, 2.3415911908209969e-08, 8.3000000000000002e-08,
+     0.00032446039304461416, 3.3040195712595844e-08},
+    {2, 0.00016045151584758417, 0.00011290939656626565, 1.6297067625392921e-08, 8.3999999999999998e-08,
+     0.0001603357973553714, 3.2814315137265821e-08},
+    {4, 8.0570931296516571e-05, 4.0563399085751734e-05, 1.1709644690702493e-08, 8.9999999999999999e-08,
+     8.0063802588897803e-05, 3.3003320194016328e-08},
+    {8, 4.0588074152523286e-05, 1.496139486287724e-05, 8.6379653515344588e-09, 9.4000000000000008e-08,
+     4.0707395810330673e-05, 3.3331978013663114e-08},
+    {16, 2.0612875223995321e-05, 5.8172358383540595e-06, 6.7171653544265094e-09, 9.9e-08, 1.9911628681018773e-05,
+     3.3912802339677328e-08},
+    {32, 1.0427176396288586e-05, 2.6501533703113677e-06, 6.1202670469722488e-09, 1.12e-07, 1.0338820137999641e-05,
+     3.467368776749073e-08},
+    {64, 5.4154120867454143e-06, 1.5244758058852741e-06, 7.0412521352074788e-09, 1.2499999999999999e-07,
+     5.4074745258381409e-06, 3.6462541796391702e-08},
+    {128, 2.8406494583145135e-06, 9.7031457253486719e-07, 8.9633820744259577e-09, 1.4900000000000002e-07,
+     3.1567919129159618e-06, 3.9559119850744148e-08},
+    {256, 1.567811929420879e-06, 6.2352654219117203e-07, 1.1519782943390393e-08, 1.8700000000000002e-07,
+     1.6329394427290101e-06, 4.5913581643512575e-08},
+    {512, 8.9748972228908533e-07, 4.5503689783435884e-07, 1.6813803229176279e-08, 2.2800000000000003e-07,
+     9.3571307222683625e-07, 5.7091253960091228e-08},
+    {1024, 6.6038364435157884e-07, 4.482787496638517e-07, 3.3128173669172952e-08, 2.8000000000000002e-07,
+     5.934758138851715e-07, 7.8669529136143501e-08},
+    {2048, 4.1049200651818362e-07, 2.3838272719961834e-07, 3.523336492002734e-08, 3.2900000000000005e-07,
+     3.4695741516360724e-07, 1.0490827045303633e-07},
+    {4096, 2.1244084851359276e-07, 1.8664615969171771e-07, 5.5173227797106235e-08, 3.9800000000000004e-07,
+     2.4192221273577582e-07, 1.4689453496100001e-07},
+};
+
+/// Deviations in whole ns: noise of up to 40 ns about a slow wander, by the generator of NIST's frequencies.
+std::vector<float> wandering() {
+  std::vector<float> x;
+  std::uint64_t n = 1;
+  std::int64_t wander = 0;
+  while (x.size() < 20000) {
+    n = 16807 * n % 2147483647;
+    const auto noise = static_cast<std::int64_t>(n % 81) - 40;
+    n = 16807 * n % 2147483647;
+    wander += static_cast<std::int64_t>(n % 7) - 3;
+    x.push_back(static_cast<float>(wander + noise));
+  }
+  return x;
+}
+
+/// `unit`: of the samples in s; times of the reference are in s.
+void expect_as_in(const StabilityReference& wanted, const StabilityPoint& found, double unit) {
+  const auto near = [&](double value, double reference, const char* what) {
+    EXPECT_NEAR(value, reference, 1e-9 * reference) << what << " of " << wanted.m;
+  };
+  near(found.adev, wanted.oadev, "overlapping Allan deviation");
+  near(found.plain_adev, wanted.adev, "Allan deviation");
+  near(found.mdev, wanted.mdev, "modified Allan deviation");
+  near(found.tdev * unit, wanted.tdev, "time deviation");
+  near(found.tie_rms * unit, wanted.tie_rms, "root mean square of the time interval error");
+  near(found.mtie * unit, wanted.mtie, "maximum time interval error");
+}
+
+TEST(StabilityAsOfAllantools, NistFrequencies) {
+  const auto x = phases_of(nist_frequencies());
+  const std::span<const double> stretch(x);
+  for (const auto& wanted : kNistReference)
+    expect_as_in(wanted, stability_at(Stretches<double>(&stretch, 1), wanted.m, 1, 1), 1);
+}
+
+TEST(StabilityAsOfAllantools, DeviationsAsTheWindowHasThem) {
+  const auto x = wandering();
+  const std::span<const float> stretch(x);
+  const auto points = stability_octaves(Stretches<float>(&stretch, 1), 1.0 / 8000, 1e-9);
+  ASSERT_GE(points.size(), std::size(kWanderingReference)) << "1 .. 4096 intervals and more";
+  for (std::size_t i = 0; i < std::size(kWanderingReference); ++i)
+    expect_as_in(kWanderingReference[i], points[i], 1e-9);
+}
+
+}  // namespace
+}  // namespace syncline
