@@ -4584,6 +4584,42 @@ Einstellung %2</translation>
 <context>
     <name>Setting</name>
     <message>
+        <source>Not in the ENI: %1</source>
+        <translation>Nicht in der ENI: %1</translation>
+    </message>
+    <message>
+        <source>Not in the ENI</source>
+        <translation>Nicht in der ENI</translation>
+    </message>
+    <message>
+        <source>decided by the master that runs the bus</source>
+        <translation>entscheidet der Master, der den Bus betreibt</translation>
+    </message>
+    <message>
+        <source>done by the master as it sets up the clocks</source>
+        <translation>macht der Master, wenn er die Uhren einrichtet</translation>
+    </message>
+    <message>
+        <source>of the controller in the master that runs the bus</source>
+        <translation>gehört dem Regler im Master, der den Bus betreibt</translation>
+    </message>
+    <message>
+        <source>judged by the master that runs the bus</source>
+        <translation>beurteilt der Master, der den Bus betreibt</translation>
+    </message>
+    <message>
+        <source>told by the master that runs the bus</source>
+        <translation>meldet der Master, der den Bus betreibt</translation>
+    </message>
+    <message>
+        <source>of the host that the master runs on</source>
+        <translation>gehört dem Rechner, auf dem der Master läuft</translation>
+    </message>
+    <message>
+        <source>kept in the project alone</source>
+        <translation>steht nur im Projekt</translation>
+    </message>
+    <message>
         <source>VoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
         <translation>VoE-Nachricht, die bei diesen Übergängen gesendet wird, K zählt ab 0; die Nummer hinter der letzten fügt eine an.</translation>
     </message>

@@ -4564,6 +4564,42 @@ Setting %2</source>
 <context>
     <name>Setting</name>
     <message>
+        <source>Not in the ENI: %1</source>
+        <translation>不在 ENI 中：%1</translation>
+    </message>
+    <message>
+        <source>Not in the ENI</source>
+        <translation>不在 ENI 中</translation>
+    </message>
+    <message>
+        <source>decided by the master that runs the bus</source>
+        <translation>由运行总线的主站决定</translation>
+    </message>
+    <message>
+        <source>done by the master as it sets up the clocks</source>
+        <translation>由主站在设置时钟时完成</translation>
+    </message>
+    <message>
+        <source>of the controller in the master that runs the bus</source>
+        <translation>属于运行总线的主站中的控制器</translation>
+    </message>
+    <message>
+        <source>judged by the master that runs the bus</source>
+        <translation>由运行总线的主站判断</translation>
+    </message>
+    <message>
+        <source>told by the master that runs the bus</source>
+        <translation>由运行总线的主站通知</translation>
+    </message>
+    <message>
+        <source>of the host that the master runs on</source>
+        <translation>属于运行主站的主机</translation>
+    </message>
+    <message>
+        <source>kept in the project alone</source>
+        <translation>只保存在项目中</translation>
+    </message>
+    <message>
         <source>VoE message that is sent at these transitions, K counts from 0; the number behind the last adds one.</source>
         <translation>在这些转换时发送的 VoE 消息，K 从 0 计；最后一个之后的编号添加一个。</translation>
     </message>

@@ -81,6 +81,7 @@ void keys(Context& context, bool json) {
                       {"default", d.preset},
                       {"goes_to", d.goes_to},
                       {"eni", d.eni},
+                      {"no_eni", d.no_eni},
                       {"expert", d.expert}});
     }
     return context.print({{"keys", rows}});

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -17,17 +16,15 @@
 #include "app/cli/milliseconds.h"
 #include "app/cli/options.h"
 #include "app/cli/record_figures.h"
+#include "app/cli/record_import.h"
 #include "app/cli/record_plot.h"
 #include "app/cli/record_range.h"
 #include "app/cli/record_report.h"
 #include "app/cli/terminal_reason.h"
-#include "capture/import_capture.h"
-#include "record/import_run.h"
 #include "record/recorded_signals.h"
 #include "record/recording_reader.h"
 #include "record/trigger_document.h"
 #include "support/output_file.h"
-#include "support/whole_file.h"
 #include "trace/csv.h"
 #include "trace/signal_quality.h"
 
@@ -37,11 +34,8 @@ namespace {
 struct RecordingOptions {
   std::string file, out, document;
   RecordRange range;
-  ImportLimits limits;
   bool json = false;
 };
-
-constexpr std::size_t kLargestTable = 1U << 30;  // bytes: two hours at 1 kHz
 
 Json slave_or_null(int slave) { return slave < 0 ? Json(nullptr) : Json(slave); }
 
@@ -275,34 +269,6 @@ void export_to(Context& context, const RecordingOptions& options) {
   warn_of_file(context, *reader);
 }
 
-/// A capture by its own mark, else a table by its first line.
-Result<ImportedRun> imported_run(const RecordingOptions& options) {
-  auto capture = import_capture(options.file, options.limits);
-  if (capture || capture.error().code != ErrorCode::kNotThatKindOfFile) return capture;
-  const auto text = read_whole_file(options.file, kLargestTable);
-  if (!text) return tl::unexpected(text.error());
-  return import_table(*text, std::filesystem::path(options.file).filename().string(), options.limits);
-}
-
-void import_from(Context& context, const RecordingOptions& options) {
-  const auto distinct = CommandFiles().reads("file", options.file).writes_database("out", options.out).check();
-  if (!distinct) return context.fail_with(distinct.error());
-  const auto run = imported_run(options);
-  if (!run) return context.fail_with(run.error());
-  if (const auto status = write_recording(*run, options.out); !status) return context.fail_with(status.error());
-  for (const auto& finding : run->findings) {
-    if (finding.severity == Severity::kNote) {
-      context.console.out << describe(finding) << '\n';
-      continue;
-    }
-    context.warn(finding);
-    context.exit_code = kAnswerIsNo;
-  }
-  context.console.out << fmt::format("{} of {:g} us, {:.3f} s\n", counted(run->samples.size(), "cycle"),
-                                     static_cast<double>(run->about.limits.cycle_time) / 1000,
-                                     seconds(run->samples.back().send_time - run->samples.front().send_time));
-}
-
 void verify(Context& context, const RecordingOptions& options) {
   auto reader = RecordingReader::open(options.file);
   const auto blocks = reader ? reader->verify() : Result<std::uint64_t>(tl::unexpected(reader.error()));
@@ -341,33 +307,22 @@ void add_record_command(CLI::App& app, Context& context) {
       copy->add_option("--document", options->document, "Write this document instead: project or configuration");
   add_range_options(*copy, options->range);
   for (const auto* name : {"--from", "--to"}) copy->get_option(name)->excludes(document);
-  auto* import = group->add_subcommand(
-      "import",
-      "Make a recording of a capture, a log of the master synchronisation (EC-Master's, too) or a table of "
-      "run --csv");
-  import->add_option("file", options->file, "Capture, log or table")->required();
-  import->add_option("out", options->out, "Recording to write")->required();
-  import->add_option("--deviation-limit-ns", options->limits.deviation_ns,
-                     "What the slaves' deviation is held against, which no such file tells");
-  import->add_option("--dcm-limit-ns", options->limits.dcm_error_ns, "The same of the master's filtered error")
-      ->check(CLI::NonNegativeNumber);
-  import->callback([&context, options] { import_from(context, *options);
-});
-auto figures_options = std::make_shared<FiguresOptions>();
-auto* figures = group->add_subcommand(
-    "figures", "What the overview shows, and each signal as numbers: of a range, or since the run was armed");
-figures->add_option("file", figures_options->file, "Recording")->required();
-add_range_options(*figures, figures_options->range);
-figures->add_option("--signal", figures_options->signals, "Key of a signal of the bus; may be given several times")
-    ->allow_extra_args(false);
-figures->add_flag("--json", figures_options->json, "Print JSON");
-figures->callback([&context, figures_options] { show_figures(context, *figures_options); });
-add_report_command(*group, context);
-add_plot_command(*group, context);
-for (auto* command : {show, check}) command->add_flag("--json", options->json, "Print JSON");
-show->callback([&context, options] { show_info(context, *options); });
-copy->callback([&context, options] { export_to(context, *options); });
-check->callback([&context, options] { verify(context, *options); });
-}  // namespace syncline::cli
+  add_import_command(*group, context);
+  auto figures_options = std::make_shared<FiguresOptions>();
+  auto* figures = group->add_subcommand(
+      "figures", "What the overview shows, and each signal as numbers: of a range, or since the run was armed");
+  figures->add_option("file", figures_options->file, "Recording")->required();
+  add_range_options(*figures, figures_options->range);
+  figures->add_option("--signal", figures_options->signals, "Key of a signal of the bus; may be given several times")
+      ->allow_extra_args(false);
+  figures->add_flag("--json", figures_options->json, "Print JSON");
+  figures->callback([&context, figures_options] { show_figures(context, *figures_options); });
+  add_report_command(*group, context);
+  add_plot_command(*group, context);
+  for (auto* command : {show, check}) command->add_flag("--json", options->json, "Print JSON");
+  show->callback([&context, options] { show_info(context, *options); });
+  copy->callback([&context, options] { export_to(context, *options); });
+  check->callback([&context, options] { verify(context, *options); });
+}
 
 }  // namespace syncline::cli

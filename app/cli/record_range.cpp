@@ -12,15 +12,11 @@
 #include "record/recording_reader.h"
 
 namespace syncline::cli {
-namespace {
 
-/// A duration, or the beginning.
 Result<Nanoseconds> parse_moment(const std::string& text) {
   if (text == "0" || text == "0s") return Nanoseconds{0};
   return parse_duration(text);
 }
-
-}  // namespace
 
 void warn_of_file(Context& context, const RecordingReader& reader) {
   for (const auto& finding : reader.found()) {

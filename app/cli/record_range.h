@@ -17,14 +17,8 @@ class RecordingReader;
 }  // namespace syncline
 
 namespace syncline::cli {
+
 class Context;
-}  // namespace syncline::cli
-
-namespace CLI {
-class App;
-}
-
-namespace syncline::cli {
 
 /// A stretch of a recording as it is typed: durations since its beginning.
 struct RecordRange {
@@ -39,6 +33,8 @@ struct RecordStretch {
 /// What is wrong with a recording that was read, for who takes values out of it: exit code 1 where some are missing.
 void warn_of_file(Context& context, const RecordingReader& reader);
 
+/// A duration, or the beginning ("0", "0s"). kBadValue where it is neither.
+[[nodiscard]] Result<Nanoseconds> parse_moment(const std::string& text);
 /// --from and --to.
 void add_range_options(CLI::App& command, RecordRange& range);
 /// What is not typed is the recording's own. kBadValue where it is no duration, or nothing of the recording lies in it.

@@ -384,7 +384,7 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
   Pairing pairing;
   ImportedRun run;
   std::uint64_t frames = 0, taken = 0, in_part = 0;
-  Nanoseconds first = 0;
+  Nanoseconds first = 0, last = 0;
   for (;;) {
     auto frame = reader->next();
     if (!frame && frames == 0) return tl::unexpected(frame.error());
@@ -398,6 +398,7 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
     if (tell && !progress(reader->read_bytes(), error ? 0 : size)) return fail(ErrorCode::kCancelled, path);
     const auto time = pairing.time_of(**frame);
     if (frames == 0) first = time;
+    last = std::max(time, last);
     ++frames;
     if (time - first < limits.from) continue;
     if ((limits.until > 0 && time - first >= limits.until) || (limits.most_frames > 0 && taken == limits.most_frames))
@@ -405,6 +406,11 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
     ++taken;
     in_part += (*frame)->truncated ? 1U : 0U;
     pairing.add(**frame);
+  }
+  if (frames > 0 && taken == 0) {
+    return fail(ErrorCode::kBadValue, "the range",
+                because("it holds nothing of the recording, which is {time} s long",
+                        fmt::format("{:.3f}", static_cast<double>(last - first) / 1e9)));
   }
   if (in_part > 0)
     run.findings.push_back(make_finding<words::kRecording>("import-frames-cut", {}, fig::count<"count">(in_part)));

@@ -24,7 +24,8 @@ struct ImportedRun;
 /// `limits` says which part of the file is read: other frames count for nothing.
 ///
 /// A capture that breaks off is imported up to there, which is a finding, and so are frames that were captured in part.
-/// As PcapReader where not a single frame can be read; kBadValue where no cyclic frame came back;
+/// As PcapReader where not a single frame can be read; kBadValue where no cyclic frame came back,
+/// or none lies in the part that `limits` names;
 /// kCancelled where `progress` ended it.
 [[nodiscard]] Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& limits = {},
                                                  const ImportProgress& progress = {});

@@ -178,8 +178,7 @@ struct ToldByEvent {
   // ---- the master itself
   Told operator()(const events::RealTimeRefused& e) const { return tell("event-real-time", fig::text<"what">(e.what)); }
   Told operator()(const events::OutputsForced& e) const {
-    return e.bits == 0 ? with(tell("event-outputs-forced/none"), Severity::kNote)
-                       : tell("event-outputs-forced", fig::number<"bits">(e.bits));
+    return e.bits == 0 ? tell("event-outputs-released") : tell("event-outputs-forced", fig::number<"bits">(e.bits));
   }
   Told operator()(const events::Failure& e) const { return finding_of(e.error); }
   Told operator()(const events::MasterStopped& e) const {

@@ -132,14 +132,23 @@ std::optional<PreviousPort> WiringDraft::place_behind(std::size_t target, std::s
   const auto now = tree();
   const auto kind = now.entry_kind(slave);
   const bool can_go_on = now.way_on(slave).has_value();
+  // Of a device that does not say what its ports are, a port may look right that what is there does not let in.
+  const auto takes = [&](const PreviousPort& place) {
+    auto tried = *this;
+    return !tried.attach(slave, place);
+  };
   for (std::optional<std::size_t> at = target; at; at = now.previous(*at)) {
     const auto place = port_at(now, *at, kind);
-    // A device that ends a line goes to the end of the line.
-    if (place && (can_go_on || !now.at_port(place->position, place->port))) return place;
     if (!place) continue;
-    auto last = *now.at_port(place->position, place->port);
-    while (const auto on = now.next(last)) last = *on;
-    if (const auto way_on = now.way_on(last)) return PreviousPort{static_cast<std::uint16_t>(last), *way_on};
+    auto last = now.at_port(place->position, place->port);
+    // A device that ends a line goes to the end of the line.
+    if ((can_go_on || !last) && takes(*place)) return place;
+    if (!last) continue;
+    while (const auto on = now.next(*last)) last = on;
+    const auto way_on = now.way_on(*last);
+    if (!way_on) continue;
+    const PreviousPort end{static_cast<std::uint16_t>(*last), *way_on};
+    if (takes(end)) return end;
   }
   return std::nullopt;
 }

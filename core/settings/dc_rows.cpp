@@ -8,6 +8,7 @@
 #include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/not_in_eni.h"
 #include "settings/predicates.h"
 #include "settings/tables.h"
 
@@ -71,11 +72,16 @@ std::vector<Setting> window_rows() {
           [](auto& p, const Place&) -> auto& { return window(p).enabled; }),
       field_setting(
           "master.dc.sync_window_exponent", integer(1, 30),
-          {.label = "Limit 2ⁿ − 1", .help = "Limit of the sync window: 2^exponent - 1 ns.", .object = "0x092C"},
+          {.label = "Limit 2ⁿ − 1",
+           .help = "Limit of the sync window: 2^exponent - 1 ns.",
+           .object = "0x092C",
+           .no_eni = not_in_eni::kJudged},
           [](auto& p, const Place&) -> auto& { return window(p).exponent; }),
       field_setting(
           "master.dc.sync_window_settle_ms", integer(0, limits::kLongestSettleMs, "ms"),
-          {.label = "Settle time", .help = "Time inside the window before the bus counts as in sync."},
+          {.label = "Settle time",
+           .help = "Time inside the window before the bus counts as in sync.",
+           .no_eni = not_in_eni::kJudged},
           [](auto& p, const Place&) -> auto& { return window(p).settle_time_ms; }),
   };
 }
@@ -87,21 +93,29 @@ std::vector<Setting> start_rows() {
           {.label = "Burst, frames",
            .help = "Frames of the first drift compensation (FRMW or ARMW of 0x0910).",
            .object = "0x0910",
+           .no_eni = not_in_eni::kClocks,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).burst_total; }),
       field_setting(
           "master.dc.burst_bulk", integer(1, 1000, "frames"),
-          {.label = "Burst, frames a cycle", .help = "Frames of that burst in one cycle.", .expert = true},
+          {.label = "Burst, frames a cycle",
+           .help = "Frames of that burst in one cycle.",
+           .no_eni = not_in_eni::kClocks,
+           .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).burst_bulk; }),
       field_setting(
           "master.dc.burst_ends_early", Switch{},
-          {.label = "Burst ends early", .help = "The burst ends when all slaves have settled.", .expert = true},
+          {.label = "Burst ends early",
+           .help = "The burst ends when all slaves have settled.",
+           .no_eni = not_in_eni::kClocks,
+           .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).burst_ends_early; }),
       field_setting(
           "master.dc.start_time_safety_us", microseconds(0, 10 * kSecond),
           {.label = "Lead of the start time",
            .help = "Lead of the SYNC start time (0x0990) on the time of writing it.",
            .object = "0x0990",
+           .no_eni = not_in_eni::kClocks,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).start_time_safety; }),
       field_setting(
@@ -109,6 +123,7 @@ std::vector<Setting> start_rows() {
           {.label = "Grid of the start time",
            .help = "Start times are multiples of this; 0 is the bus cycle.",
            .object = "0x0990",
+           .no_eni = not_in_eni::kClocks,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).start_time_grid; }),
       field_setting(
@@ -168,6 +183,7 @@ std::vector<Setting> choice_rows() {
           {.label = "Delay measurements",
            .help = "Latches of the receive times (0x0900) whose medians give the propagation delays.",
            .object = "0x0900",
+           .no_eni = not_in_eni::kClocks,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).delay_rounds; }),
       with_automatic(field_setting(
@@ -176,6 +192,7 @@ std::vector<Setting> choice_rows() {
                           .help = "Processing minus forwarding latency of the ESCs (tDiff of their data sheets); "
                                   "auto is 40 ns at ports with a cable and 20 ns at E-bus.",
                           .object = "0x0928",
+                          .no_eni = not_in_eni::kClocks,
                           .expert = true},
                          [](auto& p, const Place&) -> auto& { return bus_dc(p).delay_difference; }),
                      usual_difference),
@@ -191,6 +208,7 @@ std::vector<Setting> loop_rows() {
            .help = "Start value of the slaves' time control loops (0x0930): small ones follow faster, large ones "
                    "smoother; auto suits the cycle.",
            .object = "0x0930",
+           .no_eni = not_in_eni::kClocks,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return loop(p).speed_counter_start; }),
       with_automatic(field_setting(
@@ -198,6 +216,7 @@ std::vector<Setting> loop_rows() {
                          {.label = "Filter depth, difference",
                           .help = "Exponent of the average over the time differences (0x0934); auto is 0.",
                           .object = "0x0934",
+                          .no_eni = not_in_eni::kClocks,
                           .expert = true},
                          [](auto& p, const Place&) -> auto& { return loop(p).filter_depth_difference; }),
                      usual(0)),
@@ -206,6 +225,7 @@ std::vector<Setting> loop_rows() {
                          {.label = "Filter depth, speed counter",
                           .help = "Exponent of the average over the clock period deviation (0x0935); auto is 8.",
                           .object = "0x0935",
+                          .no_eni = not_in_eni::kClocks,
                           .expert = true},
                          [](auto& p, const Place&) -> auto& { return loop(p).filter_depth_speed_counter; }),
                      usual(8)),
@@ -216,9 +236,8 @@ std::vector<Setting> notification_rows() {
   const auto row = [](const char* name, const char* label, const char* help, bool DcNotificationSettings::*field) {
     return field_setting(
         fmt::format("master.dc.notify.{}", name), Switch{},
-        {.label = label, .help = help, .expert = true}, [field](auto& p, const Place&) -> auto& {
-          return notifications(p).*field;
-        });
+        {.label = label, .help = help, .no_eni = not_in_eni::kTold, .expert = true},
+        [field](auto& p, const Place&) -> auto& { return notifications(p).*field; });
   };
   return {
       row("reference_clock", "Tell of the reference clock", "Tells presence and loss of the reference clock.",

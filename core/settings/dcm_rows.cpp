@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/not_in_eni.h"
 #include "settings/predicates.h"
 #include "settings/tables.h"
 
@@ -32,7 +33,8 @@ Setting set_value_row() {
       {.label = "Send to SYNC0",
        .help =
            "Distance from sending the cyclic frame to SYNC0; auto is two thirds of the cycle, and later on long buses.",
-       .object = "nCtlSetVal"},
+       .object = "nCtlSetVal",
+       .no_eni = not_in_eni::kControl},
       [](auto& p, const Place&) -> auto& { return dcm(p).set_value; });
   row.automatic = [](const Project& project, const Place&) {
     return Value{effective_set_value({}, project.master.cycle_time)};
@@ -57,6 +59,7 @@ std::vector<Setting> control_rows() {
            .help = "Share of the control error that one cycle corrects while in sync (nCtlGain), in thousandths; "
                    "0 is 2.",
            .object = "nCtlGain",
+           .no_eni = not_in_eni::kControl,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return dcm(p).gain_ppt; }),
       field_setting(
@@ -65,6 +68,7 @@ std::vector<Setting> control_rows() {
            .help = "Multiplies the integral gain (nCtlDriftErrorGain): more follows a changing drift faster and "
                    "lets more noise through; 0 is 3.",
            .object = "nCtlDriftErrorGain",
+           .no_eni = not_in_eni::kControl,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return dcm(p).drift_error_gain; }),
       field_setting(
@@ -72,6 +76,7 @@ std::vector<Setting> control_rows() {
           {.label = "Valid readings",
            .help = "Readings further than this from what is expected are invalid (nMaxValidVal); 0 is 3000 ns.",
            .object = "nMaxValidVal",
+           .no_eni = not_in_eni::kControl,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return dcm(p).max_valid_value; }),
   };
@@ -83,19 +88,22 @@ std::vector<Setting> judgement_rows() {
           "master.dc.in_sync_limit_ns", integer(0, kSecond, "ns"),
           {.label = "In-sync limit",
            .help = "Largest control error that still counts as in sync; 0 is 4000 ns.",
-           .object = "dwInSyncLimit"},
+           .object = "dwInSyncLimit",
+           .no_eni = not_in_eni::kJudged},
           [](auto& p, const Place&) -> auto& { return dcm(p).in_sync_limit; }),
       field_setting(
           "master.dc.in_sync_settle_ms", integer(0, limits::kLongestSettleMs, "ms"),
           {.label = "Settle time",
            .help = "Time inside that limit before the controller counts as in sync; 0 is 1500 ms.",
-           .object = "dwInSyncSettleTime"},
+           .object = "dwInSyncSettleTime",
+           .no_eni = not_in_eni::kJudged},
           [](auto& p, const Place&) -> auto& { return dcm(p).in_sync_settle_time_ms; }),
       field_setting(
           "master.dc.start_delay_ms", integer(0, limits::kLongestTimeoutMs, "ms"),
           {.label = "Start delay",
            .help = "Wait before the control error is judged.",
            .object = "dwInSyncStartDelayCycle",
+           .no_eni = not_in_eni::kJudged,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return dcm(p).start_delay_ms; }),
       field_setting(
@@ -104,6 +112,7 @@ std::vector<Setting> judgement_rows() {
            .help = "Nothing is moved, so that the natural drift and the adjustment that would be made can be read "
                    "(bCtlOff).",
            .object = "bCtlOff",
+           .no_eni = not_in_eni::kControl,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return dcm(p).control_off; }),
       field_setting(
@@ -119,6 +128,7 @@ std::vector<Setting> judgement_rows() {
           {.label = "Controller log",
            .help = "Keeps the log of the controller, one line a cycle (bLogEnabled).",
            .object = "bLogEnabled",
+           .no_eni = not_in_eni::kControl,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return dcm(p).log; }),
   };

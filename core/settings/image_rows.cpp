@@ -6,6 +6,7 @@
 #include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/not_in_eni.h"
 #include "settings/number_text.h"
 #include "settings/tables.h"
 
@@ -132,7 +133,9 @@ std::vector<Setting> image_rows() {
   return {
       field_setting(
           "network.name", Text{.kind = "text", .may_be_empty = true},
-          {.label = "Network", .help = "Name of this network, where a machine has several (--network)."},
+          {.label = "Network",
+           .help = "Name of this network, where a machine has several (--network).",
+           .no_eni = not_in_eni::kProject},
           [](auto& p, const Place&) -> auto& { return p.name; }),
       field_setting(
           "master.image.logical_start", kAddress,

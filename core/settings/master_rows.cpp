@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/not_in_eni.h"
 #include "settings/tables.h"
 
 namespace syncline::settings {
@@ -51,19 +52,22 @@ std::vector<Setting> recovery_rows() {
           "master.recovery.automatic", Switch{},
           {.label = "Bring back lost slaves",
            .help = "Slaves that come back (cable healed, power back) are set up again and led to the state of the "
-                   "bus."},
+                   "bus.",
+           .no_eni = not_in_eni::kMaster},
           [](auto& p, const Place&) -> auto& { return recovery(p).automatic; }),
       field_setting(
           "master.recovery.error_tries", integer(0, 1000),
           {.label = "Tries to leave an error state",
            .help = "How often an error state is acknowledged and the state requested again; 0 leaves it to the "
                    "user.",
-           .object = "0x0120"},
+           .object = "0x0120",
+           .no_eni = not_in_eni::kMaster},
           [](auto& p, const Place&) -> auto& { return recovery(p).error_tries; }),
       field_setting(
           "master.recovery.start_incomplete", Switch{},
           {.label = "Start without missing slaves",
-           .help = "Goes online with the slaves that are there; the others join when they appear."},
+           .help = "Goes online with the slaves that are there; the others join when they appear.",
+           .no_eni = not_in_eni::kMaster},
           [](auto& p, const Place&) -> auto& { return recovery(p).start_incomplete; }),
   };
 }
@@ -76,12 +80,14 @@ std::vector<Setting> real_time_rows() {
            .help = "Most of each wait that is spent asking the clock: earlier wake-ups for processor time. Used is "
                    "what this host needs for 99 of 100 frames to leave at most 5 % of the cycle late, and at most a "
                    "quarter of the cycle.",
+           .no_eni = not_in_eni::kHost,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return real_time(p).spin; }),
       field_setting(
           "master.real_time.cpu", integer(0, 1023),
           {.label = "Processor",
            .help = "Processor that the cyclic thread is bound to; auto leaves it to the system.",
+           .no_eni = not_in_eni::kHost,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return real_time(p).cpu; }),
   };

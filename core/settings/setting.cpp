@@ -28,6 +28,8 @@ std::string preset_text(const Setting& setting) {
   return text.empty() ? "nothing" : text;
 }
 
+std::string eni_text(const Words& words) { return words.eni.empty() ? "nothing: " + words.no_eni : words.eni; }
+
 std::string text_of(const Setting& setting, const Project& project, const Place& place) {
   const auto value = setting.read(project, place);
   if (setting.format) return setting.format(project, place, value);

@@ -33,6 +33,7 @@ struct Words {
   std::string help;      // a sentence
   std::string object{};  // register or object that it is written to: "0x09A0", "0x10F1:02"
   std::string eni{};     // what it changes in the ENI: "DC/ReferenceClock"
+  std::string no_eni{};  // why it changes nothing there (not_in_eni.h): a row has one of the two
   bool expert = false;   // few machines need it
   std::string preset{};  // default in words where it depends on the device
 };
@@ -74,6 +75,8 @@ struct Setting {
 [[nodiscard]] std::string range_text(const Setting& setting);
 /// Default in words: what a new project or a new slave has.
 [[nodiscard]] std::string preset_text(const Setting& setting);
+/// What it changes in the ENI, or "nothing: " and why.
+[[nodiscard]] std::string eni_text(const Words& words);
 [[nodiscard]] std::string text_of(const Setting& setting, const Project& project, const Place& place);
 /// The same with the unit that a number has: "1500 ms".
 [[nodiscard]] std::string text_with_unit(const Setting& setting, const Project& project, const Place& place);

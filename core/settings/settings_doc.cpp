@@ -14,7 +14,7 @@ std::string settings_table_text() {
   for (const Setting& setting : table()) {
     const auto& words = setting.words;
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} |\n", setting.key, words.label,
-                        type_text(setting), range_text(setting), preset_text(setting), words.object, words.eni,
+                        type_text(setting), range_text(setting), preset_text(setting), words.object, eni_text(words),
                         words.expert ? "yes" : "", words.help);
   }
   return text;

@@ -25,7 +25,8 @@ std::vector<SettingDescription> setting_descriptions() {
   for (const Setting& setting : settings::table()) {
     const auto& words = setting.words;
     descriptions.push_back({setting.key, settings::type_text(setting), settings::range_text(setting), words.help,
-                            words.label, settings::preset_text(setting), words.object, words.eni, words.expert});
+                            words.label, settings::preset_text(setting), words.object, words.eni, words.expert,
+                            words.no_eni});
   }
   return descriptions;
 }

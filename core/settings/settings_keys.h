@@ -27,6 +27,7 @@ struct SettingDescription {
   std::string preset;        // what a new project or a new slave has; empty for lists
   std::string goes_to, eni;  // register or object; ENI element; may be empty
   bool expert = false;
+  std::string no_eni{};  // why it changes nothing in the ENI; empty where `eni` names what it changes
 };
 
 [[nodiscard]] std::vector<SettingDescription> setting_descriptions();

@@ -3,6 +3,7 @@
 
 #include "settings/field.h"
 #include "settings/limits.h"
+#include "settings/not_in_eni.h"
 #include "settings/predicates.h"
 #include "settings/tables.h"
 
@@ -103,6 +104,7 @@ Setting timeout_row(const char* name, const char* label, const char* what, const
                             {.label = label,
                              .help = fmt::format("Time-out for {}; auto as in the ESI.", what),
                              .eni = eni,
+                             .no_eni = *eni == '\0' ? not_in_eni::kMaster : "",
                              .expert = true},
                             [field](auto& slave) -> auto& { return slave.timeouts.*field; }),
                         automatic);

@@ -112,6 +112,7 @@ TEST(CliProject, EveryShownKeyIsExplained) {
     EXPECT_FALSE(row["meaning"].get<std::string>().empty()) << row["key"];
     EXPECT_FALSE(row["name"].get<std::string>().empty()) << row["key"];
     EXPECT_TRUE(row["default"].is_string() && row["goes_to"].is_string() && row["eni"].is_string()) << row["key"];
+    EXPECT_NE(row["eni"].get<std::string>().empty(), row["no_eni"].get<std::string>().empty()) << row["key"];
     EXPECT_TRUE(row["expert"].is_boolean()) << row["key"];
   }
   const auto shown = cli_run({"project", "show", file, "--json"}).json();

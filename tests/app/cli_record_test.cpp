@@ -309,6 +309,42 @@ TEST_F(CliRecord, ImportsACapture) {
   EXPECT_EQ(figures["sync"]["slaves"]["state"], "unknown");
 }
 
+/// As the window's dialog: a part by times since the first frame, or so many frames.
+TEST_F(CliRecord, ImportsAPartOfACapture) {
+  const auto capture = folder.file("run.pcapng"), csv = folder.file("run.csv");
+  ASSERT_EQ(run({"--capture", capture, "--csv", csv}).code, cli::kDone);
+  const auto cycles_of = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"record", "import", capture, folder.file(name)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto import = cli_run(arguments);
+    EXPECT_EQ(import.code, cli::kDone) << import.err;
+    return cli_run({"record", "info", folder.file(name), "--json"}).json()["cycles"].get<int>();
+  };
+  const auto all = cycles_of("all.slrec", {}), part = cycles_of("part.slrec", {"--from", "3s", "--to", "3.5s"}),
+             rest = cycles_of("rest.slrec", {"--from", "3s"}),
+             few = cycles_of("few.slrec", {"--from", "3s", "--frames", "400"});
+  EXPECT_NEAR(part, 500, 2) << "1 ms each";
+  EXPECT_GT(rest, 2'000);
+  EXPECT_LT(rest, all);
+  EXPECT_GT(few, 100) << "sent and come back";
+  EXPECT_LE(few, 200);
+  const auto refused = [&](const std::string& file, const std::vector<std::string>& more, const std::string& why) {
+    const auto out = folder.file("none.slrec");
+    std::vector<std::string> arguments{"record", "import", file, out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto import = cli_run(arguments);
+    EXPECT_NE(import.code, cli::kDone) << why;
+    EXPECT_THAT(import.err, HasSubstr(why));
+    EXPECT_FALSE(std::filesystem::exists(out)) << why;
+  };
+  refused(capture, {"--from", "2s", "--to", "2s"}, "it is not behind --from");
+  refused(capture, {"--from", "1 day"}, "use a duration such as");
+  refused(capture, {"--from", "900s"}, "it holds nothing of the recording");
+  refused(capture, {"--frames", "0"}, "--frames");
+  refused(csv, {"--from", "2s"}, "are for captures");
+  refused(csv, {"--frames", "7"}, "are for captures");
+}
+
 TEST_F(CliRecord, ImportsACaptureThatBreaksOffUpToThere) {
   const auto capture = folder.file("run.pcapng"), imported = folder.file("capture.slrec");
   ASSERT_EQ(run({"--capture", capture}).code, cli::kDone);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No text of the window is cut, in any of its languages, on the smallest screen and the usual one; with
-// SYNCLINE_WINDOW_SIZE=3840x2160 in that size instead. With SYNCLINE_PICTURES=FOLDER each page is also painted there.
+// SYNCLINE_WINDOW_SIZE=3840x2160 on a screen of so many dots instead, which the scale makes fewer points of. With
+// SYNCLINE_PICTURES=FOLDER each page is also painted there.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -11,13 +12,17 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <initializer_list>
+#include <set>
 #include <vector>
 
 #include "support/cut_texts.h"
 #include "support/speak.h"
 #include "support/ui_test_support.h"
 #include "ui/dialogs/bus_commands.h"
+#include "ui/dialogs/cycle_dialog.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/import_dialog.h"
 #include "ui/main_window.h"
 #include "ui/pages/device_editor.h"
 #include "ui/panels/free_view.h"
@@ -32,7 +37,7 @@ namespace {
 
 std::vector<QSize> windowSizes() {
   const auto wish = qEnvironmentVariable("SYNCLINE_WINDOW_SIZE").split(u'x');
-  if (wish.size() == 2) return {{wish[0].toInt(), wish[1].toInt()}};
+  if (wish.size() == 2) return {QSize(wish[0].toInt(), wish[1].toInt()) / qApp->devicePixelRatio()};
   return {{1024, 640}, {1280, 800}};
 }
 
@@ -109,6 +114,29 @@ class Clipping : public ::testing::TestWithParam<const char*> {
         EXPECT_LE(wide, table.columnWidth(column)) << GetParam() << ": " << qPrintable(item->text());
       }
     }
+  }
+  void lookAtDialog(const QDialog& dialog, const char* name) {
+    QApplication::processEvents();
+    const test::CutTexts cut(dialog);
+    for (const auto& text : cut.found()) ADD_FAILURE() << GetParam() << ' ' << name << ": " << qPrintable(text);
+  }
+  void lookAtDialogOf(const char* name) {
+    auto* action = window_.findChild<QAction*>(QLatin1String(name));
+    ASSERT_NE(action, nullptr) << name;
+    ASSERT_TRUE(action->isEnabled()) << name;
+    int seen = 0;
+    QTimer::singleShot(0, &window_, [&] {
+      for (auto* dialog : window_.findChildren<QDialog*>()) {
+        if (!dialog->isVisible()) continue;
+        ++seen;
+        lookAtDialog(*dialog, name);
+        for (const auto* table : dialog->findChildren<QTableWidget*>()) lookAtCells(*table);
+        dialog->reject();
+      }
+    });
+    action->trigger();
+    settle();
+    EXPECT_EQ(seen, 1) << name;
   }
   void lookAtPages(int node) {
     window_.selectNode(node);
@@ -193,25 +221,21 @@ TEST_P(Clipping, NoTextOfARecordingIsCut) {
 TEST_P(Clipping, NoTextOfADialogIsCut) {
   startDemo();
   ASSERT_FALSE(HasFatalFailure());
-  for (const char* name : {"actionGoTo", "actionCommissioning", "actionMemory", "actionBlackBox", "actionAbout"}) {
-    auto* action = window_.findChild<QAction*>(QLatin1String(name));
-    ASSERT_NE(action, nullptr) << name;
-    ASSERT_TRUE(action->isEnabled()) << name;
-    int seen = 0;
-    QTimer::singleShot(0, &window_, [&] {
-      for (auto* dialog : window_.findChildren<QDialog*>()) {
-        if (!dialog->isVisible()) continue;
-        ++seen;
-        QApplication::processEvents();
-        const test::CutTexts cut(*dialog);
-        for (const auto& text : cut.found()) ADD_FAILURE() << name << ": " << qPrintable(text);
-        for (const auto* table : dialog->findChildren<QTableWidget*>()) lookAtCells(*table);
-        dialog->reject();
-      }
-    });
-    action->trigger();
-    settle();
-    EXPECT_EQ(seen, 1) << name;
+  for (const char* name :
+       {"actionGoTo", "actionCommissioning", "actionMemory", "actionBlackBox", "actionAbout", "actionCompare"})
+    lookAtDialogOf(name);
+  workspace_.runs().shutDown();
+  workspace_.document().undoStack().setClean();
+  window_.selectNode(3);
+  settle();
+  for (const char* name : {"actionScan", "actionChooseLink", "actionReplaceSlave"})
+    lookAtDialogOf(name);
+  CycleDialog cycles(workspace_.document().project());
+  ImportDialog import(
+      QStringLiteral("/captures/a_capture_whose_name_is_long_and_has_no_place_for_the_end_of_a_line.pcapng"));
+  for (QDialog* dialog : std::initializer_list<QDialog*>{&cycles, &import}) {
+    dialog->show();
+    lookAtDialog(*dialog, qPrintable(dialog->objectName()));
   }
 }
 

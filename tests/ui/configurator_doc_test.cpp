@@ -47,8 +47,8 @@ std::string pageTable() {
   for (const auto& setting : settings::table()) {
     const auto& words = setting.words;
     text += "| `" + setting.key + "` | " + pages[&setting] + " | " + cell(words.label) + " | " +
-            cell(settings::preset_text(setting)) + " | " + cell(words.object) + " | " + cell(words.eni) + " | " +
-            (words.expert ? "yes" : "") + " |\n";
+            cell(settings::preset_text(setting)) + " | " + cell(words.object) + " | " +
+            cell(settings::eni_text(words)) + " | " + (words.expert ? "yes" : "") + " |\n";
   }
   return text;
 }

@@ -17,7 +17,9 @@
 #include <map>
 #include <set>
 
+#include "config/project.h"
 #include "settings/default_value.h"
+#include "settings/setting.h"
 #include "settings/settings_table.h"
 #include "support/editable_project.h"
 #include "support/project_window.h"
@@ -84,6 +86,60 @@ const std::map<std::string, std::pair<const char*, const char*>> kPartEnds{
     {"masterRegisterComment", {"x", "A longer comment"}},
 };
 
+/// What a machine must have for a key to matter that has nothing to say in the first one. Slave 1 is the one edited.
+using Prepare = void (*)(Project&);
+
+void giveInputs(Project& project) {
+  for (auto& slave : project.slaves) {
+    if (!slave.device.tx_pdos.empty()) slave.assigned_tx_pdos = {slave.device.tx_pdos.front().index};
+  }
+}
+void giveBits(Project& project) {
+  // A digital terminal.
+  auto& device = project.slaves[2].device;
+  device.mailbox.reset();
+  for (auto* pdos : {&device.rx_pdos, &device.tx_pdos}) {
+    for (auto& pdo : *pdos) pdo.entries = {{0x7000, 1, 1, "Output", "BOOL"}};
+  }
+}
+void giveUnits(Project& project) {
+  giveInputs(project);
+  project.slaves[1].output_unit = project.slaves[1].input_unit = "Infeed";
+  project.master.sync_units[0].task = "Slow";
+}
+void giveModules(Project& project) {
+  auto& module = project.slaves[1].device.modules.front();
+  module.rx_pdos = {project.slaves[1].device.rx_pdos.front()};
+  module.rx_pdos.front().index = 0x1680;
+}
+void byTheFactor(Project& project) {
+  auto& dc = project.slaves[1].dc;
+  dc.sync0.user_cycle = dc.sync1.user_cycle = std::nullopt;
+  dc.sync0.cycle_factor = 2;
+  dc.sync1.cycle_factor = 4;
+}
+
+const std::map<std::string, Prepare> kWhatMatters{
+    {"master.overlap_process_data", giveInputs},
+    {"master.dc.first_slave_is_reference_clock", [](Project& p) { p.master.dc.reference_clock = 2; }},
+    {"master.dc.all_slaves", [](Project& p) { p.slaves[2].dc.op_mode.clear(); }},
+    {"master.image.bit_packing", giveBits},
+    {"master.task.K", giveUnits},
+    {"master.sync_unit.K", giveUnits},
+    {"slave.N.check.serial", [](Project& p) { p.slaves[1].device.identity.serial_no = 77; }},
+    {"slave.N.dc.sync0.factor", byTheFactor},
+    {"slave.N.dc.sync1.factor", byTheFactor},
+    {"slave.N.check.revision_rule", [](Project& p) { p.slaves[1].check.revision = true; }},
+    {"slave.N.mailbox.poll_time_ms", [](Project& p) { p.slaves[1].mailbox.state_bit = false; }},
+    {"slave.N.sync_unit.inputs", giveUnits},
+    {"slave.N.sync.type",
+     [](Project& p) {
+       p.slaves[1].device.identity = {0x1234, 1, 1, 0};
+     }},  // any may be chosen
+    {"slave.N.module.K", giveModules},
+    {"slave.N.variable.0xIIII.K", giveInputs},
+};
+
 /// Every key that a page edits, through its field and by keyboard.
 class EveryKey : public test::ProjectWindow {
  protected:
@@ -136,11 +192,12 @@ class EveryKey : public test::ProjectWindow {
     }
   }
 
-  /// The steps of a key changed what its column *ENI* names, where they changed anything in the ENI of this machine; a
-  /// key without one changed nothing.
+  /// The steps of a key changed what its column *ENI* names; where the column says why there is nothing, nothing.
   static void expectEni(const settings::Setting& setting, const test::EniEffect& effect) {
     const auto named = test::named_in(setting.words.eni);
-    EXPECT_TRUE(effect.changed == 0 || std::ranges::any_of(named, [&](const auto& name) { return effect.holds(name); }))
+    EXPECT_GT(effect.tried, 0) << setting.key << " was in no machine that can be exported";
+    EXPECT_TRUE((named.empty() && effect.changed == 0) ||
+                std::ranges::any_of(named, [&](const auto& name) { return effect.holds(name); }))
         << setting.key << " changes " << effect.some_path();
   }
 
@@ -157,6 +214,7 @@ class EveryKey : public test::ProjectWindow {
         const bool meant = std::ranges::any_of(names, [&](const auto& name) { return test::is_meant(path, name); });
         (meant ? named : following) += " " + shorter;
       }
+      if (names.empty()) named = " " + settings::eni_text(setting.words);
       text += setting.key + ":" + named + (following.empty() ? "" : " |" + following) + "\n";
     }
     return text;
@@ -261,6 +319,27 @@ class EveryKey : public test::ProjectWindow {
 
   const Project machine_ = machineWithMailboxes();
 
+  /// One key alone, in a machine in which it matters.
+  void driveWhereItMatters(const std::string& key, Prepare prepare) {
+    auto machine = machine_;
+    prepare(machine);
+    ASSERT_FALSE(exported(machine).texts[0].empty()) << key;
+    workspace_.document().replace(QStringLiteral("load"), machine);
+    window_.selectNode(key.starts_with("master.") ? -1 : 1);
+    int driven = 0;
+    for (auto* page : window_.editor().pages()) {
+      for (const auto& bound : page->fields().bound()) {
+        if (bound.setting->key != key || !page->appliesTo(window_.editor().node())) continue;
+        window_.editor().tabs()->setCurrentWidget(page);
+        if (!bound.place() || !bound.widget->isVisible()) continue;
+        drive(bound);
+        ASSERT_EQ(project(), machine) << key;
+        ++driven;
+      }
+    }
+    EXPECT_GT(driven, 0) << key;
+  }
+
   void drive(const FieldBinder::Bound& bound) {
     auto* widget = bound.widget;
     ASSERT_TRUE(widget->isEnabled()) << bound.setting->key;
@@ -352,6 +431,10 @@ TEST_F(EveryKey, GoesThroughItsFieldAtBothEndsOfItsRange) {
         keys.insert(bound.setting->key);
       }
     }
+  }
+  for (const auto& [key, prepare] : kWhatMatters) {
+    EXPECT_EQ(eni_[key].changed, 0) << key << " matters in the usual machine, too";
+    ASSERT_NO_FATAL_FAILURE(driveWhereItMatters(key, prepare));
   }
   for (const auto& setting : settings::table()) {
     EXPECT_TRUE(keys.contains(setting.key)) << setting.key;

@@ -19,6 +19,7 @@
 #include "eni/format/eni_file.h"
 #include "eni/project/project_file.h"
 #include "settings/settings_table.h"
+#include "support/cut_texts.h"
 #include "support/project_window.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
@@ -433,6 +434,19 @@ class FromCatalogue : private OwnCache, public ::testing::Test {
   std::unique_ptr<Workspace> workspace_;
   std::unique_ptr<MainWindow> window_;
 };
+
+TEST_F(FromCatalogue, SaysWhatItReadsWithinItsWidth) {
+  QTest::keyClick(window_.get(), Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(waitFor([this] { return devices().model()->rowCount() > 0; }));
+  const auto file = QStringLiteral("maker__a_name_without_any_place_where_its_line_could_end_of_many_devices.xml");
+  Q_EMIT workspace_->catalogue().progress(3, 76, QStringLiteral("/esi/") + file);
+  QApplication::processEvents();
+  const auto* line = find<QLabel>(*window_, "catalogueCount");
+  EXPECT_TRUE(line->text().contains(QStringLiteral("(4 of 76)"))) << qPrintable(line->text());
+  EXPECT_EQ(line->toolTip(), file);
+  const test::CutTexts cut(*window_);
+  EXPECT_TRUE(cut.found().isEmpty()) << qPrintable(cut.found().join(u'\n'));
+}
 
 TEST_F(FromCatalogue, AMachineIsBuiltAndExportedByKeys) {
   for (const char* type : {"SL-1100", "SL-1002", "SL-2002", "SL-SV7", "SL-XE2"}) add(type);

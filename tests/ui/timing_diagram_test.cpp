@@ -6,6 +6,8 @@
 
 #include <QImage>
 #include <QLabel>
+#include <QPoint>
+#include <vector>
 
 #include "support/running_window.h"
 #include "ui/plots/plot_colors.h"
@@ -128,6 +130,28 @@ TEST_F(TheDcPage, ShowsTheCycleAsItIsSetAndFollowsEdits) {
   EXPECT_TRUE(is(before - 100 * kMicrosecond)) << *diagram().timeline().margin;
   workspace_.document().undoStack().undo();
   EXPECT_TRUE(is(before)) << *diagram().timeline().margin;
+}
+
+/// At each width of the window: somewhere all cards just fit beside each other.
+TEST_F(TheDcPage, CardsStayWhereTheyAreWhileARegisterDiffers) {
+  goOnline();
+  show(kServo, "slaveDcPage");
+  run(kSecond);
+  std::vector<QPoint> places[2];
+  for (auto& of : places) {
+    for (int width = 1024; width <= 1600; width += 24) {
+      window_.resize(width, 800);
+      QApplication::processEvents();
+      of.push_back(diagram().mapTo(&window_, QPoint()));
+    }
+    if (&of != places) break;
+    shiftBy(-100 * kMicrosecond);
+    ASSERT_TRUE(test::waitFor([this] {
+      run(100 * kMillisecond);
+      return text("register0990").contains(QStringLiteral("the slave has"));
+    }));
+  }
+  for (std::size_t i = 0; i < places[0].size(); ++i) EXPECT_EQ(places[0][i].x(), places[1][i].x()) << i;
 }
 
 TEST_F(TheDcPage, ReadsItsRegistersBack) {

@@ -25,5 +25,19 @@ TEST(ValueLabel, SaysInItsToolTipWhatDoesNotFit) {
   EXPECT_EQ(label.minimumSizeHint().width(), label.sizeHint().width()) << "ordinary values are not cut";
 }
 
+TEST(ValueLabel, ShowsAllOfItInLinesBelowEachOther) {
+  ValueLabel label(QStringLiteral("70.000 us, the slave has 50.000 us"));
+  label.setWordWrap(true);
+  const int line = label.fontMetrics().height();
+  label.resize(label.fontMetrics().horizontalAdvance(QStringLiteral("the slave has 50.0")), 4 * line);
+  EXPECT_EQ(label.shown(), label.text());
+  EXPECT_LT(label.minimumSizeHint().width(), label.fontMetrics().horizontalAdvance(label.text()));
+  label.resize(label.width(), line);
+  EXPECT_TRUE(label.shown().endsWith(QChar(0x2026))) << "no room for a second line";
+  label.setText(QStringLiteral("a_name_without_a_place_where_its_line_could_end"));
+  label.resize(label.width(), 4 * line);
+  EXPECT_TRUE(label.shown().endsWith(QChar(0x2026)));
+}
+
 }  // namespace
 }  // namespace syncline::ui

@@ -8801,6 +8801,10 @@
         <translation>Ausgänge sind erzwungen</translation>
     </message>
     <message>
+        <source>No output is forced any more</source>
+        <translation>Kein Ausgang ist mehr erzwungen</translation>
+    </message>
+    <message>
         <source>They stay at the value that somebody set by hand, whatever the application calculates.</source>
         <translation>Sie bleiben auf dem Wert, den jemand von Hand gesetzt hat, was immer die Anwendung berechnet.</translation>
     </message>

@@ -8801,6 +8801,10 @@
         <translation>输出被强制</translation>
     </message>
     <message>
+        <source>No output is forced any more</source>
+        <translation>不再有输出被强制</translation>
+    </message>
+    <message>
         <source>They stay at the value that somebody set by hand, whatever the application calculates.</source>
         <translation>它们保持人手设定的值，无论应用程序计算出什么。</translation>
     </message>

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kLongestCapture = 1e6;  // s of a capture
 constexpr int kImportDigits = 3;
+constexpr int kNameCharacters = 40;  // of a file's name
 constexpr double kNanosecondsInMicrosecond = 1e3;
 
 QDoubleSpinBox* importSeconds(const char* name, const QString& label) {
@@ -48,8 +49,13 @@ ImportDialog::ImportDialog(const QString& capture, QWidget* parent) : QDialog(pa
   setObjectName(QStringLiteral("importDialog"));
   setWindowTitle(tr("Import a Capture"));
   auto* layout = new QVBoxLayout(this);
-  auto* words = new QLabel(tr("Times count from the first frame of %1.").arg(QFileInfo(capture).fileName()));
+  // A name has no place where its line could end.
+  const auto name = QFileInfo(capture).fileName();
+  const auto shown =
+      fontMetrics().elidedText(name, Qt::ElideMiddle, kNameCharacters * fontMetrics().averageCharWidth());
+  auto* words = new QLabel(tr("Times count from the first frame of %1.").arg(shown));
   words->setWordWrap(true);
+  words->setToolTip(capture);
   layout->addWidget(words);
   auto* form = new QFormLayout;
   from_ = importSeconds("importFrom", tr("From"));

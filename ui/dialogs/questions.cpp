@@ -34,7 +34,7 @@ bool mayStopWriting(QWidget& window, Workspace& workspace) {
 }
 
 bool ask(QWidget& window, const char* object_name, const QString& text, const QString& more, const QString& on) {
-  QMessageBox box(QMessageBox::Question, QCoreApplication::applicationName(), text, QMessageBox::Cancel, &window);
+  QMessageBox box(QMessageBox::Question, QStringLiteral("Syncline"), text, QMessageBox::Cancel, &window);
   box.setObjectName(QLatin1String(object_name));
   box.setInformativeText(more);
   auto* go = box.addButton(on, QMessageBox::AcceptRole);
@@ -58,7 +58,7 @@ bool mayEndAll(QWidget& window, Workspace& workspace, const QString& why) {
 }
 
 void tellGivenUp(QWidget& window) {
-  QMessageBox box(QMessageBox::Warning, QCoreApplication::applicationName(),
+  QMessageBox box(QMessageBox::Warning, QStringLiteral("Syncline"),
                   QCoreApplication::translate("Questions", "The slaves may still be in OP."), QMessageBox::Close,
                   &window);
   box.setObjectName(QStringLiteral("givenUpWarning"));

@@ -71,6 +71,9 @@ void SlaveDcPage::buildRegisters(Card& card) {
   register_cycle1_ = card.addValue("register09A4", tr("0x09A4 SYNC1"), tr("Compiled value (ENI DC/CycleTime1)"));
   register_shift_ =
       card.addValue("register0990", tr("0x0990 shift"), tr("Compiled part of the start time (ENI DC/ShiftTime)"));
+  // What the slave has goes to a second line: a wider card would send the others elsewhere while somebody edits.
+  for (auto* label : {register_activation_, register_cycle0_, register_cycle1_, register_shift_})
+    label->setWordWrap(true);
 }
 
 void SlaveDcPage::buildTiming(Card& card) {

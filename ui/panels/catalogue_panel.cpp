@@ -125,10 +125,15 @@ void CataloguePanel::connectCatalogue() {
     showReading(true);
     bar_->setRange(0, files);
     bar_->setValue(done);
-    count_->setText(tr("Reading %1 (%2 of %3)").arg(QFileInfo(file).fileName()).arg(done + 1).arg(files));
+    // A name has no place where its line could end.
+    const auto name = QFileInfo(file).fileName();
+    const auto shown = count_->fontMetrics().elidedText(name, Qt::ElideMiddle, count_->width());
+    count_->setText(tr("Reading %1 (%2 of %3)").arg(shown).arg(done + 1).arg(files));
+    count_->setToolTip(shown == name ? QString() : name);
   });
   connect(&catalogue_, &DeviceCatalogue::added, this, [this] {
     showReading(false);
+    count_->setToolTip({});
     if (asked_) search();
   });
 }

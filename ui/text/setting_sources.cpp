@@ -370,6 +370,13 @@ constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP("Setting", "the first of the ESI"),
     QT_TRANSLATE_NOOP("Setting", "those of the ESI"),
     QT_TRANSLATE_NOOP("Setting", "nothing"),
+    QT_TRANSLATE_NOOP("Setting", "decided by the master that runs the bus"),
+    QT_TRANSLATE_NOOP("Setting", "done by the master as it sets up the clocks"),
+    QT_TRANSLATE_NOOP("Setting", "of the controller in the master that runs the bus"),
+    QT_TRANSLATE_NOOP("Setting", "judged by the master that runs the bus"),
+    QT_TRANSLATE_NOOP("Setting", "told by the master that runs the bus"),
+    QT_TRANSLATE_NOOP("Setting", "of the host that the master runs on"),
+    QT_TRANSLATE_NOOP("Setting", "kept in the project alone"),
 };
 
 }  // namespace

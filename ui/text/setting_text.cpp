@@ -30,6 +30,8 @@ QString eniText(const settings::Words& words) {
   return words.eni.empty() ? QString() : QStringLiteral("ENI ") + QString::fromStdString(words.eni);
 }
 
+QString noEniText(const settings::Words& words) { return words.no_eni.empty() ? QString() : translated(words.no_eni); }
+
 /// What stands for nothing set is a word of its own: "none, ident of a module ...".
 QString rangeWords(const std::string& words, const std::string& unset) {
   const auto comma = words.find(", ");
@@ -82,6 +84,8 @@ QString expertText(const QString& label) { return label + QStringLiteral(" \u25C
 
 QString settingTip(const settings::Setting& setting) {
   QStringList where{whereText(setting.words), eniText(setting.words)};
+  if (!setting.words.no_eni.empty())
+    where << word(QT_TRANSLATE_NOOP("Setting", "Not in the ENI: %1")).arg(noEniText(setting.words));
   where.removeAll(QString());
   auto help = translated(setting.words.help);
   if (setting.words.expert) {
@@ -107,6 +111,7 @@ QString settingHelp(const settings::Setting& setting) {
   add(word(QT_TRANSLATE_NOOP("Setting", "Default")), presetText(setting));
   add(word(QT_TRANSLATE_NOOP("Setting", "Goes to")), whereText(setting.words));
   add(word(QT_TRANSLATE_NOOP("Setting", "Changes")), eniText(setting.words));
+  add(word(QT_TRANSLATE_NOOP("Setting", "Not in the ENI")), noEniText(setting.words));
   add(word(QT_TRANSLATE_NOOP("Setting", "Key")), QString::fromStdString(setting.key));
   return QStringLiteral("<p><b>%1</b></p><p>%2</p><p>%3</p>")
       .arg(settingLabel(setting).toHtmlEscaped(), translated(setting.words.help).toHtmlEscaped(),

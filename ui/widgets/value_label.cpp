@@ -20,7 +20,15 @@ QSize ValueLabel::minimumSizeHint() const {
   return {std::min(usual.width(), least_characters_ * fontMetrics().averageCharWidth()), usual.height()};
 }
 
-QString ValueLabel::shown() const { return fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()); }
+QString ValueLabel::shown() const {
+  const auto room = contentsRect();
+  if (wordWrap()) {
+    // In lines below each other all of it is there, unless a word is longer than a line.
+    const auto lines = fontMetrics().boundingRect(room, Qt::TextWordWrap, text());
+    if (lines.width() <= room.width() && lines.height() <= room.height()) return text();
+  }
+  return fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
+}
 
 QString ValueLabel::hint() const {
   if (shown() == text()) return toolTip();

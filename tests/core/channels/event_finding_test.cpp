@@ -49,6 +49,13 @@ TEST(EventFinding, WeighsWhatItTells) {
   EXPECT_EQ(told(-1, events::WkcExpected{9, 6}).severity, Severity::kWarning);
 }
 
+TEST(EventFinding, OutputsThatAreReleasedLeaveNothingToDo) {
+  const auto forced = find_finding_words(told(-1, events::OutputsForced{16}).code),
+             released = find_finding_words(told(-1, events::OutputsForced{0}).code);
+  EXPECT_FALSE(forced->mend.empty());
+  EXPECT_EQ(released->mend, "");
+}
+
 TEST(EventFinding, AFailureIsTheFindingOfItsError) {
   const auto finding = told(-1, events::Failure{{ErrorCode::kNoResponse, "slave 3"}});
   EXPECT_EQ(finding.code, "no-response");

@@ -66,6 +66,20 @@ TEST(SlaveEdits, GoOnALineInTheMiddle) {
   EXPECT_EQ(add_slave(project, kTerminal, 4), 4U) << "a terminal behind a drive goes to the coupler before it";
 }
 
+/// ESI files of old devices do not say what their ports are: any kind seems to fit, what hangs there says otherwise.
+TEST(SlaveEdits, LookFurtherWhereAnUnknownPortDoesNotTakeIt) {
+  Project project;
+  EXPECT_EQ(add_slave(project, kCoupler, {}), 0U);
+  EXPECT_EQ(add_slave(project, kTerminal, 0), 1U);
+  EXPECT_EQ(add_slave(project, kUnknownDevice, 1), 2U);
+  EXPECT_EQ(add_slave(project, kTerminal, 2), 3U);
+  EXPECT_EQ(add_slave(project, kDrive, 3), 4U);
+  EXPECT_EQ(wiring(project), "- 0B 1B 2B 0C ") << "on the coupler's cable";
+  EXPECT_EQ(add_slave(project, kDrive, 2), 4U) << "behind the unknown one itself, too";
+  EXPECT_EQ(types(project), "coupler terminal unknown terminal drive drive ");
+  EXPECT_EQ(wiring(project), "- 0B 1B 2B 0C 4B ");
+}
+
 TEST(SlaveEdits, SayWhereNothingFits) {
   Project drives;
   ASSERT_TRUE(add_slave(drives, kDrive, {}));

@@ -79,6 +79,8 @@ TEST(SettingsTable, EveryRowSaysWhatPeopleNeed) {
     EXPECT_FALSE(setting.words.label.empty()) << setting.key;
     EXPECT_TRUE(setting.words.help.ends_with('.')) << setting.key;
     EXPECT_FALSE(setting.items ? false : preset_text(setting).empty()) << setting.key;
+    EXPECT_NE(setting.words.eni.empty(), setting.words.no_eni.empty())
+        << setting.key << ": where in the ENI, or why not";
     EXPECT_EQ(setting.words.help.find('|'), std::string::npos) << setting.key << ": it stands in a Markdown table";
   }
 }

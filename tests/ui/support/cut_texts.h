@@ -75,6 +75,11 @@ class CutTexts {
     if (label.wordWrap()) {
       const int high = label.heightForWidth(label.width());
       if (high > label.height()) say(label, label.text(), high, label.height());
+      // A word that is longer than the line.
+      const int wide = Qt::mightBeRichText(label.text())
+                           ? room.width()
+                           : label.fontMetrics().boundingRect(room, Qt::TextWordWrap, label.text()).width();
+      if (wide > room.width()) say(label, label.text(), wide, room.width());
       return;
     }
     const int keys = label.buddy() != nullptr ? Qt::TextShowMnemonic : 0;
