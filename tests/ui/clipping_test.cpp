@@ -228,8 +228,7 @@ TEST_P(Clipping, NoTextOfADialogIsCut) {
   workspace_.document().undoStack().setClean();
   window_.selectNode(3);
   settle();
-  for (const char* name : {"actionScan", "actionChooseLink", "actionReplaceSlave"})
-    lookAtDialogOf(name);
+  for (const char* name : {"actionScan", "actionChooseLink", "actionReplaceSlave"}) lookAtDialogOf(name);
   CycleDialog cycles(workspace_.document().project());
   ImportDialog import(
       QStringLiteral("/captures/a_capture_whose_name_is_long_and_has_no_place_for_the_end_of_a_line.pcapng"));
