@@ -732,7 +732,7 @@ TEST(Overview, WhatIsOutOfSyncWasLostOrNeverInSync) {
   overview.begin = overview.armed.emplace(kSecond);
   overview.end = 10 * kSecond;
   const auto text = [&](SyncState state, std::optional<Nanoseconds> lost) {
-    return lampText({state, 2 * kSecond, lost, lost ? 1U : 0U}, overview).toStdString();
+    return lampText({state, 2 * kSecond, lost, lost ? 1U : 0U, {}, 0, 0}, overview).toStdString();
   };
   EXPECT_THAT(text(SyncState::kInSync, {}), testing::HasSubstr("not lost since it was armed"));
   for (const auto state : {SyncState::kOutOfSync, SyncState::kUnknown, SyncState::kBusy}) {

@@ -22,7 +22,7 @@ DeviceDescription device(std::uint32_t vendor, std::uint32_t product) {
 }
 DeviceDescription yaskawa() { return device(0x539, 0x0220'0301); }
 DeviceDescription copley() { return device(0xAB, 0x10B0); }
-DeviceDescription gateway() { return device(0x2, 0x1A5F'3052); }
+DeviceDescription can_gateway() { return device(0x2, 0x1A5F'3052); }
 
 using Objects = std::map<std::pair<int, int>, std::vector<std::uint8_t>>;
 
@@ -74,7 +74,7 @@ TEST(SyncSettings, TheLimitHasTheWidthOfTheDevice) {
 }
 
 TEST(SyncSettings, AGatewayIsToldItsBusCycleWithoutSync0) {
-  Project project = sample::project({gateway()});
+  Project project = sample::project({can_gateway()});
   ASSERT_TRUE(set_setting(project, "slave.0.can.cycle_us", "4000"));
   ASSERT_TRUE(set_setting(project, "slave.0.can.tx_delay_percent", "10"));
   auto objects = written(project);
@@ -89,7 +89,7 @@ TEST(SyncSettings, AGatewayIsToldItsBusCycleWithoutSync0) {
 }
 
 TEST(SyncSettings, WhatTheDeviceDoesNotTakeIsRefused) {
-  Project project = sample::project({yaskawa(), copley(), gateway(), sample::digital_input()});
+  Project project = sample::project({yaskawa(), copley(), can_gateway(), sample::digital_input()});
   const Project before = project;
   const auto refused = [&](const char* key, const char* value) {
     const auto status = set_setting(project, key, value);
