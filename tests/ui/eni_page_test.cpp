@@ -95,9 +95,10 @@ class EniPageTest : public test::ProjectWindow {
   };
   Shown shown() {
     Shown all;
-    for (int row = 0; row < model().rowCount(); ++row) {
-      const auto kind = static_cast<EniRowKind>(model().index(row, 0).data(EniModel::kKindRole).toInt());
-      const auto line = model().index(row, EniModel::kText).data().toString().toStdString() + '\n';
+    auto& lines = model();  // found among all widgets of the window: once is enough
+    for (int row = 0; row < lines.rowCount(); ++row) {
+      const auto kind = static_cast<EniRowKind>(lines.index(row, 0).data(EniModel::kKindRole).toInt());
+      const auto line = lines.index(row, EniModel::kText).data().toString().toStdString() + '\n';
       const bool ghost = kind == EniRowKind::kBefore || kind == EniRowKind::kRemoved;
       if (!ghost) all.after += line;
       if (ghost || kind == EniRowKind::kSame) all.before += line;
