@@ -131,6 +131,23 @@ TEST_P(CliRunMode, SameSeedGivesTheSameReport) {
 
 INSTANTIATE_TEST_SUITE_P(Modes, CliRunMode, testing::Values("bus", "master"));
 
+/// Nobody moves the timer: there is no moment from which errors count, and no figure of them.
+TEST(CliRun, AMasterThatNeverWasInSyncHasNoFiguresOfItsError) {
+  const TemporaryFolder folder;
+  (void)export_demo(folder, "bus");
+  const auto project = folder.file("m.syncline");
+  ASSERT_EQ(cli_run({"project", "set", project, "master.dc.mode=master-shift-by-app"}).code, cli::kDone);
+  const std::vector<std::string> run{"run", project, "--link", demo(), "--for", "5s"};
+  EXPECT_THAT(cli_run(run).out, testing::AllOf(HasSubstr("drift"), testing::Not(HasSubstr("error mean"))));
+  auto with_json = run;
+  with_json.emplace_back("--json");
+  const auto dcm = cli_run(with_json).json()["dcm"];
+  EXPECT_EQ(dcm["in_sync"], false);
+  for (const auto* figure : {"mean", "rms", "max"}) EXPECT_TRUE(dcm["error_ns"][figure].is_null()) << figure;
+  EXPECT_TRUE(dcm["frame_error_ns"]["max"].is_null());
+  EXPECT_TRUE(dcm["late_sends"].is_null());
+}
+
 TEST(CliRun, ProjectRunsAsItsEniDoes) {
   const TemporaryFolder folder;
   const auto eni = export_demo(folder, "bus");

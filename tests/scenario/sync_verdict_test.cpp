@@ -258,6 +258,21 @@ TEST_P(SyncVerdictOfAMachine, StampsThatAreWrongAlikeAreNoStepOfAClock) {
   }
 }
 
+/// Nobody moves the timer, and frames slide through SYNC0: not the little that some are held up makes them late there.
+TEST_P(SyncVerdictOfAMachine, OutputsThatSlideThroughSync0AreNotHeldUp) {
+  network.sim.host_jitter = JitterProfile::desktop();
+  dc().dcm.mode = DcmMode::kMasterShiftByApp;
+  two_axes();
+  for (auto& slave : network.sim.slaves) slave.oscillator.ppm = 16;
+  go_online();
+  run_until(50 * kSecond);
+  for (const std::size_t axis : {1U, 2U}) {
+    const auto& missed = snapshot.slaves.at(axis).sm2_missed;
+    ASSERT_GT(missed.missed, 20U) << log();
+    EXPECT_EQ(missed.by_cause[static_cast<std::size_t>(dc::MissCause::kFrameHeldUp)], 0U) << "of " << missed.missed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, SyncVerdictOfAMachine, ::testing::Values(1, 2));
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "channels/values/absent_after.h"
 #include "diagnosis/rules/rules.h"
 #include "protocol/port_damage.h"
 #include "trace/run_report.h"
@@ -69,8 +70,7 @@ bool was_silence_of_all(const RunReport& report, const Spell& spell) {
 }
 
 bool were_held_up(const RunReport& report, const Spell& spell) {
-  constexpr Nanoseconds kSilence = 100 * kMillisecond;  // until slaves count as absent
-  const Spell silence{spell.from - kSilence, spell.to, 0, 0};
+  const Spell silence{spell.from - kAbsentAfter, spell.to, 0, 0};
   const auto lost = [&](const Spell& frames) {
     return frames.count > 0 && frames.from <= silence.to && silence.from <= frames.to;
   };

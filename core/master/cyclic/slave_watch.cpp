@@ -6,6 +6,7 @@
 
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
+#include "channels/values/absent_after.h"
 #include "config/network_config.h"
 #include "master/clocks/ored_deviation.h"
 #include "master/exchange/run_state.h"
@@ -19,8 +20,6 @@ namespace syncline {
 namespace {
 
 constexpr std::size_t kAlReadsPerCycle = 16;
-/// Longer than any burst of lost frames.
-constexpr Nanoseconds kSilence = 100 * kMillisecond;
 /// In which every slave has its turn; a lost frame or two leave it below half a second.
 constexpr Nanoseconds kRound = 400 * kMillisecond;
 /// The master's own port counts as that of slave -1.
@@ -64,7 +63,7 @@ void SlaveWatch::observe_silence(bool silent, Nanoseconds time) {
     return;
   }
   if (!silent_since_) silent_since_ = time;
-  if (time - *silent_since_ < kSilence || last_wkc_ == 0) return;
+  if (time - *silent_since_ < kAbsentAfter || last_wkc_ == 0) return;
   last_wkc_ = 0;  // the first answer is a change
   next_al_ = al_.size();
   const bool any = std::ranges::any_of(run_.snapshot.slaves, &SlaveStatus::present);

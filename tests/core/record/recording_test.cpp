@@ -633,7 +633,9 @@ TEST_F(RecordingFile, KilledAtAnyMomentItIsWhole) {
   Random random(2026);
   constexpr int kRounds = 30;
   int with_samples = 0;
-  for (int round = 0; round < kRounds; ++round) {
+  // A busy machine commits less in the same time: then there are more rounds.
+  for (int round = 0; round < kRounds || with_samples <= kRounds / 2; ++round) {
+    ASSERT_LT(round, 10 * kRounds);
     const auto name = "killed" + std::to_string(round);
     int told[2];
     ASSERT_EQ(::pipe(told), 0);
@@ -653,7 +655,8 @@ TEST_F(RecordingFile, KilledAtAnyMomentItIsWhole) {
     ::close(told[1]);
     char first = 0;
     (void)!::read(told[0], &first, 1);
-    std::this_thread::sleep_for(std::chrono::microseconds(random.next() % 60'000));
+    std::this_thread::sleep_for(
+        std::chrono::microseconds(random.next() % (60'000U * (1U + static_cast<unsigned>(round / kRounds)))));
     ::kill(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
@@ -676,7 +679,6 @@ TEST_F(RecordingFile, KilledAtAnyMomentItIsWhole) {
     expected.resize(info->cycles);
     EXPECT_TRUE(read_csv(*reader) == csv(expected)) << "round " << round;
   }
-  EXPECT_GT(with_samples, kRounds / 2);
 }
 
 TEST_F(RecordingFile, WhatIsNoneIsRefusedWithItsReason) {
