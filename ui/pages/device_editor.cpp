@@ -285,10 +285,16 @@ void DeviceEditor::chooseTabs() {
   // The same kind of page stays in front when the selection moves on.
   const auto front =
       tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();
-  tabs_->clear();
-  for (auto* page : wanted) {
-    tabs_->addTab(page, page->title());
+  // What comes before what goes: each page that is taken away from the front would bring the next one there, laid out.
+  for (qsizetype i = 0, place = 0; i < wanted.size(); ++i, ++place) {
+    auto* page = wanted[i];
+    const int now = tabs_->indexOf(page);
+    place = now >= 0 ? now : tabs_->insertTab(static_cast<int>(place), page, page->title());
     if (page->title() == front) tabs_->setCurrentWidget(page);
+  }
+  if (!wanted.contains(tabs_->currentWidget())) tabs_->setCurrentWidget(wanted.value(0));
+  for (auto* page : shown) {
+    if (!wanted.contains(page)) tabs_->removeTab(tabs_->indexOf(page));
   }
 }
 
