@@ -10,11 +10,8 @@
 #include "tests/support/source_dir.h"
 
 namespace syncline::test::house {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 std::vector<std::string> sources(const std::string& folder) {
   const fs::path root = source_dir();

@@ -286,10 +286,10 @@ void DeviceEditor::chooseTabs() {
   const auto front =
       tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();
   // What comes before what goes: each page that is taken away from the front would bring the next one there, laid out.
-  for (qsizetype i = 0, place = 0; i < wanted.size(); ++i, ++place) {
-    auto* page = wanted[i];
-    const int now = tabs_->indexOf(page);
-    place = now >= 0 ? now : tabs_->insertTab(static_cast<int>(place), page, page->title());
+  int place = 0;
+  for (auto* page : wanted) {
+    if (tabs_->indexOf(page) < 0) tabs_->insertTab(place, page, page->title());
+    place = tabs_->indexOf(page) + 1;
     if (page->title() == front) tabs_->setCurrentWidget(page);
   }
   if (!wanted.contains(tabs_->currentWidget())) tabs_->setCurrentWidget(wanted.value(0));

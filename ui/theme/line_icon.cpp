@@ -11,9 +11,11 @@ namespace syncline::ui::theme {
 
 namespace {
 
+QString fileOf(const QString& name) { return QStringLiteral(":/icons/%1.svg").arg(name); }
+
 /// The icons are drawn in black; any other colour is put in here.
 QByteArray colored(const QString& name, const QColor& color) {
-  QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+  QFile file(fileOf(name));
   if (!file.open(QIODevice::ReadOnly)) return {};
   return file.readAll().replace("#000000", color.name().toLatin1());
 }
@@ -26,6 +28,8 @@ QRectF squareIn(const QSize& size) {
 }
 
 }  // namespace
+
+bool LineIcon::exists(const QString& name) { return QFile::exists(fileOf(name)); }
 
 const QColor& LineIcon::colorOf(QIcon::Mode mode) const {
   if (mode == QIcon::Disabled) return colors_.disabled;

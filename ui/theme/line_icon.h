@@ -16,6 +16,8 @@ class LineIcon : public QIconEngine {
   struct Colors {
     QColor normal, disabled, selected;
   };
+  /// Whether resources/icons has a drawing of that name.
+  [[nodiscard]] static bool exists(const QString& name);
   LineIcon(QString name, const Colors& colors) : name_(std::move(name)), colors_(colors) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override;

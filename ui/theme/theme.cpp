@@ -2,7 +2,6 @@
 #include "ui/theme/theme.h"
 
 #include <QApplication>
-#include <QFile>
 #include <QStyle>
 #include <QStyleFactory>
 
@@ -159,7 +158,7 @@ QColor mutedText(const QPalette& palette) { return QColor::fromRgb(colorsOf(pale
 QColor outline(const QPalette& palette) { return QColor::fromRgb(colorsOf(palette).outline); }
 
 QIcon icon(const QString& name, const QPalette& palette, const QColor& color) {
-  if (!QFile::exists(QStringLiteral(":/icons/%1.svg").arg(name))) return {};
+  if (!LineIcon::exists(name)) return {};
   return QIcon(
       new LineIcon(name, {.normal = color.isValid() ? color : palette.color(QPalette::Active, QPalette::ButtonText),
                           .disabled = palette.color(QPalette::Disabled, QPalette::ButtonText),
