@@ -60,7 +60,7 @@ void bench_opening(RatioReport& report) {
   window.files().openAny(QString::fromStdString(path));
   const auto turn = [&longest] {
     const auto from = processor_seconds();
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+    ui::waitForEvents();
     longest = std::max(longest, (processor_seconds() - from) * 1e9);
   };
   while (!workspace.recording().isOpen()) {
