@@ -84,6 +84,40 @@ void RecordingReader::note_block(const Block& block, std::int64_t missing) {
           block));
 }
 
+bool RecordingReader::salvage() {
+  if (salvaged_) return false;
+  auto salvaged = salvage_recording(path());
+  if (!salvaged) return false;
+  database_ = std::move(salvaged->database);
+  damage_.clear();
+  damaged_rows_.clear();
+  note_cut(*salvaged);
+  return true;
+}
+
+void RecordingReader::note_cut(const SalvagedRecording& salvaged) {
+  salvaged_ = true;
+  const auto kib = [](std::uint64_t bytes) { return static_cast<std::int64_t>(bytes / 1024); };
+  const auto there = fig::number<"there">(kib(salvaged.bytes));
+  const auto all = fig::number<"all">(kib(salvaged.bytes_said));
+  const auto count = fig::count<"count">(salvaged.blocks);
+  const auto first = fig::number<"first">(salvaged.first_cycle);
+  const auto last = fig::number<"last">(salvaged.last_cycle);
+  Finding finding;
+  if (salvaged.blocks == 0 && salvaged.bytes_said > 0) {
+    finding = make_finding<words::kRecording>("recording-cut-off", {}, there, all);
+  } else if (salvaged.blocks == 0) {
+    finding = make_finding<words::kRecording>("recording-cut-off/pages", {});
+  } else if (salvaged.bytes_said > 0) {
+    finding = make_finding<words::kRecording>("recording-cut-off/blocks", {}, there, all, count, first, last);
+  } else {
+    finding = make_finding<words::kRecording>("recording-cut-off/pages-blocks", {}, count, first, last);
+  }
+  finding.from = salvaged.begin;
+  finding.to = salvaged.end;
+  note("file", "cut", std::move(finding));
+}
+
 std::vector<Finding> RecordingReader::found() const {
   auto all = damage_;
   if (log_missing_ && !ended_) {

@@ -124,6 +124,18 @@ Result<SqlDatabase> create_recording(const std::string& path) {
   return database;
 }
 
+Result<SqlDatabase> create_salvage(const std::string& path) {
+  auto database = SqlDatabase::open_temporary(path);
+  if (!database) return tl::unexpected(database.error());
+  const auto mark =
+      fmt::format("PRAGMA page_size=8192; PRAGMA journal_mode=OFF; PRAGMA application_id={}; PRAGMA user_version={};",
+                  kRecordingId, kRecordingVersion);
+  for (const char* const sql : {mark.c_str(), kTables}) {
+    if (auto status = database->execute(sql); !status) return read_error(*database, status.error());
+  }
+  return database;
+}
+
 Result<std::int64_t> recording_version(SqlDatabase& database) { return database.number("PRAGMA user_version"); }
 
 Result<SqlDatabase> open_recording(const std::string& path) {

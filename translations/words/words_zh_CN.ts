@@ -2277,6 +2277,74 @@
         <translation>{slave} 在 {since} 离开或到来，其后的从站偏差最大 {deviation}，直到 {renewed} 重新测量了延迟（0x0928）。</translation>
     </message>
     <message>
+        <source>A recording is cut off</source>
+        <translation>录制文件被截断</translation>
+    </message>
+    <message>
+        <source>The file is shorter than it was: a copy, a transfer or a full disk ended within it. What is shown is as it was written; of what is lost nothing is known any more.</source>
+        <translation>文件比原来短：复制、传输或磁盘写满时在其中间中断。所显示的与写入时一致；丢失的部分已无从得知。</translation>
+    </message>
+    <message>
+        <source>Copy the whole file once more, from where it was written.</source>
+        <translation>请从写入处重新复制整个文件。</translation>
+    </message>
+    <message>
+        <source>The file is cut off: {there} of {all} KiB are there, and no cycle is lost with the others.</source>
+        <translation>文件被截断：{all} KiB 中有 {there} KiB，其余部分未丢失任何周期。</translation>
+    </message>
+    <message>
+        <source>The file is cut off: {there} of {all} KiB are there, and {count:# block|# blocks} of values with cycles {first} to {last} {count:is|are} lost.</source>
+        <translation>文件被截断：{all} KiB 中有 {there} KiB，含周期 {first} 至 {last} 的 {count:#} 个数据块丢失。</translation>
+    </message>
+    <message>
+        <source>SQLite refuses the file: what is shown was found page by page, and all its cycles are there.</source>
+        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，其所有周期都在。</translation>
+    </message>
+    <message>
+        <source>SQLite refuses the file: what is shown was found page by page, and {count:# block|# blocks} of values with cycles {first} to {last} {count:is|are} lost.</source>
+        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，含周期 {first} 至 {last} 的 {count:#} 个数据块丢失。</translation>
+    </message>
+    <message>
+        <source>An imported capture was taken through a switch</source>
+        <translation>导入的抓包经过了交换机</translation>
+    </message>
+    <message>
+        <source>A switch holds frames back, one behind the other, and stamps none: distances, round trips and jitter are its own as well, and what a mirror port cannot carry is missing.</source>
+        <translation>交换机会逐个滞留报文，且不打时间戳：间隔、往返时间和抖动中也含有它自身的影响，镜像端口承载不下的报文会缺失。</translation>
+    </message>
+    <message>
+        <source>Capture with a probe in the line, or on the master's own adapter.</source>
+        <translation>请用串接在线路中的探头抓包，或在主站自己的网卡上抓包。</translation>
+    </message>
+    <message>
+        <source>{count:# frame is|# frames are} of a switch itself (spanning tree, neighbour discovery).</source>
+        <translation>有 {count:#} 个报文来自交换机自身（生成树、邻居发现）。</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame has|# EtherCAT frames have} a VLAN tag (802.1Q), which a switch has put on.</source>
+        <translation>有 {count:#} 个 EtherCAT 报文带有交换机加上的 VLAN 标签（802.1Q）。</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame came|# EtherCAT frames came} twice, byte for byte, as a mirror port sends what enters and leaves.</source>
+        <translation>有 {count:#} 个 EtherCAT 报文逐字节重复出现两次，正如镜像端口同时转发进出报文的情形。</translation>
+    </message>
+    <message>
+        <source>An imported capture was taken in a virtual machine</source>
+        <translation>导入的抓包来自虚拟机</translation>
+    </message>
+    <message>
+        <source>A hypervisor passes frames on when it gets to it, and its clock is not the host's: times are off by milliseconds at any moment.</source>
+        <translation>虚拟机管理程序在有空时才转发报文，且其时钟不是主机的时钟：时间随时可能偏差数毫秒。</translation>
+    </message>
+    <message>
+        <source>Capture on a machine of its own, whose adapter stands at the bus.</source>
+        <translation>请在网卡直接连接总线的独立计算机上抓包。</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame was|# EtherCAT frames were} sent by {address}, the adapter of a virtual machine.</source>
+        <translation>有 {count:#} 个 EtherCAT 报文由虚拟机网卡 {address} 发出。</translation>
+    </message>
+    <message>
         <source>The log of a recording is missing</source>
         <translation>记录的日志缺失</translation>
     </message>
