@@ -28,15 +28,12 @@ inline constexpr FindingWords kRecording[] = {
      "written; of what is lost nothing is known any more.",
      "Copy the whole file once more, from where it was written.",
      "",
-     {{"", "The file is cut off: {there} of {all} KiB are there, and no cycle is lost with the others."},
-      {"blocks",
-       "The file is cut off: {there} of {all} KiB are there, and {count:# block|# blocks} of values with cycles "
-       "{first} "
-       "to {last} {count:is|are} lost."},
-      {"pages", "SQLite refuses the file: what is shown was found page by page, and all its cycles are there."},
-      {"pages-blocks",
-       "SQLite refuses the file: what is shown was found page by page, and {count:# block|# blocks} of values with "
-       "cycles {first} to {last} {count:is|are} lost."}}},
+     {{"",
+       "The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} "
+       "of values, about a second each, {count:is|are} lost."},
+      {"pages",
+       "SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; "
+       "{count:# block|# blocks} of values, about a second each, {count:is|are} lost."}}},
     {"recording-log-missing",
      Severity::kWarning,
      "The log of a recording is missing",

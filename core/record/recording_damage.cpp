@@ -98,24 +98,13 @@ bool RecordingReader::salvage() {
 void RecordingReader::note_cut(const SalvagedRecording& salvaged) {
   salvaged_ = true;
   const auto kib = [](std::uint64_t bytes) { return static_cast<std::int64_t>(bytes / 1024); };
-  const auto there = fig::number<"there">(kib(salvaged.bytes));
-  const auto all = fig::number<"all">(kib(salvaged.bytes_said));
-  const auto count = fig::count<"count">(salvaged.blocks);
-  const auto first = fig::number<"first">(salvaged.first_cycle);
-  const auto last = fig::number<"last">(salvaged.last_cycle);
-  Finding finding;
-  if (salvaged.blocks == 0 && salvaged.bytes_said > 0) {
-    finding = make_finding<words::kRecording>("recording-cut-off", {}, there, all);
-  } else if (salvaged.blocks == 0) {
-    finding = make_finding<words::kRecording>("recording-cut-off/pages", {});
-  } else if (salvaged.bytes_said > 0) {
-    finding = make_finding<words::kRecording>("recording-cut-off/blocks", {}, there, all, count, first, last);
-  } else {
-    finding = make_finding<words::kRecording>("recording-cut-off/pages-blocks", {}, count, first, last);
-  }
-  finding.from = salvaged.begin;
-  finding.to = salvaged.end;
-  note("file", "cut", std::move(finding));
+  const auto cycles = fig::count<"cycles">(salvaged.cycles);
+  const auto lost = fig::count<"count">(salvaged.blocks_lost);
+  if (salvaged.bytes_said == 0)
+    return note("file", "cut", make_finding<words::kRecording>("recording-cut-off/pages", {}, cycles, lost));
+  note("file", "cut",
+       make_finding<words::kRecording>("recording-cut-off", {}, fig::number<"there">(kib(salvaged.bytes)),
+                                       fig::number<"all">(kib(salvaged.bytes_said)), cycles, lost));
 }
 
 std::vector<Finding> RecordingReader::found() const {

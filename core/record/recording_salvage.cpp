@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
+#include <vector>
 
+#include "record/column_codec.h"
 #include "record/recording_rows.h"
 #include "record/recording_schema.h"
+#include "record/sample_columns.h"
 #include "sqlite/torn_database.h"
 
 namespace syncline {
@@ -72,24 +76,90 @@ Status take_rows(TornDatabase& torn, SqlDatabase& database) {
   return status;
 }
 
+/// Of a block whose own row is gone: what it says of its rows, by these.
+struct BlockRows {
+  std::int64_t number = 0, columns = 0, held = 0, sums = 0;
+};
+
+/// Pages lie in the order in which they were begun. Of a file that is cut off, a block behind which another whole one
+/// lay at least in part has all its rows, but for those that could not be read: none that has a sum may be missing.
+Result<std::vector<BlockRows>> blocks_without_row(SqlDatabase& database) {
+  std::string summed;
+  for (const auto signal : sample_columns()) summed += fmt::format("{},", static_cast<int>(signal));
+  auto rows = database.prepare(fmt::format(
+      "SELECT id / {0}, sum(codec > 0), sum(codec = 0), "
+      "(SELECT count(*) FROM summary s WHERE s.id >= d.id / {0} * {0} AND s.id < (d.id / {0} + 1) * {0}) FROM data d "
+      "WHERE NOT EXISTS(SELECT 1 FROM block b WHERE b.number = d.id / {0}) "
+      "AND id / {0} + 1 < (SELECT max(id) / {0} FROM data) GROUP BY d.id / {0} "
+      "HAVING NOT EXISTS(SELECT 1 FROM summary s WHERE s.id >= d.id / {0} * {0} AND s.id < (d.id / {0} + 1) * {0} "
+      "AND (s.id % {0} IN ({1}{3}) OR s.id % {2} = {3}) AND NOT EXISTS(SELECT 1 FROM data e WHERE e.id = s.id)) "
+      "ORDER BY d.id / {0}",
+      kSeriesPerBlock, summed, kBusSeries, static_cast<int>(Signal::kVariable)));
+  if (!rows) return tl::unexpected(rows.error());
+  std::vector<BlockRows> blocks;
+  const auto status = rows->each([&] {
+    blocks.push_back({rows->integer(0), rows->integer(1), rows->integer(2), rows->integer(3)});
+  });
+  if (!status) return tl::unexpected(status.error());
+  return blocks;
+}
+
+/// The cells of a column of integers; nothing where it is not there, or lacks a cell.
+Result<std::vector<std::int64_t>> integers_of(SqlDatabase& database, std::int64_t block, Signal column) {
+  auto row = database.prepare("SELECT codec, count, cells FROM data WHERE id = ?");
+  if (!row) return tl::unexpected(row.error());
+  row->bind(0, block * kSeriesPerBlock + series_number(column));
+  ColumnCells cells;
+  const auto status = row->each([&] {
+    const auto count = std::clamp<std::int64_t>(row->integer(1), 0, kMostBlockCycles);
+    const auto codec = static_cast<ColumnCodec>(row->integer(0));
+    if (!decode_column(codec, row->blob(2), static_cast<std::size_t>(count), cells) || !cells.there.empty()) cells = {};
+  });
+  if (!status) return tl::unexpected(status.error());
+  return std::move(cells.integers);
+}
+
+/// The row of a block lies on a page that may have been moved to the end of what was written then.
+Status write_blocks_again(SqlDatabase& database) {
+  const auto blocks = blocks_without_row(database);
+  if (!blocks) return tl::unexpected(blocks.error());
+  auto insert = database.prepare(insert_row("block"));
+  if (!insert) return tl::unexpected(insert.error());
+  for (const auto& block : *blocks) {
+    const auto cycles = integers_of(database, block.number, Signal::kCycle);
+    if (!cycles) return tl::unexpected(cycles.error());
+    const auto times = integers_of(database, block.number, Signal::kSendTime);
+    if (!times) return tl::unexpected(times.error());
+    if (cycles->empty() || cycles->size() != times->size()) continue;
+    const std::int64_t values[] = {block.number,  cycles->front(), cycles->back(), std::ssize(*cycles), times->front(),
+                                   times->back(), block.columns,   block.held,     block.sums};
+    for (int i = 0; i < static_cast<int>(std::size(values)); ++i) insert->bind(i, values[i]);
+    if (auto status = insert->run(); !status) return status;
+  }
+  return {};
+}
+
 /// Blocks without any value are told together, and not each as a gap.
-Status leave_out_empty(SalvagedRecording& salvaged) {
+Status count_blocks(SalvagedRecording& salvaged) {
   auto& database = salvaged.database;
   const auto empty = fmt::format(
-      "FROM block WHERE NOT EXISTS(SELECT 1 FROM data WHERE id >= number * {0} AND id < (number + 1) * {0})",
+      "DELETE FROM block WHERE NOT EXISTS(SELECT 1 FROM data WHERE id >= number * {0} AND id < (number + 1) * {0})",
       kSeriesPerBlock);
-  auto sums =
-      database.prepare("SELECT count(*), min(first_cycle), max(last_cycle), min(begin_ns), max(end_ns) " + empty);
-  if (!sums) return tl::unexpected(sums.error());
-  auto status = sums->each([&] {
-    salvaged.blocks = static_cast<std::uint64_t>(sums->integer(0));
-    salvaged.first_cycle = sums->integer(1);
-    salvaged.last_cycle = sums->integer(2);
-    salvaged.begin = sums->integer(3);
-    salvaged.end = sums->integer(4);
-  });
-  if (status) status = database.execute(("DELETE " + empty).c_str());
-  return status;
+  const auto before = database.number("SELECT count(*) FROM block");
+  auto status = database.execute(empty.c_str());
+  const auto blocks = database.number("SELECT count(*) FROM block");
+  const auto cycles = database.number("SELECT sum(cycles) FROM block");
+  const auto counted = database.number("SELECT count FROM tally WHERE name = 'block'");
+  for (const auto* number : {&before, &blocks, &cycles, &counted}) {
+    if (status && !*number) status = tl::unexpected(number->error());
+  }
+  if (!status) return status;
+  salvaged.cycles = static_cast<std::uint64_t>(*cycles);
+  salvaged.blocks_lost = static_cast<std::uint64_t>(std::max(*before, *counted) - *blocks);
+  // Counted again by who reads it: what is lost is told already.
+  auto tally = database.prepare(insert_row("tally", true));
+  if (!tally) return tl::unexpected(tally.error());
+  return tally->bind(0, std::string_view("block")).bind(1, *blocks).run();
 }
 
 }  // namespace
@@ -106,7 +176,8 @@ Result<SalvagedRecording> salvage_recording(const std::string& path) {
   if (torn->bytes_said() > torn->bytes()) salvaged.bytes_said = torn->bytes_said();
   auto status = salvaged.database.execute("BEGIN");
   if (status) status = take_rows(*torn, salvaged.database);
-  if (status) status = leave_out_empty(salvaged);
+  if (status && salvaged.bytes_said > 0) status = write_blocks_again(salvaged.database);
+  if (status) status = count_blocks(salvaged);
   if (status) status = salvaged.database.execute("COMMIT");
   if (!status) return read_error(salvaged.database, status.error());
   return salvaged;

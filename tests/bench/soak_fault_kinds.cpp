@@ -19,14 +19,14 @@ std::vector<Signal> operator+(std::vector<Signal> some, const std::vector<Signal
 
 /// Who gets no outputs for a few cycles counts it, and a drive falls by it.
 const std::vector<Signal> kWithoutOutputs{Signal::kSm2Missed, Signal::kSetpointSlips, Signal::kAlState};
-/// Who is away, and who is behind it.
+const std::vector<Signal> kDeviations{Signal::kDeviation, Signal::kSlaveDeviation};
+/// Who is away, and who is behind it; their clocks settle anew when they are back.
 std::vector<Signal> away() {
-  return std::vector{Signal::kWkcErrors, Signal::kAlState, Signal::kProcessDataWatchdog} +
+  return std::vector{Signal::kWkcErrors, Signal::kAlState, Signal::kProcessDataWatchdog} + kDeviations +
          of_ports({PortSignal::kLostLinks});
 }
 /// The machine that was never in OP.
 const std::vector<Signal> kStayedDown{Signal::kAlState};
-const std::vector<Signal> kDeviations{Signal::kDeviation, Signal::kSlaveDeviation};
 /// What the firmware tells by its mailbox.
 const std::vector<Signal> kToldByMailbox{Signal::kOutputsExceeded, Signal::kInputsExceeded,
                                          Signal::kOutputsShiftTooShort, Signal::kInputsShiftTooShort};
@@ -81,7 +81,7 @@ std::vector<SoakFaultKind> line_kinds() {
       {.name = "foreign frames",
        .kind = FaultKind::kForeignFrames,
        .victims = {},
-       .most_count = 200,
+       .most_count = 25,  // eight of them: nobody clears 0x030C, which ends at 255
        .findings = {code::kForeignFrames},
        .shows = {Signal::kProcessingUnitErrors},
        .may_show = of_ports({PortSignal::kForwardedErrors})},
@@ -156,7 +156,8 @@ std::vector<SoakFaultKind> clock_kinds() {
        .findings = {code::kSlaveLeftWindow},
        .also = {code::kWindowLeft, code::kShiftTooShort, code::kSlaveFellByMisses, code::kMissedUnexplained,
                 code::kSlaveFell},
-       .shows = kDeviations},
+       .shows = kDeviations,
+       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort}},
       {.name = "offset step",
        .kind = FaultKind::kOffsetStep,
        .victims = {1, 2, 3, 4},
@@ -167,7 +168,8 @@ std::vector<SoakFaultKind> clock_kinds() {
        .findings = {code::kSlaveLeftWindow},
        .also = {code::kWindowLeft, code::kShiftTooShort, code::kSlaveFellByMisses, code::kMissedUnexplained,
                 code::kSlaveFell},
-       .shows = kDeviations},
+       .shows = kDeviations,
+       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort}},
       {.name = "noisy delay",
        .kind = FaultKind::kNoisyDelay,
        .victims = {1, 2, 3, 4},

@@ -2289,22 +2289,6 @@
         <translation>Kopieren Sie die ganze Datei noch einmal von dort, wo sie geschrieben wurde.</translation>
     </message>
     <message>
-        <source>The file is cut off: {there} of {all} KiB are there, and no cycle is lost with the others.</source>
-        <translation>Die Datei ist abgeschnitten: {there} von {all} KiB sind da, und mit den übrigen ist kein Zyklus verloren.</translation>
-    </message>
-    <message>
-        <source>The file is cut off: {there} of {all} KiB are there, and {count:# block|# blocks} of values with cycles {first} to {last} {count:is|are} lost.</source>
-        <translation>Die Datei ist abgeschnitten: {there} von {all} KiB sind da, und {count:# Block|# Blöcke} Werte mit den Zyklen {first} bis {last} {count:ist|sind} verloren.</translation>
-    </message>
-    <message>
-        <source>SQLite refuses the file: what is shown was found page by page, and all its cycles are there.</source>
-        <translation>SQLite weist die Datei ab: Was gezeigt wird, wurde Seite für Seite gefunden, und alle ihre Zyklen sind da.</translation>
-    </message>
-    <message>
-        <source>SQLite refuses the file: what is shown was found page by page, and {count:# block|# blocks} of values with cycles {first} to {last} {count:is|are} lost.</source>
-        <translation>SQLite weist die Datei ab: Was gezeigt wird, wurde Seite für Seite gefunden, und {count:# Block|# Blöcke} Werte mit den Zyklen {first} bis {last} {count:ist|sind} verloren.</translation>
-    </message>
-    <message>
         <source>An imported capture was taken through a switch</source>
         <translation>Ein importierter Mitschnitt lief über einen Switch</translation>
     </message>
@@ -2343,6 +2327,14 @@
     <message>
         <source>{count:# EtherCAT frame was|# EtherCAT frames were} sent by {address}, the adapter of a virtual machine.</source>
         <translation>{count:# EtherCAT-Frame wurde|# EtherCAT-Frames wurden} von {address} gesendet, dem Adapter einer virtuellen Maschine.</translation>
+    </message>
+    <message>
+        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
+        <translation>Die Datei ist abgeschnitten: {there} von {all} KiB sind da, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren.</translation>
+    </message>
+    <message>
+        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
+        <translation>SQLite weist die Datei ab: Was gezeigt wird, wurde Seite für Seite gefunden, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren.</translation>
     </message>
     <message>
         <source>The log of a recording is missing</source>

@@ -2289,22 +2289,6 @@
         <translation>请从写入处重新复制整个文件。</translation>
     </message>
     <message>
-        <source>The file is cut off: {there} of {all} KiB are there, and no cycle is lost with the others.</source>
-        <translation>文件被截断：{all} KiB 中有 {there} KiB，其余部分未丢失任何周期。</translation>
-    </message>
-    <message>
-        <source>The file is cut off: {there} of {all} KiB are there, and {count:# block|# blocks} of values with cycles {first} to {last} {count:is|are} lost.</source>
-        <translation>文件被截断：{all} KiB 中有 {there} KiB，含周期 {first} 至 {last} 的 {count:#} 个数据块丢失。</translation>
-    </message>
-    <message>
-        <source>SQLite refuses the file: what is shown was found page by page, and all its cycles are there.</source>
-        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，其所有周期都在。</translation>
-    </message>
-    <message>
-        <source>SQLite refuses the file: what is shown was found page by page, and {count:# block|# blocks} of values with cycles {first} to {last} {count:is|are} lost.</source>
-        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，含周期 {first} 至 {last} 的 {count:#} 个数据块丢失。</translation>
-    </message>
-    <message>
         <source>An imported capture was taken through a switch</source>
         <translation>导入的抓包经过了交换机</translation>
     </message>
@@ -2318,15 +2302,15 @@
     </message>
     <message>
         <source>{count:# frame is|# frames are} of a switch itself (spanning tree, neighbour discovery).</source>
-        <translation>有 {count:#} 个报文来自交换机自身（生成树、邻居发现）。</translation>
+        <translation>有 {count} 个报文来自交换机自身（生成树、邻居发现）。</translation>
     </message>
     <message>
         <source>{count:# EtherCAT frame has|# EtherCAT frames have} a VLAN tag (802.1Q), which a switch has put on.</source>
-        <translation>有 {count:#} 个 EtherCAT 报文带有交换机加上的 VLAN 标签（802.1Q）。</translation>
+        <translation>有 {count} 个 EtherCAT 报文带有交换机加上的 VLAN 标签（802.1Q）。</translation>
     </message>
     <message>
         <source>{count:# EtherCAT frame came|# EtherCAT frames came} twice, byte for byte, as a mirror port sends what enters and leaves.</source>
-        <translation>有 {count:#} 个 EtherCAT 报文逐字节重复出现两次，正如镜像端口同时转发进出报文的情形。</translation>
+        <translation>有 {count} 个 EtherCAT 报文逐字节重复出现两次，正如镜像端口同时转发进出报文的情形。</translation>
     </message>
     <message>
         <source>An imported capture was taken in a virtual machine</source>
@@ -2342,7 +2326,15 @@
     </message>
     <message>
         <source>{count:# EtherCAT frame was|# EtherCAT frames were} sent by {address}, the adapter of a virtual machine.</source>
-        <translation>有 {count:#} 个 EtherCAT 报文由虚拟机网卡 {address} 发出。</translation>
+        <translation>有 {count} 个 EtherCAT 报文由虚拟机网卡 {address} 发出。</translation>
+    </message>
+    <message>
+        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
+        <translation>文件被截断：{all} KiB 中有 {there} KiB，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失。</translation>
+    </message>
+    <message>
+        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
+        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失。</translation>
     </message>
     <message>
         <source>The log of a recording is missing</source>
