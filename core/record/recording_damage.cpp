@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "findings/reason_of.h"
 #include "findings/recording_words.h"
 #include "findings/sentence.h"
 #include "reasons/because.h"
@@ -84,15 +85,16 @@ void RecordingReader::note_block(const Block& block, std::int64_t missing) {
           block));
 }
 
-bool RecordingReader::salvage() {
-  if (salvaged_) return false;
+Status RecordingReader::salvage(Error otherwise) {
+  if (salvaged_) return tl::unexpected(std::move(otherwise));
   auto salvaged = salvage_recording(path());
-  if (!salvaged) return false;
+  if (!salvaged) return tl::unexpected(std::move(otherwise));
+  if (salvaged->cycles == 0) return no_cycle_left(path());
   database_ = std::move(salvaged->database);
   damage_.clear();
   damaged_rows_.clear();
   note_cut(*salvaged);
-  return true;
+  return {};
 }
 
 void RecordingReader::note_cut(const SalvagedRecording& salvaged) {
@@ -119,7 +121,7 @@ std::vector<Finding> RecordingReader::found() const {
 }
 
 Status RecordingReader::as_error(const Finding& damage) const {
-  return damaged_recording(database_, Reason::verbatim(facts_text(damage)));
+  return damaged_recording(database_, facts_reason(damage));
 }
 
 Status RecordingReader::read_tally() {

@@ -40,6 +40,7 @@ Result<RecordingReader> RecordingReader::open(const std::string& path) {
   auto database = open_recording(path);
   if (!database && database.error().code == ErrorCode::kFileNotReadable) {
     if (auto salvaged = salvage_recording(path)) {
+      if (salvaged->cycles == 0) return no_cycle_left(path);
       RecordingReader reader(std::move(salvaged->database), kRecordingVersion, log_missing);
       reader.note_cut(*salvaged);
       return reader;
@@ -166,7 +167,8 @@ Status RecordingReader::read_told(RecordingInfo& info) {
 
 Result<RecordingInfo> RecordingReader::info() {
   auto info = read_info();
-  if (info || info.error().code != ErrorCode::kFileNotReadable || !salvage()) return info;
+  if (info || info.error().code != ErrorCode::kFileNotReadable) return info;
+  if (auto status = salvage(std::move(info.error())); !status) return tl::unexpected(std::move(status.error()));
   return read_info();
 }
 

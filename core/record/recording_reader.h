@@ -49,8 +49,8 @@ struct BlockSummary {
 /// Reads a recording, also one that is being written. What is damaged is told, not guessed: rows that are not as they
 /// were written are left out, cycles that need one of them are a gap, and damage() names them. Without them nothing can
 /// be read (limits, lists of variables) is kFileNotReadable. Of a file that SQLite refuses, as it is cut off or a page
-/// of SQLite's own is damaged, whatever is whole is read (salvage_recording()), and found() says how much is lost. For
-/// one thread.
+/// of SQLite's own is damaged, whatever is whole is read (salvage_recording()), and found() says how much is lost;
+/// where that is no cycle it is kFileNotReadable. For one thread.
 class RecordingReader {
  public:
   /// As open_recording(), and kFileNotReadable.
@@ -165,8 +165,8 @@ class RecordingReader {
   Status read_watched(WatchLists& watched);
   /// Whose column a series is, as a variable's number; nothing: of none that is known.
   [[nodiscard]] std::optional<std::size_t> variable_of(std::int64_t series) const;
-  /// Reads the file page by page from now on. False: it cannot be.
-  bool salvage();
+  /// Reads the file page by page from now on; `otherwise` where it cannot be.
+  Status salvage(Error otherwise);
   void note_cut(const SalvagedRecording& salvaged);
   [[nodiscard]] Result<RecordingInfo> read_info();
   Status read_about(RecordingInfo& info);

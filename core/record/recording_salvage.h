@@ -14,8 +14,8 @@ namespace syncline {
 struct SalvagedRecording {
   SqlDatabase database;                     // its path() is that of the recording
   std::uint64_t bytes = 0, bytes_said = 0;  // that are there, and that there were; 0: not known
-  std::uint64_t cycles = 0;                 // of the blocks of which there is anything
-  std::uint64_t blocks_lost = 0;            // the others
+  std::uint64_t cycles = 0;                 // of the blocks that are whole
+  std::uint64_t blocks_lost = 0;            // of which there is nothing; the others are gaps
 };
 
 /// kFileNotReadable: it is no recording whose rows have checks (kFirstWithChecks), or what it cannot do without is

@@ -9,6 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "findings/reason_of.h"
+#include "findings/recording_words.h"
+#include "findings/sentence.h"
 #include "reasons/because.h"
 #include "sqlite/sqlite_database.h"
 
@@ -102,6 +105,13 @@ tl::unexpected<Error> damaged_recording(const SqlDatabase& database, Reason what
   return fail(Error{.code = ErrorCode::kFileNotReadable,
                     .detail = because("it is damaged: {words}", std::move(what)),
                     .file = database.path()});
+}
+
+tl::unexpected<Error> no_cycle_left(const std::string& path) {
+  return fail(Error{.code = ErrorCode::kFileNotReadable,
+                    .detail = because("it is damaged or cut off ({words})",
+                                      facts_reason(make_finding<words::kRecording>("recording-cut-off/nothing", {}))),
+                    .file = path});
 }
 
 Result<SqlDatabase> create_recording(const std::string& path) {

@@ -47,5 +47,7 @@ inline constexpr std::int64_t kBusSeries = 256;
 [[nodiscard]] tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error);
 [[nodiscard]] tl::unexpected<Error> write_error(const SqlDatabase& database, const Error& error);
 [[nodiscard]] tl::unexpected<Error> damaged_recording(const SqlDatabase& database, Reason what);
+/// kFileNotReadable: of what was recorded nothing can be shown.
+[[nodiscard]] tl::unexpected<Error> no_cycle_left(const std::string& path);
 
 }  // namespace syncline

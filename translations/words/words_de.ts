@@ -2153,16 +2153,16 @@
         <translation>In einer importierten Aufzeichnung fehlen Antworten</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged and left out.</source>
-        <translation>Zeile {row} der Tabelle {table} ist beschädigt und fehlt.</translation>
+        <source>Row {row} of the table {table} is damaged and left out</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt und fehlt</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
-        <translation>Zeile {row} der Tabelle {table} ist beschädigt: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: Die Zyklen {first} bis {last} sind eine Lücke</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
-        <translation>Zeile {row} der Tabelle {table} ist beschädigt: {signal} ist in den Zyklen {first} bis {last} nicht bekannt.</translation>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: {signal} ist in den Zyklen {first} bis {last} nicht bekannt</translation>
     </message>
     <message>
         <source>SM2 events were missed because a clock had moved</source>
@@ -2329,12 +2329,16 @@
         <translation>{count:# EtherCAT-Frame wurde|# EtherCAT-Frames wurden} von {address} gesendet, dem Adapter einer virtuellen Maschine.</translation>
     </message>
     <message>
-        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
-        <translation>Die Datei ist abgeschnitten: {there} von {all} KiB sind da, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren.</translation>
+        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>Die Datei ist abgeschnitten: {there} von {all} KiB sind da, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren</translation>
     </message>
     <message>
-        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
-        <translation>SQLite weist die Datei ab: Was gezeigt wird, wurde Seite für Seite gefunden, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren.</translation>
+        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>SQLite weist die Datei ab: Was gezeigt wird, wurde Seite für Seite gefunden, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren</translation>
+    </message>
+    <message>
+        <source>no whole cycle of it is left</source>
+        <translation>kein ganzer Zyklus von ihr ist übrig</translation>
     </message>
     <message>
         <source>The log of a recording is missing</source>
@@ -2353,8 +2357,8 @@
         <translation>Die Zeilen einer Aufzeichnung tragen keine Prüfsummen</translation>
     </message>
     <message>
-        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
-        <translation>Die Zeilen des Blocks {block} widersprechen einander: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap</source>
+        <translation>Die Zeilen des Blocks {block} widersprechen einander: Die Zyklen {first} bis {last} sind eine Lücke</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4433,12 +4437,12 @@
         <translation>{count:# Frame|# Frames} kamen nicht zurück (bis zu {most} dicht beieinander, zuerst bei {since}), und {slave} hatte seine Ausgänge trotzdem: sie waren bei ihm vorbei, und kein Slave zählte einen Fehler an seinen Ports.</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
-        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}.</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
-        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}: Die Zyklen {first} bis {last} sind eine Lücke</translation>
     </message>
     <message>
         <source>{file} is an ENI, which holds one alone: leave the network out</source>

@@ -2153,16 +2153,16 @@
         <translation>导入的抓包中缺少应答</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged and left out.</source>
-        <translation>表 {table} 的行 {row} 已损坏，已略去。</translation>
+        <source>Row {row} of the table {table} is damaged and left out</source>
+        <translation>表 {table} 的行 {row} 已损坏，已略去</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
-        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 为空缺。</translation>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 为空缺</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
-        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 中的 {signal} 未知。</translation>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 中的 {signal} 未知</translation>
     </message>
     <message>
         <source>SM2 events were missed because a clock had moved</source>
@@ -2329,12 +2329,16 @@
         <translation>有 {count} 个 EtherCAT 报文由虚拟机网卡 {address} 发出。</translation>
     </message>
     <message>
-        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
-        <translation>文件被截断：{all} KiB 中有 {there} KiB，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失。</translation>
+        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>文件被截断：{all} KiB 中有 {there} KiB，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失</translation>
     </message>
     <message>
-        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost.</source>
-        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失。</translation>
+        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失</translation>
+    </message>
+    <message>
+        <source>no whole cycle of it is left</source>
+        <translation>没有剩下任何完整的周期</translation>
     </message>
     <message>
         <source>The log of a recording is missing</source>
@@ -2353,8 +2357,8 @@
         <translation>记录的各行没有校验值</translation>
     </message>
     <message>
-        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
-        <translation>块 {block} 的各行相互矛盾：周期 {first} 至 {last} 为空缺。</translation>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap</source>
+        <translation>块 {block} 的各行相互矛盾：周期 {first} 至 {last} 为空缺</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4433,12 +4437,12 @@
         <translation>{count:# 个帧|# 个帧}未返回（密集时最多 {most} 个，首次在 {since}），而 {slave} 仍收到了输出：这些帧已经过它，且没有从站在端口上计到错误。</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
-        <translation>表 {table} 缺少 {count:# 行|# 行}。</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
-        <translation>表 {table} 缺少 {count:# 行|# 行}：周期 {first} 至 {last} 为空缺。</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}：周期 {first} 至 {last} 为空缺</translation>
     </message>
     <message>
         <source>{file} is an ENI, which holds one alone: leave the network out</source>

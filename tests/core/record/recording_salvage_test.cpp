@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "findings/error_text.h"
 #include "record/recorder.h"
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
@@ -19,7 +20,10 @@
 namespace syncline {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 
 class RecordingSalvage : public testing::Test {
  protected:
@@ -27,14 +31,18 @@ class RecordingSalvage : public testing::Test {
 
   [[nodiscard]] std::string path(const std::string& name = "run.slrec") const { return folder_.file(name); }
 
-  /// So many blocks of a second with what a recording may hold; the document is longer than a page.
-  void make(int seconds = 12) {
+  static RecordingAbout about() {
     RecordingAbout about;
     about.program = "test 1";
     about.documents = {{"configuration", "c.xml", std::string(30'000, 'c')}};
     about.slaves = {{"Coupler", 2, 3, 1}, {"Input", 2, 3, 4}, {"Servo", 5, 5, 6}};
     about.limits = {kMillisecond, 511, 4000};
-    auto recorder = Recorder::start(path(), about, {.by_clock = false}, {});
+    return about;
+  }
+
+  /// So many blocks of a second with what a recording may hold; the document is longer than a page.
+  void make(int seconds = 12) {
+    auto recorder = Recorder::start(path(), about(), {.by_clock = false}, {});
     ASSERT_TRUE(recorder);
     test::MadeSamples made(1);
     for (int i = 0; i < 10 * seconds; ++i) {
@@ -65,9 +73,15 @@ class RecordingSalvage : public testing::Test {
   /// there.
   std::size_t look_at_cut(std::size_t size) {
     EXPECT_TRUE(write_whole_file(path("cut"), whole_.substr(0, size)));
-    const auto reader = RecordingReader::open(path("cut"));
+    auto reader = RecordingReader::open(path("cut"));
     if (!reader) {
       EXPECT_EQ(reader.error().file, path("cut")) << size;
+      return 0;
+    }
+    const auto info = reader->info();
+    if (!info) {
+      EXPECT_THAT(describe(info.error()), AllOf(HasSubstr(path("cut")), HasSubstr("no whole cycle"))) << size;
+      EXPECT_TRUE(cycles_of(path("cut")).empty()) << size;
       return 0;
     }
     EXPECT_FALSE(RecordingReader::open(path("cut"))->verify()) << size;
@@ -76,6 +90,7 @@ class RecordingSalvage : public testing::Test {
       const auto was = cycles_.find(cycle);
       EXPECT_TRUE(was != cycles_.end() && was->second == line) << size << ", cycle " << cycle;
     }
+    EXPECT_FALSE(cycles.empty()) << size;
     return cycles.size();
   }
 
@@ -98,10 +113,9 @@ TEST_F(RecordingSalvage, HalfAFileGivesItsHalf) {
   EXPECT_LT(info->blocks, 12U);
   ASSERT_FALSE(reader->damage().empty());
   EXPECT_EQ(reader->damage()[0].code, "recording-cut-off");
-  EXPECT_THAT(describe(reader->damage()[0]),
-              testing::AllOf(HasSubstr(std::to_string(whole_.size() / 2 / 1024)),
-                             HasSubstr(std::to_string(whole_.size() / 1024) + " KiB"),
-                             HasSubstr("blocks of values, about a second each, are lost")));
+  EXPECT_THAT(describe(reader->damage()[0]), AllOf(HasSubstr(std::to_string(whole_.size() / 2 / 1024)),
+                                                   HasSubstr(std::to_string(whole_.size() / 1024) + " KiB"),
+                                                   HasSubstr("blocks of values, about a second each, are lost")));
   EXPECT_EQ(info->findings.front().code, "recording-cut-off");
   NetworkConfig config;
   config.slaves.resize(3);
@@ -113,7 +127,52 @@ TEST_F(RecordingSalvage, HalfAFileGivesItsHalf) {
   EXPECT_LT(cycles.size(), 8000U);
   const auto verified = RecordingReader::open(path("cut"))->verify();
   ASSERT_FALSE(verified);
-  EXPECT_THAT(verified.error().detail.text(), HasSubstr("cut off"));
+  EXPECT_THAT(describe(verified.error()), AllOf(HasSubstr("The file is cut off: "), EndsWith("lost.")));
+  EXPECT_THAT(describe(verified.error()), Not(HasSubstr("..")));
+}
+
+/// What is left may be one cycle, and then it is shown; where none is, nothing is opened, and it is said.
+TEST_F(RecordingSalvage, OneCycleIsEnoughAndNoneIsRefused) {
+  auto recorder = Recorder::start(path(), about(), {.by_clock = false}, {});
+  ASSERT_TRUE(recorder);
+  test::MadeSamples made(1);
+  (*recorder)->add(made.next(1));
+  ASSERT_TRUE((*recorder)->finish("end"));
+  whole_ = *read_whole_file(path());
+  cycles_ = cycles_of(path());
+  ASSERT_EQ(cycles_.size(), 1U);
+  std::map<std::size_t, int> found;
+  int refused = 0;
+  for (std::size_t size = 4096; size < whole_.size(); size += 4096) {
+    const auto there = look_at_cut(size);
+    ++found[there];
+    if (there > 0) continue;
+    const auto reader = RecordingReader::open(path("cut"));
+    if (reader) continue;
+    EXPECT_THAT(describe(reader.error()), AllOf(HasSubstr("damaged or cut off"), Not(HasSubstr("..")))) << size;
+    refused += describe(reader.error()).find("no whole cycle of it is left") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GE(found[1], 1) << "cut behind what the cycle needs";
+  EXPECT_GE(refused, 1) << "cut before it";
+  EXPECT_EQ(found.size(), 2U);
+}
+
+/// Nothing was cut off, but of each block a row is not as it was written.
+TEST_F(RecordingSalvage, ARunOfWhichNothingIsLeftIsRefused) {
+  make(3);
+  auto database = SqlDatabase::open(path());
+  ASSERT_TRUE(database->execute("UPDATE data SET crc = crc + 1 WHERE codec > 0 AND id >= 1048576"));
+  NetworkConfig config;
+  config.slaves.resize(3);
+  auto reader = RecordingReader::open(path());
+  ASSERT_TRUE(reader);
+  const auto one = replay_run(*reader, config);
+  ASSERT_TRUE(one) << describe(one.error());
+  EXPECT_FALSE(one->record->samples().empty());
+  ASSERT_TRUE(database->execute("UPDATE data SET crc = crc + 1 WHERE codec > 0 AND id < 1048576"));
+  const auto none = replay_run(*reader, config);
+  ASSERT_FALSE(none);
+  EXPECT_THAT(describe(none.error()), AllOf(HasSubstr(path()), HasSubstr("no whole cycle of it is left")));
 }
 
 /// At each 4096 bytes and at random places: never another value, never more of a shorter file, and most of a long one.
