@@ -131,23 +131,6 @@ TEST_F(FromCatalogue, SaysWhatItReadsWithinItsWidth) {
   EXPECT_TRUE(cut.found().isEmpty()) << qPrintable(cut.found().join(u'\n'));
 }
 
-TEST_F(FromCatalogue, SaysWhereADeviceIsDescribedWithinItsWidth) {
-  const auto file = QStringLiteral("maker__a_name_without_any_place_where_its_line_could_end_of_many_devices.xml");
-  writeEsi(esi_.filePath(file), deviceXml(9, 1, "T9", "YY"));
-  QTest::keyClick(window_.get(), Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
-  workspace_->catalogue().add({esi_.filePath(file)});
-  QTest::keyClicks(&words(), QStringLiteral("T9"));
-  ASSERT_TRUE(waitFor([this] { return devices().currentIndex().data().toString().contains(QStringLiteral("T9")); }));
-  const auto* details = find<QLabel>(*window_, "catalogueDetails");
-  EXPECT_TRUE(details->toolTip().endsWith(file)) << qPrintable(details->toolTip());
-  for (const int width : {1280, 1600}) {
-    window_->resize(width, 700);
-    QApplication::processEvents();
-    const test::CutTexts cut(*window_);
-    EXPECT_TRUE(cut.found().isEmpty()) << qPrintable(cut.found().join(u'\n'));
-  }
-}
-
 TEST_F(FromCatalogue, AMachineIsBuiltAndExportedByKeys) {
   for (const char* type : {"SL-1100", "SL-1002", "SL-2002", "SL-SV7", "SL-XE2"}) add(type);
   ASSERT_EQ(project().slaves.size(), 5U);
