@@ -10,6 +10,7 @@
 #include "channels/command.h"
 #include "channels/master_channels.h"
 #include "compile/dcm_check.h"
+#include "master/exchange/slave_name.h"
 #include "master/scan/bus_scanner.h"
 #include "protocol/dc_registers.h"
 #include "protocol/dcm_error.h"
@@ -33,14 +34,14 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       clock_(clock),
       bus_(exchange, clock, &channels.cancel),
       run_(config_, channels, SharedText(exchange.link().describe().name)),
-      sync_(run_),
+      sync_(config_, run_.snapshot, run_.states, run_.teller, channels.timer_adjust_permil),
       task_(exchange, clock, run_, sync_),
-      delays_(run_),
+      delays_(config_, run_.snapshot, run_.states, run_.teller),
       esm_(bus_, run_, task_, sync_, delays_),
       recovery_(bus_, run_, task_, esm_),
-      renewal_(bus_, run_, task_, delays_),
-      history_(bus_, run_, task_) {
-  bus_.set_link_observer([this](bool up) { run_.note_link(up, clock_.now()); });
+      renewal_(bus_, config_, run_.snapshot, run_.teller, task_, delays_),
+      history_(bus_, run_.mailboxes, run_.teller, task_) {
+  bus_.set_link_observer([this](bool up) { run_.link.note(up, clock_.now()); });
   task_.acyclic().requests().set_positions([this](std::size_t slave) { return esm_.commands().position(slave); });
   bus_.set_interrupt([this] { return unasked_ && !run_.channels().commands.empty(); });
 }
@@ -86,7 +87,8 @@ void Operation::tell_whether_it_runs() {
   std::array<std::uint8_t, 2> al_status{};
   const auto answered = bus_.exchange(Command::kBrd, 0, reg::kAlStatus, al_status);
   // Or-ed: the bit of SAFEOP, or of OP.
-  if (answered && *answered > 0 && (al_status[0] & 0x0C) != 0) run_.event(clock_.now(), -1, events::BusWasRunning{});
+  if (answered && *answered > 0 && (al_status[0] & 0x0C) != 0)
+    run_.teller.tell(clock_.now(), -1, events::BusWasRunning{});
 }
 
 /// From INIT, whatever the slaves are doing.
@@ -100,14 +102,14 @@ Status Operation::bring_up(AlState target) {
 /// has got what of it.
 Status Operation::through_outages(AlState target, const std::function<Status(bool again)>& lead) {
   for (int count = 0;; ++count) {
-    const auto before = run_.link_outages();
+    const auto before = run_.link.outages();
     auto status = lead(count > 0);
-    if (!status && status.error().code == ErrorCode::kLinkDown) run_.note_link(false, clock_.now());
-    if (run_.link_outages() == before && !lost_its_ground(status)) return status;
+    if (!status && status.error().code == ErrorCode::kLinkDown) run_.link.note(false, clock_.now());
+    if (run_.link.outages() == before && !lost_its_ground(status)) return status;
     if (status) status = see_whether_reached(target);
     const bool ended = status || status.error().code == ErrorCode::kCancelled;
     if (ended || count == kMostOutages || !await_link()) return status;
-    run_.event(clock_.now(), -1, events::BringUpAgain{});
+    run_.teller.tell(clock_.now(), -1, events::BringUpAgain{});
   }
 }
 
@@ -116,7 +118,9 @@ Status Operation::through_outages(AlState target, const std::function<Status(boo
 bool Operation::lost_its_ground(const Status& status) {
   constexpr int kCycles = 10;
   if (status || status.error().code == ErrorCode::kCancelled || !cyclic()) return false;
-  const auto holds = [this] { return run_.somebody_present() && (!sync_.active() || task_.reference().leader()); };
+  const auto holds = [this] {
+    return run_.states.somebody_present() && (!sync_.active() || task_.reference().leader());
+  };
   for (int i = 0; i < kCycles && holds(); ++i) {
     if (!bus_.wait_a_little()) return false;
   }
@@ -132,11 +136,11 @@ Status Operation::see_whether_reached(AlState target) {
 
 /// True when slaves answer again.
 bool Operation::await_link() {
-  const auto end = run_.link_away_since().value_or(clock_.now()) + Bus::kLinkPatience;
+  const auto end = run_.link.away_since().value_or(clock_.now()) + Bus::kLinkPatience;
   do {
     if (bus_.cyclic()) {
       if (!bus_.wait_a_little()) return false;
-      if (!run_.link_away_since() && run_.somebody_present()) return true;
+      if (!run_.link.away_since() && run_.states.somebody_present()) return true;
       continue;
     }
     const auto count = count_slaves(bus_);
@@ -149,9 +153,9 @@ bool Operation::await_link() {
 }
 
 Status Operation::run_cycle() {
-  run_.watch_for_others(true);
+  run_.states.watch_for_others(true);
   auto cycle = task_.run_cycle(delays_.requests(clock_.now()));
-  run_.watch_for_others(false);
+  run_.states.watch_for_others(false);
   if (!cycle) return cycle;
   delays_.take(clock_.now(), task_.reference().leader());
   unasked_ = true;
@@ -245,15 +249,15 @@ void Operation::tell_left_behind(const Error& why) {
     const auto& slave = run_.snapshot.slaves[i];
     if (!slave.present || al_state_of(slave.al_status) == AlState::kInit) continue;
     if (left == 0) al_status = slave.al_status;
-    if (left++ < kNamed) names += (names.empty() ? "" : ", ") + run_.slave_name(i);
+    if (left++ < kNamed) names += (names.empty() ? "" : ", ") + slave_name(run_.config(), i);
   }
   if (left == 0) return;
   if (left > kNamed) names += fmt::format(" and {} more", left - kNamed);
   Error error{.code = ErrorCode::kAlTimeout, .subject = std::move(names)};
   error.expected = static_cast<std::int64_t>(AlState::kInit);
   error.received = al_status;
-  run_.error(why.code == ErrorCode::kAlState || why.code == ErrorCode::kAlTimeout ? error : why, clock_.now());
-  if (why.code != ErrorCode::kAlState && why.code != ErrorCode::kAlTimeout) run_.error(error, clock_.now());
+  run_.teller.error(why.code == ErrorCode::kAlState || why.code == ErrorCode::kAlTimeout ? error : why, clock_.now());
+  if (why.code != ErrorCode::kAlState && why.code != ErrorCode::kAlTimeout) run_.teller.error(error, clock_.now());
 }
 
 Status Operation::configure_dcm(const DcmSettings& change) {
@@ -300,7 +304,7 @@ void Operation::tell_forced() {
   const auto bits = task_.forces().count();
   if (bits == run_.snapshot.forced_bits) return;
   run_.snapshot.forced_bits = bits;
-  run_.event(clock_.now(), -1, events::OutputsForced{bits});
+  run_.teller.tell(clock_.now(), -1, events::OutputsForced{bits});
 }
 
 void Operation::clear_statistics() {

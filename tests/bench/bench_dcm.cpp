@@ -15,6 +15,7 @@
 #include "master/clocks/dc_setup.h"
 #include "master/clocks/ored_deviation.h"
 #include "master/clocks/sync_watch.h"
+#include "master/exchange/run_state.h"
 #include "support/jitter_profile.h"
 #include "support/simulated_network.h"
 
@@ -147,7 +148,7 @@ void cost_of_a_cycle(RatioReport& report, DcmMode mode, double controller_ns) {
   const auto config = network.compiled();
   MasterChannels channels;
   RunState state(config, channels);
-  SyncWatch sync(state);
+  SyncWatch sync(config, state.snapshot, state.states, state.teller, channels.timer_adjust_permil);
   DcNetwork clocks;
   clocks.slaves.resize(config.slaves.size());
   for (auto& slave : clocks.slaves) slave.synchronised = true;
@@ -160,7 +161,7 @@ void cost_of_a_cycle(RatioReport& report, DcmMode mode, double controller_ns) {
                         CycleSample sample;
                         (void)sync.reference_write(time, time);
                         (void)sync.observe_cycle({time, time, time + (i * 37) % 100}, sample);
-                        sync.observe_slaves(time, OredDeviation{static_cast<std::uint32_t>(i % 30), 4}, sample);
+                        sync.observe_slaves(time, {}, OredDeviation{static_cast<std::uint32_t>(i % 30), 4}, sample);
                       }
                     }) /
                     kCycles;

@@ -130,7 +130,7 @@ void evidence(RatioReport& report) {
   MasterChannels channels;
   RunState run(config, channels);
   for (auto& slave : run.snapshot.slaves) slave.present = true;
-  EvidenceReader reader(run);
+  EvidenceReader reader(config, run.snapshot, run.teller);
   PendingFrame frame;
   std::size_t bytes = 0, cycles = 0;
   const double reading = median_ns([&] {

@@ -12,10 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/house/house_sources.h"
 #include "tests/support/source_dir.h"
 
 namespace syncline {
 namespace {
+
+using namespace test::house;
 
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
@@ -65,46 +68,6 @@ std::vector<Room> rooms() {
       {"core/engine", with(planned, {"core/channels", "core/compare", "core/sim", "core/link", "core/capture",
                                      "core/master", "core/trace", "core/record"})},
   };
-}
-
-/// All sources below `folder`, relative to the project.
-std::vector<std::string> sources(const std::string& folder) {
-  const fs::path root = test::source_dir();
-  std::vector<std::string> found;
-  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-    const auto extension = entry.path().extension();
-    if (extension == ".h" || extension == ".cpp") found.push_back(fs::relative(entry.path(), root).generic_string());
-  }
-  std::ranges::sort(found);
-  return found;
-}
-
-std::string text_of(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(fs::path(test::source_dir()) / file).rdbuf();
-  return text.str();
-}
-
-struct Include {
-  std::string name;
-  bool ours = false;  // in quotes
-};
-
-std::vector<Include> includes_of(const std::string& file) {
-  static const std::regex pattern(R"re(#include ([<"])([^>"]+)[>"])re");
-  const auto text = text_of(file);
-  std::vector<Include> found;
-  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
-    found.push_back({(*it)[2], (*it)[1] == "\""});
-  return found;
-}
-
-/// Where an include of ours lies; empty when it is made by the build.
-std::string file_of(const std::string& include) {
-  for (const auto& candidate : {"core/" + include, include, "tests/" + include}) {
-    if (fs::exists(fs::path(test::source_dir()) / candidate)) return candidate;
-  }
-  return {};
 }
 
 std::string folder_of(const std::string& file) { return fs::path(file).parent_path().generic_string(); }
@@ -250,70 +213,6 @@ TEST(House, TheCoreKnowsNeitherQtNorXml) {
         EXPECT_FALSE(std::string(place) == "core" && include.name == "tinyxml2.h") << file;
       }
     }
-  }
-}
-
-/// How many headers of ours the longest chain of includes has that begins at a file.
-class IncludeDepth {
- public:
-  [[nodiscard]] int of(const std::string& file) {
-    if (const auto known = known_.find(file); known != known_.end()) return known->second.depth;
-    known_[file] = {};  // a circle adds nothing
-    Chain longest;
-    for (const auto& include : includes_of(file)) {
-      const auto target = include.ours ? file_of(include.name) : std::string();
-      if (target.empty()) continue;
-      const int depth = of(target) + 1;
-      if (depth > longest.depth) longest = {depth, target};
-    }
-    known_[file] = longest;
-    return longest.depth;
-  }
-  [[nodiscard]] std::string chain(const std::string& file) const {
-    std::string text = file;
-    for (auto next = known_.at(file).next; !next.empty(); next = known_.at(next).next) text += " <- " + next;
-    return text;
-  }
-
- private:
-  struct Chain {
-    int depth = 0;
-    std::string next;
-  };
-  std::map<std::string, Chain> known_;
-};
-
-struct DepthBound {
-  const char* place;
-  int median, most;
-};
-
-/// What a change of a header makes others compile anew, and what a reader has to know of: both grow with the chains of
-/// includes. The bounds are what there is now; who gets below them lowers them.
-TEST(House, ChainsOfIncludesGrowNoLonger) {
-  constexpr DepthBound kBounds[] = {
-      {"core", 5, 13},         {"core/advice", 6, 8},    {"core/capture", 4, 7}, {"core/channels", 4, 7},
-      {"core/check", 6, 8},    {"core/compare", 5, 7},   {"core/compile", 7, 9}, {"core/config", 5, 6},
-      {"core/dc", 2, 5},       {"core/diagnosis", 5, 6}, {"core/engine", 7, 8},  {"core/exports", 5, 6},
-      {"core/families", 4, 4}, {"core/findings", 4, 5},  {"core/link", 4, 5},    {"core/master", 8, 13},
-      {"core/protocol", 3, 5}, {"core/reasons", 4, 4},   {"core/record", 6, 8},  {"core/recover", 6, 8},
-      {"core/reports", 7, 8},  {"core/settings", 6, 7},  {"core/sim", 5, 13},    {"core/sqlite", 3, 3},
-      {"core/support", 2, 5},  {"core/trace", 4, 6},     {"eni", 5, 7},          {"ui", 7, 12},
-      {"app", 6, 12}};
-  IncludeDepth depth;
-  for (const auto& bound : kBounds) {
-    std::vector<std::pair<int, std::string>> depths;
-    for (const auto& file : sources(bound.place)) {
-      if (file.ends_with(".cpp")) depths.emplace_back(depth.of(file), file);
-    }
-    ASSERT_FALSE(depths.empty()) << bound.place;
-    std::ranges::sort(depths);
-    EXPECT_LE(depths[depths.size() / 2].first, bound.median) << "median of " << bound.place;
-    EXPECT_LE(depths.back().first, bound.most) << depth.chain(depths.back().second);
-  }
-  for (const auto& room : rooms()) {
-    EXPECT_TRUE(std::ranges::any_of(kBounds, [&](const DepthBound& bound) { return room.folder == bound.place; }))
-        << room.folder << " has no bound";
   }
 }
 

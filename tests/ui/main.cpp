@@ -29,6 +29,11 @@ void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text)
 int main(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   ::testing::InitGoogleTest(&argc, argv);
+  // What a test starts as a program of its own is a disabled one, and in whatever part of the tests that test is.
+  if (::testing::GTEST_FLAG(also_run_disabled_tests)) {
+    qunsetenv("GTEST_TOTAL_SHARDS");
+    qunsetenv("GTEST_SHARD_INDEX");
+  }
   QApplication app(argc, argv);
   QLocale::setDefault(QLocale::c());
   syncline::ui::theme::apply(syncline::ui::theme::Mode::kLight);

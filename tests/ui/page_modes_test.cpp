@@ -46,6 +46,25 @@ TEST_F(PageModes, ShowThePagesOfTheirPurpose) {
   EXPECT_GE(configuring + diagnosing, all);
 }
 
+/// Counts the pages that are shown, each of which is laid out for it.
+class ShownPages : public QObject {
+ public:
+  int count = 0;
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Show) ++count;
+    return QObject::eventFilter(watched, event);
+  }
+};
+
+TEST_F(PageModes, AnotherNodeShowsNoPageButTheOneInFront) {
+  window_.selectNode(-1);
+  ShownPages shown;
+  for (auto* page : window_.editor().findChildren<Page*>()) page->installEventFilter(&shown);
+  window_.selectNode(1);
+  EXPECT_EQ(shown.count, 1);
+  EXPECT_TRUE(window_.editor().tabs()->currentWidget()->isVisible());
+}
+
 TEST(RememberedPageModes, StayWithinWhatThereIs) {
   const QTemporaryDir folder;
   auto environment = test::virtualEnvironment();

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QImage>
 #include <cmath>
 
 namespace syncline::ui::theme {
@@ -28,6 +29,18 @@ QColor over(const QColor& fill, const QColor& base) {
   return QColor::fromRgbF(static_cast<float>(fill.redF() * alpha + base.redF() * (1 - alpha)),
                           static_cast<float>(fill.greenF() * alpha + base.greenF() * (1 - alpha)),
                           static_cast<float>(fill.blueF() * alpha + base.blueF() * (1 - alpha)));
+}
+
+/// The pixel that covers most.
+QColor strongest(const QImage& image) {
+  QColor found(0, 0, 0, 0);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const auto pixel = image.pixelColor(x, y);
+      if (pixel.alpha() > found.alpha()) found = pixel;
+    }
+  }
+  return found;
 }
 
 class Themes : public ::testing::TestWithParam<Mode> {
@@ -60,8 +73,23 @@ TEST_P(Themes, EveryIconCanBeDrawn) {
   ASSERT_GE(names.size(), 15);
   for (const auto& file : names) {
     const auto drawn = icon(file.section(u'.', 0, 0), QApplication::palette());
-    EXPECT_FALSE(drawn.isNull()) << qPrintable(file);
+    ASSERT_FALSE(drawn.isNull()) << qPrintable(file);
+    const auto shown = drawn.pixmap(QSize(16, 16), 1).toImage();
+    EXPECT_GE(strongest(shown).alpha(), 128) << qPrintable(file) << " shows nothing";
   }
+  EXPECT_TRUE(icon(QStringLiteral("none of this name"), QApplication::palette()).isNull());
+}
+
+TEST_P(Themes, IconsAreDrawnInThePixelsOfTheirScreenAndInTheColourOfTheirMode) {
+  const auto palette = QApplication::palette();
+  const auto drawn = icon(QStringLiteral("save"), palette);
+  for (const double scale : {1.0, 1.25, 1.5, 2.0, 4.0}) {
+    EXPECT_EQ(drawn.pixmap(QSize(24, 24), scale).size(), QSize(24, 24) * scale);
+  }
+  const auto color = [&](QIcon::Mode mode) { return strongest(drawn.pixmap(QSize(48, 48), 1, mode).toImage()); };
+  EXPECT_EQ(color(QIcon::Normal), palette.color(QPalette::Active, QPalette::ButtonText));
+  EXPECT_EQ(color(QIcon::Disabled), palette.color(QPalette::Disabled, QPalette::ButtonText));
+  EXPECT_EQ(color(QIcon::Selected), palette.color(QPalette::HighlightedText));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Themes, ::testing::Values(Mode::kLight, Mode::kDark, Mode::kContrast));

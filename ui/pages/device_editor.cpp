@@ -285,10 +285,16 @@ void DeviceEditor::chooseTabs() {
   // The same kind of page stays in front when the selection moves on.
   const auto front =
       tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();
-  tabs_->clear();
+  // What comes before what goes: each page that is taken away from the front would bring the next one there, laid out.
+  int place = 0;
   for (auto* page : wanted) {
-    tabs_->addTab(page, page->title());
+    if (tabs_->indexOf(page) < 0) tabs_->insertTab(place, page, page->title());
+    place = tabs_->indexOf(page) + 1;
     if (page->title() == front) tabs_->setCurrentWidget(page);
+  }
+  if (!wanted.contains(tabs_->currentWidget())) tabs_->setCurrentWidget(wanted.value(0));
+  for (auto* page : shown) {
+    if (!wanted.contains(page)) tabs_->removeTab(tabs_->indexOf(page));
   }
 }
 

@@ -2,12 +2,10 @@
 #include "ui/theme/theme.h"
 
 #include <QApplication>
-#include <QFile>
-#include <QPainter>
-#include <QPixmap>
 #include <QStyle>
 #include <QStyleFactory>
-#include <QSvgRenderer>
+
+#include "ui/theme/line_icon.h"
 
 /// A static library's resources are linked in by this call; the macro must stand outside of any namespace.
 static void linkResources() { Q_INIT_RESOURCE(syncline); }
@@ -88,22 +86,6 @@ const Colors& colorsOf(const QPalette& palette) {
 
 const ToneColors& tonesOf(const QPalette& palette) {
   return isContrast(palette) ? kContrastTones : isDark(palette) ? kDarkTones : kLightTones;
-}
-
-/// The icons are drawn in black; any other colour is put in here.
-QByteArray colored(const QString& name, const QColor& color) {
-  QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  return file.readAll().replace("#000000", color.name().toLatin1());
-}
-
-QPixmap rendered(const QByteArray& svg, int size) {
-  QSvgRenderer renderer(svg);
-  QPixmap pixmap(size, size);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  renderer.render(&painter);
-  return pixmap;
 }
 
 }  // namespace
@@ -201,17 +183,11 @@ QColor mutedText(const QPalette& palette) { return QColor::fromRgb(colorsOf(pale
 QColor outline(const QPalette& palette) { return QColor::fromRgb(colorsOf(palette).outline); }
 
 QIcon icon(const QString& name, const QPalette& palette, const QColor& color) {
-  const auto normal = colored(name, color.isValid() ? color : palette.color(QPalette::Active, QPalette::ButtonText));
-  const auto disabled = colored(name, palette.color(QPalette::Disabled, QPalette::ButtonText));
-  const auto selected = colored(name, palette.color(QPalette::HighlightedText));
-  QIcon icon;
-  if (normal.isEmpty()) return icon;
-  for (const int size : {16, 20, 24, 32, 40, 48}) {
-    icon.addPixmap(rendered(normal, size), QIcon::Normal);
-    icon.addPixmap(rendered(disabled, size), QIcon::Disabled);
-    icon.addPixmap(rendered(selected, size), QIcon::Selected);
-  }
-  return icon;
+  if (!LineIcon::exists(name)) return {};
+  return QIcon(
+      new LineIcon(name, {.normal = color.isValid() ? color : palette.color(QPalette::Active, QPalette::ButtonText),
+                          .disabled = palette.color(QPalette::Disabled, QPalette::ButtonText),
+                          .selected = palette.color(QPalette::HighlightedText)}));
 }
 
 }  // namespace syncline::ui::theme

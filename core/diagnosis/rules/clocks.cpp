@@ -22,9 +22,10 @@ Figure obstacle_figure(dc::SyncObstacle what) {
   return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
 }
 
-/// It was away just before, and finds its time again.
+/// It was away just before, or the adapter by which it hears the time, and finds its time again.
 bool comes_back(const RunReport& report, const RunReport::Slave& slave, Nanoseconds moment) {
-  return report.history.slaves[slave.position].absences.near({moment, moment, 0, 0}, kSecond);
+  const Spell then{moment, moment, 0, 0};
+  return report.history.slaves[slave.position].absences.near(then, kSecond) || adapter_was_away(report, then);
 }
 
 /// Times in which a slave's own readings were over the limit, those left out that are told as something else.

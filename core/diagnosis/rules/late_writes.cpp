@@ -28,8 +28,10 @@ struct Effect {
 }  // namespace
 
 bool was_written_late(const RunReport& report, Nanoseconds loss) {
-  return steers_reference_clock(report.dcm.mode) &&
-         report.history.late_frames.near({loss - kShownAfter, loss, 0, 0}, kTogether);
+  const Spell before{loss - kShownAfter, loss, 0, 0};
+  // What was under way when the adapter went is late, too, and by that.
+  return steers_reference_clock(report.dcm.mode) && report.history.late_frames.near(before, kTogether) &&
+         !adapter_was_away(report, before);
 }
 
 void find_late_writes(const RunReport& report, Findings& findings) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "master/clocks/clock_feed.h"
 #include "master/clocks/dc_loop_values.h"
@@ -42,7 +43,7 @@ class Burst {
 
 Status DcJoin::run(std::span<const std::size_t> slaves, std::optional<std::uint16_t> leader) {
   std::vector<std::uint16_t> stations;
-  for (const auto slave : slaves) stations.push_back(run_.config().slaves[slave].station_address);
+  for (const auto slave : slaves) stations.push_back(config_.slaves[slave].station_address);
   const auto capabilities = probe_dc(bus_, stations);
   if (!capabilities) return tl::unexpected(capabilities.error());
   std::vector<std::size_t> joined;
@@ -50,18 +51,18 @@ Status DcJoin::run(std::span<const std::size_t> slaves, std::optional<std::uint1
     const bool wide = (*capabilities)[i] == DcCapability::kSystemTime64;
     if (!wide && (*capabilities)[i] != DcCapability::kSystemTime32) continue;
     if (auto status = set_clock(slaves[i], wide, leader); !status) return status;
-    if (run_.snapshot.slaves[slaves[i]].dc_enabled) joined.push_back(slaves[i]);
+    if (snapshot_.slaves[slaves[i]].dc_enabled) joined.push_back(slaves[i]);
   }
   if (!leader || joined.empty()) return {};
-  const Burst burst(feed_, run_.config().slaves[*leader].station_address);
+  const Burst burst(feed_, config_.slaves[*leader].station_address);
   return await(joined);
 }
 
 Status DcJoin::set_clock(std::size_t slave, bool wide, std::optional<std::uint16_t> leader) {
-  const auto& config = run_.config();
+  const auto& config = config_;
   const auto station = config.slaves[slave].station_address;
   std::array<std::uint8_t, 8> zero{}, mine{}, theirs{};
-  auto delay = le_bytes(run_.snapshot.slaves[slave].propagation_delay_ns);
+  auto delay = le_bytes(snapshot_.slaves[slave].propagation_delay_ns);
   const auto at = [](std::uint16_t address, std::uint16_t ado, std::span<std::uint8_t> bytes, Command command) {
     return Datagram{command, device_address(address, ado), bytes};
   };
@@ -90,8 +91,8 @@ Status DcJoin::set_clock(std::size_t slave, bool wide, std::optional<std::uint16
 }
 
 Status DcJoin::set_loop(std::size_t slave) {
-  const auto station = run_.config().slaves[slave].station_address;
-  auto values = dc_loop_values(run_.config(), slave == home_ ? DcLoopRole::kReturning : DcLoopRole::kFollower);
+  const auto station = config_.slaves[slave].station_address;
+  auto values = dc_loop_values(config_, slave == home_ ? DcLoopRole::kReturning : DcLoopRole::kFollower);
   if (values.empty()) values.push_back({reg::kSpeedCounterStart, le_bytes(kSpeedCounterDefault)});
   std::vector<Datagram> writes;
   for (auto& value : values) writes.push_back({Command::kFpwr, device_address(station, value.address), value.bytes});
@@ -112,7 +113,7 @@ Status DcJoin::await(std::span<const std::size_t> slaves) {
       std::vector<Datagram> reads;
       for (std::size_t i = 0; i < slaves.size(); ++i) {
         bytes[i].fill(0);
-        const auto station = run_.config().slaves[slaves[i]].station_address;
+        const auto station = config_.slaves[slaves[i]].station_address;
         reads.push_back({Command::kFprd, device_address(station, reg::kSystemTimeDifference), bytes[i]});
       }
       if (auto status = bus_.transact(reads); !status) return status;

@@ -13,7 +13,8 @@ namespace syncline {
 
 class Bus;
 class ClockFeed;
-class RunState;
+struct NetworkConfig;
+struct Snapshot;
 class SyncWatch;
 
 /// Sets the clocks of slaves that join a bus whose clocks run already, without a word to the others: each
@@ -24,8 +25,9 @@ class SyncWatch;
 class DcJoin {
  public:
   /// `home`: position of the clock that is to lead, whose loop has values of its own.
-  DcJoin(Bus& bus, RunState& run, const SyncWatch& sync, ClockFeed& feed, std::uint16_t home)
-      : bus_(bus), run_(run), sync_(sync), feed_(feed), home_(home) {}
+  DcJoin(Bus& bus, const NetworkConfig& config, const Snapshot& snapshot, const SyncWatch& sync, ClockFeed& feed,
+         std::uint16_t home)
+      : bus_(bus), config_(config), snapshot_(snapshot), sync_(sync), feed_(feed), home_(home) {}
 
   /// `leader`: position of the slave that leads; empty: the master's own idea of the time. Then waits until the
   /// clocks run with the leader's, some seconds at most. Slaves without a system time are left out. Bus errors.
@@ -37,7 +39,8 @@ class DcJoin {
   Status await(std::span<const std::size_t> slaves);
 
   Bus& bus_;
-  RunState& run_;
+  const NetworkConfig& config_;
+  const Snapshot& snapshot_;
   const SyncWatch& sync_;
   ClockFeed& feed_;
   std::uint16_t home_;

@@ -5,10 +5,14 @@
 #include <cstdlib>
 #include <utility>
 
+#include "channels/snapshot.h"
 #include "config/dc_settings.h"
+#include "config/network_config.h"
 #include "master/clocks/clock_segment.h"
 #include "master/clocks/clock_survey.h"
 #include "master/clocks/dc_setup.h"
+#include "master/exchange/event_teller.h"
+#include "master/exchange/slave_states.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -22,7 +26,7 @@ constexpr unsigned kMostFailedRounds = 5;
 }  // namespace
 
 void DelayCompensation::use(std::vector<std::size_t> slaves, const ClockSegment& segment, std::uint16_t leader) {
-  const auto& config = run_.config();
+  const auto& config = config_;
   slaves_ = std::move(slaves);
   dl_status_ = segment.dl_status;
   reference_clock_ = leader;
@@ -32,7 +36,7 @@ void DelayCompensation::use(std::vector<std::size_t> slaves, const ClockSegment&
   corrections_.assign(slaves_.size(), {});
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     auto& correction = corrections_[i];
-    correction.written = correction.target = run_.snapshot.slaves[slaves_[i]].propagation_delay_ns;
+    correction.written = correction.target = snapshot_.slaves[slaves_[i]].propagation_delay_ns;
     correction.datagram = addresses[i].write(reg::kSystemTimeDelay, correction.bytes);
   }
   requests_.clear();
@@ -46,7 +50,7 @@ void DelayCompensation::start(const DcNetwork& network, Nanoseconds now) {
     corrections_[i].written = corrections_[i].target = network.slaves[slaves_[i]].delay_ns;
   }
   measured_at_ = now;
-  set_enabled(run_.config().dc.continuous_propagation_compensation, now);
+  set_enabled(config_.dc.continuous_propagation_compensation, now);
 }
 
 void DelayCompensation::renew(std::vector<std::size_t> slaves, const DelaySurvey& survey, std::uint16_t leader,
@@ -123,7 +127,7 @@ void DelayCompensation::take_round(Nanoseconds now) {
 void DelayCompensation::finish(Nanoseconds now) {
   step_ = Step::kWait;
   next_measurement_ = now + kPeriod;
-  correct_to(segment_delays(latch_->nodes(), dl_status_, delay_options(run_.config().dc)), 1, kLargestChange, now);
+  correct_to(segment_delays(latch_->nodes(), dl_status_, delay_options(config_.dc)), 1, kLargestChange, now);
 }
 
 void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t least_step,
@@ -135,7 +139,7 @@ void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t 
   const auto origin = leader < slaves_.size() ? delays.delay_ns[leader] : std::nullopt;
   for (std::size_t i = 0; origin && i < slaves_.size(); ++i) {
     auto& correction = corrections_[i];
-    if (!run_.snapshot.slaves[slaves_[i]].dc_enabled || !delays.delay_ns[i] || *delays.delay_ns[i] < *origin) continue;
+    if (!snapshot_.slaves[slaves_[i]].dc_enabled || !delays.delay_ns[i] || *delays.delay_ns[i] < *origin) continue;
     // Whoever leads in the place of another keeps the delay that it had behind that.
     const auto delay = *delays.delay_ns[i] - *origin + corrections_[leader].written;
     const auto change = std::int64_t{delay} - std::int64_t{correction.written};
@@ -146,7 +150,7 @@ void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t 
     ++corrected;
     if (std::abs(change) > std::abs(largest)) largest = change;
   }
-  run_.event(now, -1, events::DelaysMeasured{corrected, largest});
+  teller_.tell(now, -1, events::DelaysMeasured{corrected, largest});
 }
 
 void DelayCompensation::give_up(Nanoseconds now) {
@@ -178,13 +182,13 @@ void DelayCompensation::take_corrections() {
     if (correction.written == correction.target || !correction.datagram.done()) continue;
     correction.written = load_le<std::uint32_t>(correction.bytes);
     correction.datagram.answered = false;
-    run_.snapshot.slaves[slaves_[i]].propagation_delay_ns = correction.written;
-    run_.note_slave_change();
+    snapshot_.slaves[slaves_[i]].propagation_delay_ns = correction.written;
+    states_.note_slave_change();
   }
 }
 
 bool DelayCompensation::all_there() const {
-  return std::ranges::all_of(slaves_, [this](std::size_t slave) { return run_.snapshot.slaves[slave].present; });
+  return std::ranges::all_of(slaves_, [this](std::size_t slave) { return snapshot_.slaves[slave].present; });
 }
 
 }  // namespace syncline

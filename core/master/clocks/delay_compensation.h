@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "master/clocks/delay_latch.h"
-#include "master/exchange/run_state.h"
 #include "protocol/dl_status.h"
 #include "protocol/sdo_information.h"
 
@@ -18,6 +17,10 @@ namespace syncline {
 struct ClockSegment;
 struct DcNetwork;
 struct DelaySurvey;
+class EventTeller;
+struct NetworkConfig;
+class SlaveStates;
+struct Snapshot;
 
 /// Corrects 0x0928 while the bus runs, by datagrams that ride with its cycles, and in small steps, because each write
 /// of that register is a step of what the slave's control loop sees. 0x0920 and 0x0930 stay: their writes would cost
@@ -39,7 +42,8 @@ class DelayCompensation {
   /// A larger one is no change of a delay but another segment.
   static constexpr std::uint32_t kLargestChange = 10'000;  // ns
 
-  explicit DelayCompensation(RunState& run) : run_(run) {}
+  DelayCompensation(const NetworkConfig& config, Snapshot& snapshot, SlaveStates& states, EventTeller& teller)
+      : config_(config), snapshot_(snapshot), states_(states), teller_(teller) {}
   DelayCompensation(const DelayCompensation&) = delete;
   DelayCompensation& operator=(const DelayCompensation&) = delete;
 
@@ -81,7 +85,10 @@ class DelayCompensation {
   void take_corrections();
   [[nodiscard]] bool all_there() const;
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  SlaveStates& states_;
+  EventTeller& teller_;
   bool enabled_ = false;
   Step step_ = Step::kWait;
   std::unique_ptr<DelayLatch> latch_;

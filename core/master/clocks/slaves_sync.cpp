@@ -5,9 +5,13 @@
 #include <cstdlib>
 
 #include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 #include "config/dc_settings.h"
+#include "config/network_config.h"
 #include "master/clocks/dc_setup.h"
 #include "master/clocks/ored_deviation.h"
+#include "master/exchange/event_teller.h"
+#include "master/exchange/slave_states.h"
 
 namespace syncline {
 namespace {
@@ -44,7 +48,7 @@ SyncState state_of(dc::SyncVerdict::State state) {
 }  // namespace
 
 void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool steered) {
-  const auto& config = run_.config();
+  const auto& config = config_;
   steered_ = steered;
   readings_.assign(config.slaves.size(), {});
   for (auto& reading : readings_) reading.time = first_cycle;
@@ -56,7 +60,7 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   known_.reset();
   awaited_.clear();
   awaited_.reserve(config.slaves.size());
-  auto& dc = run_.snapshot.dc;
+  auto& dc = snapshot_.dc;
   dc.reference_clock = network.reference_clock;
   dc.monitored = config.dc.sync_window.enabled && network.synchronised_count() >= 2;
   const auto round = static_cast<Nanoseconds>(network.synchronised_count()) * config.cycle_time();
@@ -67,12 +71,12 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   dc.since = first_cycle;
 }
 
-void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, const std::optional<OredDeviation>& ored,
-                         CycleSample& sample) {
-  take_readings(time, distributed);
+void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, std::span<const std::uint16_t> read,
+                         const std::optional<OredDeviation>& ored, CycleSample& sample) {
+  take_readings(time, distributed, read);
   if (ored) {
     ored_ns_ = ored->magnitude_ns;
-    run_.snapshot.dc.deviation_ored_ns = ored_ns_;
+    snapshot_.dc.deviation_ored_ns = ored_ns_;
     sample.deviation_ored_ns = ored_ns_;
     sample.flags |= CycleSample::kDeviationValid;
   }
@@ -80,7 +84,7 @@ void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, const std
   if (ored && distributed) input.ored = meaning(*ored);
   const auto edge = verdict_.observe(input);
   report(time, sample);
-  if (const auto& deviation = run_.snapshot.dc.deviation_ns) {
+  if (const auto& deviation = snapshot_.dc.deviation_ns) {
     sample.deviation_ns = input.ored && input.ored->followers_only ? ored_ns_ : *deviation;
     sample.flags |= CycleSample::kFollowersRead;
   }
@@ -88,13 +92,13 @@ void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, const std
   tell(edge, time);
 }
 
-void SlavesSync::take_readings(Nanoseconds time, bool distributed) {
+void SlavesSync::take_readings(Nanoseconds time, bool distributed, std::span<const std::uint16_t> read) {
   for (const auto slave : awaited_) note_catching_up(slave, time);
-  const bool news = known_ != Known{run_.slave_changes(), run_.snapshot.dc.reference_clock};
+  const bool news = known_ != Known{states_.slave_changes(), snapshot_.dc.reference_clock};
   if (news || std::ranges::any_of(awaited_, [&](auto slave) { return is_back(slave, time); })) look_who_follows(time);
   if (!distributed) return;
-  for (const std::size_t i : run_.deviations_read) {
-    const auto& slave = run_.snapshot.slaves[i];
+  for (const std::size_t i : read) {
+    const auto& slave = snapshot_.slaves[i];
     if (!slave.deviation_valid || slave.deviation_time != time) continue;
     auto& reading = readings_[i];
     reading.read = true;
@@ -110,29 +114,29 @@ void SlavesSync::look_who_follows(Nanoseconds time) {
   alone_ = true;
   awaited_.clear();
   for (std::size_t i = 0; i < readings_.size(); ++i) {
-    auto& slave = run_.snapshot.slaves[i];
+    auto& slave = snapshot_.slaves[i];
     auto& reading = readings_[i];
     const bool stays = slave.present && (lost_[i] | returned_[i]) == 0;
     const bool follows = stays ? may_follow(i) : follows_again(i, time);
     if (follows != reading.follows) reading = {follows, false, time, 0};
     slave.follows = follows;
     followers_ += follows ? 1 : 0;
-    const bool leads = static_cast<int>(i) == run_.snapshot.dc.reference_clock;
+    const bool leads = static_cast<int>(i) == snapshot_.dc.reference_clock;
     alone_ = alone_ && (follows || leads || !slave.dc_enabled || !slave.present);
     if (slave.present && lost_[i] != 0 && may_follow(i)) awaited_.push_back(i);
   }
-  known_ = {run_.slave_changes(), run_.snapshot.dc.reference_clock};
+  known_ = {states_.slave_changes(), snapshot_.dc.reference_clock};
 }
 
 bool SlavesSync::may_follow(std::size_t slave) const {
-  const auto leader = run_.snapshot.dc.reference_clock;
-  return run_.snapshot.slaves[slave].dc_enabled && leader >= 0 && static_cast<int>(slave) > leader;
+  const auto leader = snapshot_.dc.reference_clock;
+  return snapshot_.slaves[slave].dc_enabled && leader >= 0 && static_cast<int>(slave) > leader;
 }
 
 bool SlavesSync::follows_again(std::size_t slave, Nanoseconds time) {
-  const bool present = run_.snapshot.slaves[slave].present;
+  const bool present = snapshot_.slaves[slave].present;
   const bool was_lost = lost_[slave] != 0;
-  const bool leads = static_cast<int>(slave) == run_.snapshot.dc.reference_clock;
+  const bool leads = static_cast<int>(slave) == snapshot_.dc.reference_clock;
   const bool catches_up = present && may_follow(slave);
   if (!catches_up) returns_[slave] = {};
   if (!present) {
@@ -151,11 +155,11 @@ void SlavesSync::tell_return(std::size_t slave, Nanoseconds time) {
   const bool within = reading.follows && reading.magnitude() <= verdict_.limit_ns();
   if (returned_[slave] == 0 || !within || verdict_.state() != dc::SyncVerdict::State::kInSync) return;
   returned_[slave] = 0;
-  run_.event(time, static_cast<int>(slave), events::SlavesInSync{reading.magnitude()});
+  teller_.tell(time, static_cast<int>(slave), events::SlavesInSync{reading.magnitude()});
 }
 
 void SlavesSync::note_catching_up(std::size_t slave, Nanoseconds time) {
-  const auto& status = run_.snapshot.slaves[slave];
+  const auto& status = snapshot_.slaves[slave];
   auto& [since, near_since] = returns_[slave];
   if (!since) since = time;
   if (!status.deviation_valid || status.deviation_time != time) return;
@@ -168,7 +172,7 @@ void SlavesSync::note_catching_up(std::size_t slave, Nanoseconds time) {
 /// just set drifts away before its loop has learned the quartz.
 bool SlavesSync::is_back(std::size_t slave, Nanoseconds time) const {
   const auto& [since, near_since] = returns_[slave];
-  const auto state = al_state_of(run_.snapshot.slaves[slave].al_status);
+  const auto state = al_state_of(snapshot_.slaves[slave].al_status);
   const bool works = state == AlState::kSafeop || state == AlState::kOp;
   if (works) return near_since.has_value() || (since && time - *since >= kMostCatchingUp);
   return near_since && time - *near_since >= kCatchingUp;
@@ -177,7 +181,7 @@ bool SlavesSync::is_back(std::size_t slave, Nanoseconds time) const {
 /// A slave in front of the reference clock gets the master's time, and a reference clock that the master steers has its
 /// error against the host: what ors them is over the limit for reasons that are none of the followers'.
 dc::OredReading SlavesSync::meaning(const OredDeviation& ored) const {
-  const auto& dc = run_.snapshot.dc;
+  const auto& dc = snapshot_.dc;
   const auto with_leader = followers_ + 1;
   bool leader_is_quiet = dc.reference_clock >= 0;
   if (leader_is_quiet) {
@@ -190,7 +194,7 @@ dc::OredReading SlavesSync::meaning(const OredDeviation& ored) const {
 }
 
 void SlavesSync::report(Nanoseconds time, CycleSample& sample) {
-  auto& dc = run_.snapshot.dc;
+  auto& dc = snapshot_.dc;
   const auto& evidence = verdict_.evidence();
   dc.state = state_of(verdict_.state());
   dc.since = verdict_.since();
@@ -228,11 +232,11 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
     case dc::SyncVerdict::Edge::kInSync:
       if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
       returned_.assign(returned_.size(), 0);
-      run_.event(time, -1, events::SlavesInSync{evidence.worst >= 0 ? evidence.worst_ns : ored_ns_});
+      teller_.tell(time, -1, events::SlavesInSync{evidence.worst >= 0 ? evidence.worst_ns : ored_ns_});
       return;
     case dc::SyncVerdict::Edge::kUnknown:
       if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
-      run_.event(time, -1, events::SlavesSyncUnknown{evidence.followers > 0 ? time - evidence.oldest : 0});
+      teller_.tell(time, -1, events::SlavesSyncUnknown{evidence.followers > 0 ? time - evidence.oldest : 0});
       return;
     case dc::SyncVerdict::Edge::kOutOfSync:
       out_since_ = time;
@@ -262,10 +266,10 @@ std::optional<std::size_t> SlavesSync::who_moved(Nanoseconds time) const {
     first = std::min(first, i);
     (reading.deviation_ns < 0 ? sooner : later) = true;
   }
-  const auto leader = run_.snapshot.dc.reference_clock;
+  const auto leader = snapshot_.dc.reference_clock;
   if (later == sooner || leader < 0) return std::nullopt;
   const auto has_moved = [&](std::size_t slave) {
-    const auto moved = run_.snapshot.slaves[slave].moved;
+    const auto moved = snapshot_.slaves[slave].moved;
     return moved != 0 && time - moved < kJust;
   };
   // It was away itself, with whoever else: clocks that nobody led meanwhile, and no change of the way.
@@ -279,7 +283,7 @@ std::optional<std::size_t> SlavesSync::who_moved(Nanoseconds time) const {
 
 /// One that is away may be about to come back: it changes the frames' way before it answers.
 bool SlavesSync::somebody_may_come() const {
-  return std::ranges::any_of(run_.snapshot.slaves, [](const SlaveStatus& slave) { return !slave.present; });
+  return std::ranges::any_of(snapshot_.slaves, [](const SlaveStatus& slave) { return !slave.present; });
 }
 
 /// The wire-ored value names nobody: told when every slave has been read since. Only who was seen over the limit is
@@ -299,10 +303,10 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
   const bool wait = !all_read_since(*out_since_) || (!way_of_ && out_alike_ && somebody_may_come());
   if (wait && time - *out_since_ < kCulpritPatience) return;
   if (way_of_) {
-    run_.event(*out_since_, -1, events::SlavesOutOfSync{out_by_, 0});
-    run_.event(*out_since_, static_cast<int>(*way_of_), events::FramesWayChanged{out_by_, out_count_});
+    teller_.tell(*out_since_, -1, events::SlavesOutOfSync{out_by_, 0});
+    teller_.tell(*out_since_, static_cast<int>(*way_of_), events::FramesWayChanged{out_by_, out_count_});
   } else {
-    run_.event(*out_since_, out_alike_ ? -1 : out_culprit_, events::SlavesOutOfSync{out_by_, out_count_});
+    teller_.tell(*out_since_, out_alike_ ? -1 : out_culprit_, events::SlavesOutOfSync{out_by_, out_count_});
   }
   out_since_.reset();
 }

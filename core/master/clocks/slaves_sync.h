@@ -3,36 +3,42 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "dc/sync_verdict.h"
-#include "master/exchange/run_state.h"
+#include "support/types.h"
 
 namespace syncline {
 
 struct CycleSample;
 struct DcNetwork;
+class EventTeller;
+struct NetworkConfig;
 struct OredDeviation;
+class SlaveStates;
+struct Snapshot;
 
 /// Slaves against their reference clock: hands the readings of each cycle to the verdict, keeps the result in the
 /// snapshot and the sample, tells the edges and names who is to blame. Allocates nothing after start().
 class SlavesSync {
  public:
-  explicit SlavesSync(RunState& run) : run_(run) {}
+  SlavesSync(const NetworkConfig& config, Snapshot& snapshot, const SlaveStates& states, EventTeller& teller)
+      : config_(config), snapshot_(snapshot), states_(states), teller_(teller) {}
 
   /// `steered`: the reference clock's own 0x092C is its error against the host, because the master writes its 0x0910.
   void start(const DcNetwork& network, Nanoseconds first_cycle, bool steered);
   /// One cycle, after its readings. `led`: there is a reference clock; `distributed`: its time reached the slaves in
-  /// this cycle, without which 0x092C says nothing new.
-  void observe(Nanoseconds time, bool led, bool distributed, const std::optional<OredDeviation>& ored,
-               CycleSample& sample);
+  /// this cycle, without which 0x092C says nothing new; `read`: the slaves whose own 0x092C came with it.
+  void observe(Nanoseconds time, bool led, bool distributed, std::span<const std::uint16_t> read,
+               const std::optional<OredDeviation>& ored, CycleSample& sample);
   /// Somebody left the sync window, or may have: the slaves' own readings must say, soon.
   [[nodiscard]] bool wants_readings() const { return out_since_.has_value() || round_since_.has_value(); }
   /// Who follows is known until a slave changes, and no cycle looks at all of them again.
   [[nodiscard]] bool settled() const { return known_.has_value() && awaited_.empty(); }
 
  private:
-  void take_readings(Nanoseconds time, bool distributed);
+  void take_readings(Nanoseconds time, bool distributed, std::span<const std::uint16_t> read);
   void look_who_follows(Nanoseconds time);
   /// It has a clock and stands behind the reference clock.
   [[nodiscard]] bool may_follow(std::size_t slave) const;
@@ -51,7 +57,10 @@ class SlavesSync {
   [[nodiscard]] bool somebody_may_come() const;
   [[nodiscard]] bool all_read_since(Nanoseconds time) const;
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  const SlaveStates& states_;
+  EventTeller& teller_;
   dc::SyncVerdict verdict_;
   std::vector<dc::ClockReading> readings_;
   // Bytes, because all of them are asked in each cycle:

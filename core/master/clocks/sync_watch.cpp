@@ -7,12 +7,16 @@
 
 #include "channels/cycle_sample.h"
 #include "channels/master_channels.h"
+#include "channels/snapshot.h"
 #include "channels/sync_standing.h"
 #include "compile/dcm_check.h"
+#include "config/network_config.h"
 #include "dc/clock_registers.h"
 #include "master/clocks/dc_setup.h"
 #include "master/clocks/ored_deviation.h"
+#include "master/exchange/event_teller.h"
 #include "master/exchange/narrow.h"
+#include "master/exchange/slave_states.h"
 #include "settings/dc_check.h"
 
 namespace syncline {
@@ -28,33 +32,40 @@ double milliseconds(Nanoseconds time) { return static_cast<double>(time) / stati
 
 }  // namespace
 
-SyncWatch::SyncWatch(RunState& run) : run_(run), settings_(effective_dcm_settings(run.config().dc.dcm)), slaves_(run) {
-  if (!run_.config().dc.enabled) settings_.mode = DcmMode::kOff;
+SyncWatch::SyncWatch(const NetworkConfig& config, Snapshot& snapshot, const SlaveStates& states, EventTeller& teller,
+                     const std::atomic<double>& timer_adjust_permil)
+    : config_(config),
+      snapshot_(snapshot),
+      teller_(teller),
+      timer_adjust_permil_(timer_adjust_permil),
+      settings_(effective_dcm_settings(config.dc.dcm)),
+      slaves_(config, snapshot, states, teller) {
+  if (!config_.dc.enabled) settings_.mode = DcmMode::kOff;
   note_settings();
 }
 
 void SyncWatch::note_settings() {
-  auto& dcm = run_.snapshot.dcm;
+  auto& dcm = snapshot_.dcm;
   dcm.mode = settings_.mode;
   dcm.control_off = settings_.control_off || settings_.mode == DcmMode::kMasterShiftByApp;
   dcm.set_value_ns = to_32(set_value());
   dcm.in_sync_limit = settings_.in_sync_limit;
-  dcm.bus_shift_configured = bus_shift_configured(run_.config());
+  dcm.bus_shift_configured = bus_shift_configured(config_);
 }
 
 void SyncWatch::make_controller() {
-  const auto cycle = run_.config().cycle_time();
+  const auto cycle = config_.cycle_time();
   controller_ = dc::make_dcm_controller(settings_, cycle, set_value(), least_set_value_);
 }
 
 Status SyncWatch::configure(const DcmSettings& change) {
   auto merged = merge_dcm_settings(settings_, change);
   merged.mode = settings_.mode;
-  if (auto status = check_dcm_settings(merged, run_.config().cycle_time()); !status) return status;
+  if (auto status = check_dcm_settings(merged, config_.cycle_time()); !status) return status;
   settings_ = merged;
   learned_ppm_ = 0;
   note_settings();
-  ++run_.snapshot.dcm.times_configured;
+  ++snapshot_.dcm.times_configured;
   if (!controller_) return {};
   make_controller();
   controller_->start(base_, last_reference_, last_host_);
@@ -64,23 +75,23 @@ Status SyncWatch::configure(const DcmSettings& change) {
 }
 
 void SyncWatch::start_verdict(Nanoseconds time) {
-  const auto cycle = run_.config().cycle_time();
+  const auto cycle = config_.cycle_time();
   dc::MasterVerdict::Settings settings;
   settings.settle = settings_.in_sync_settle_time_ms * kMillisecond;
   settings.stale = std::max(kLeastStale, kStaleCycles * cycle);
   settings.late_allowed = set_value() - least_set_value_;
   verdict_ = dc::MasterVerdict(settings, time);
   start_ = time;
-  run_.snapshot.dcm.in_sync_after_ms.reset();
-  run_.snapshot.dcm.late_allowed_ns = to_32(settings.late_allowed);
+  snapshot_.dcm.in_sync_after_ms.reset();
+  snapshot_.dcm.late_allowed_ns = to_32(settings.late_allowed);
 }
 
 Nanoseconds SyncWatch::set_value() const {
-  return effective_set_value(settings_, run_.config().cycle_time(), least_set_value_);
+  return effective_set_value(settings_, config_.cycle_time(), least_set_value_);
 }
 
 Nanoseconds SyncWatch::first_cycle(const DcNetwork& network, Nanoseconds earliest) {
-  const auto& config = run_.config();
+  const auto& config = config_;
   Nanoseconds farthest = 0;
   for (const auto& slave : network.slaves) farthest = std::max<Nanoseconds>(farthest, slave.delay_ns);
   least_set_value_ = least_set_value(config, farthest);
@@ -93,7 +104,7 @@ Nanoseconds SyncWatch::first_cycle(const DcNetwork& network, Nanoseconds earlies
 }
 
 void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
-  const auto& config = run_.config();
+  const auto& config = config_;
   start_ = first_cycle;
   last_host_ = network.host_time;
   last_reference_ = network.reference_time;
@@ -107,20 +118,20 @@ void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {
   controller_->start(base_, first_reference, first_cycle);
 
   start_verdict(first_cycle);
-  run_.snapshot.dc.enabled = true;
-  run_.snapshot.dc.sync_base = base_;
+  snapshot_.dc.enabled = true;
+  snapshot_.dc.sync_base = base_;
   slaves_.start(network, first_cycle, steers());
   led_ = true;
-  run_.snapshot.dcm.state = run_.snapshot.dcm.mode == DcmMode::kOff ? SyncState::kNotMonitored : SyncState::kBusy;
+  snapshot_.dcm.state = snapshot_.dcm.mode == DcmMode::kOff ? SyncState::kNotMonitored : SyncState::kBusy;
 }
 
 bool SyncWatch::slaves_in_sync() const {
-  return !run_.snapshot.dc.monitored || syncline::slaves_in_sync(run_.snapshot.dc).value_or(true);
+  return !snapshot_.dc.monitored || syncline::slaves_in_sync(snapshot_.dc).value_or(true);
 }
 
 bool SyncWatch::schedule_in_sync() const {
   // Nobody is waited for who is not asked to come.
-  const auto& dcm = run_.snapshot.dcm;
+  const auto& dcm = snapshot_.dcm;
   return dcm.mode == DcmMode::kOff || dcm.control_off || verdict_.schedule_in_sync();
 }
 
@@ -142,7 +153,7 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
   const auto action = controller_->observe(observation);
   write_again_ = action.write_again;
   update_dcm(observation, sample.skipped_cycles);
-  const auto& dcm = run_.snapshot.dcm;
+  const auto& dcm = snapshot_.dcm;
   sample.dcm_error_ns = dcm.error_ns;
   sample.dcm_error_filtered_ns = dcm.error_filtered_ns;
   sample.drift_ppm = static_cast<float>(dcm.drift_ppm);
@@ -162,16 +173,16 @@ bool SyncWatch::observe_second_write(const dc::DcmObservation& observation) {
 
 /// An application that moves the timer says so in the channel, and nobody else moves it then.
 Nanoseconds SyncWatch::period_adjust(Nanoseconds by_controller) const {
-  if (!run_.snapshot.dcm.control_off) return by_controller;
+  if (!snapshot_.dcm.control_off) return by_controller;
   constexpr double kMostPermil = 20;
-  const double wanted = run_.channels().timer_adjust_permil.load(std::memory_order_relaxed);
+  const double wanted = timer_adjust_permil_.load(std::memory_order_relaxed);
   const double permil = std::isfinite(wanted) ? std::clamp(wanted, -kMostPermil, kMostPermil) : 0;
-  return std::llround(permil * 1e-3 * static_cast<double>(run_.config().cycle_time()));
+  return std::llround(permil * 1e-3 * static_cast<double>(config_.cycle_time()));
 }
 
 void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t skipped) {
   const auto& state = controller_->state();
-  auto& dcm = run_.snapshot.dcm;
+  auto& dcm = snapshot_.dcm;
   dcm.error_ns = to_32(state.error);
   dcm.error_filtered_ns = to_32(state.error_filtered);
   dcm.drift_ppm = state.drift_ppm + learned_ppm_;
@@ -181,17 +192,17 @@ void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t s
   } else {
     dcm.drift_half_width_ppm.reset();
   }
-  dcm.adjust_permil = static_cast<double>(state.adjust) * 1e3 / static_cast<double>(run_.config().cycle_time());
+  dcm.adjust_permil = static_cast<double>(state.adjust) * 1e3 / static_cast<double>(config_.cycle_time());
   // Where the frame was lost the schedule's error is known from the cycles before.
   const auto schedule_error = observation.reference_time ? state.error : state.error_filtered;
   // In the grid: a clock that has stepped by whole cycles makes no frame late.
-  dcm.frame_error_ns = to_32(dc::wrap_to_half(schedule_error, run_.config().cycle_time()) +
+  dcm.frame_error_ns = to_32(dc::wrap_to_half(schedule_error, config_.cycle_time()) +
                              (observation.send_time - observation.scheduled_time) - state.usual_lateness);
   if (dcm.mode == DcmMode::kOff) return;
   if (state.error_code != dcm.error_code) {
     dcm.error_code = state.error_code;
     if (state.error_code != 0) {
-      run_.event(observation.send_time, -1, events::DcmError{state.error_code, std::llround(state.drift_ppm)});
+      teller_.tell(observation.send_time, -1, events::DcmError{state.error_code, std::llround(state.drift_ppm)});
     }
   }
   judge_master(observation, skipped);
@@ -200,7 +211,7 @@ void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t s
 
 void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t skipped) {
   const auto& state = controller_->state();
-  auto& dcm = run_.snapshot.dcm;
+  auto& dcm = snapshot_.dcm;
   const bool was_in_sync = dcm.state == SyncState::kInSync;
   verdict_.observe({.time = observation.send_time,
                     .led = led_,
@@ -224,13 +235,13 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
   auto error = Nanoseconds{dcm.obstacle == dc::SyncObstacle::kLateFrames ? dcm.frame_error_ns : dcm.error_ns};
   // A step by whole cycles leaves no error in the grid.
   if (state.clock_step) error = *state.clock_step;
-  if (in_sync) return run_.event(observation.send_time, -1, events::MasterInSync{error});
-  run_.event(observation.send_time, -1, events::MasterOutOfSync{error, dcm.obstacle});
+  if (in_sync) return teller_.tell(observation.send_time, -1, events::MasterInSync{error});
+  teller_.tell(observation.send_time, -1, events::MasterOutOfSync{error, dcm.obstacle});
 }
 
 void SyncWatch::count_errors() {
   const auto& state = controller_->state();
-  auto& dcm = run_.snapshot.dcm;
+  auto& dcm = snapshot_.dcm;
   const auto error = static_cast<double>(state.error);
   ++count_;
   sum_ += error;
@@ -242,9 +253,10 @@ void SyncWatch::count_errors() {
   if (verdict_.too_late(dcm.frame_error_ns)) ++dcm.late_sends;
 }
 
-void SyncWatch::observe_slaves(Nanoseconds time, const std::optional<OredDeviation>& ored, CycleSample& sample) {
+void SyncWatch::observe_slaves(Nanoseconds time, std::span<const std::uint16_t> read,
+                               const std::optional<OredDeviation>& ored, CycleSample& sample) {
   if (!active()) return;
-  slaves_.observe(time, led_, (sample.flags & CycleSample::kReferenceValid) != 0, ored, sample);
+  slaves_.observe(time, led_, (sample.flags & CycleSample::kReferenceValid) != 0, read, ored, sample);
 }
 
 void SyncWatch::leader_lost(Nanoseconds) { led_ = false; }
@@ -254,16 +266,16 @@ void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
   led_ = true;
   line_.start_place_anew();
   verdict_.distrust(time);
-  run_.snapshot.dc.reference_clock = position;
+  snapshot_.dc.reference_clock = position;
 }
 
 void SyncWatch::leader_moved(std::uint16_t position) {
-  if (controller_) run_.snapshot.dc.reference_clock = position;
+  if (controller_) snapshot_.dc.reference_clock = position;
 }
 
 Nanoseconds SyncWatch::reference_time_at(Nanoseconds host_time) const {
   // After seconds of silence a quartz is far away from where the host's would be.
-  return line_.at(host_time, std::clamp(run_.snapshot.dcm.drift_ppm, -kMaxDriftPpm, kMaxDriftPpm));
+  return line_.at(host_time, std::clamp(snapshot_.dcm.drift_ppm, -kMaxDriftPpm, kMaxDriftPpm));
 }
 
 Nanoseconds SyncWatch::extend(std::uint32_t low, Nanoseconds send_time) const {
@@ -273,10 +285,10 @@ Nanoseconds SyncWatch::extend(std::uint32_t low, Nanoseconds send_time) const {
 void SyncWatch::clear_statistics() {
   count_ = 0;
   sum_ = sum_of_squares_ = 0;
-  run_.snapshot.dcm.error_mean_ns = run_.snapshot.dcm.error_rms_ns = 0;
-  run_.snapshot.dcm.error_max_ns = 0;
-  run_.snapshot.dcm.frame_error_max_ns = 0;
-  run_.snapshot.dcm.late_sends = 0;
+  snapshot_.dcm.error_mean_ns = snapshot_.dcm.error_rms_ns = 0;
+  snapshot_.dcm.error_max_ns = 0;
+  snapshot_.dcm.frame_error_max_ns = 0;
+  snapshot_.dcm.late_sends = 0;
 }
 
 }  // namespace syncline

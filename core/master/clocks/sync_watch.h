@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "channels/snapshot.h"
 #include "dc/dcm/dcm_controller.h"
 #include "dc/master_verdict.h"
 #include "dc/reference_line.h"
@@ -16,13 +19,18 @@ namespace syncline {
 
 struct CycleSample;
 struct DcNetwork;
+class EventTeller;
+struct NetworkConfig;
 struct OredDeviation;
+class SlaveStates;
 
 /// Both synchronisations of a running bus: slaves to the reference clock (sync window) and master to
 /// the reference clock (DCM). Feeds the status, tells the edges.
 class SyncWatch {
  public:
-  explicit SyncWatch(RunState& run);
+  /// `timer_adjust_permil`: MasterChannels::timer_adjust_permil.
+  SyncWatch(const NetworkConfig& config, Snapshot& snapshot, const SlaveStates& states, EventTeller& teller,
+            const std::atomic<double>& timer_adjust_permil);
 
   /// First cycle at or behind `earliest` that suits the start time grid: with one, SYNC0 comes at multiples of the
   /// cycle in system time, so that networks whose reference clocks follow one host are in phase; without, `earliest`
@@ -34,7 +42,7 @@ class SyncWatch {
   [[nodiscard]] bool active() const { return controller_ != nullptr; }
   /// Phase of the SYNC grid in system time: SYNC0 at base + n * cycle.
   [[nodiscard]] Nanoseconds base() const { return base_; }
-  [[nodiscard]] bool monitored() const { return run_.snapshot.dc.monitored; }
+  [[nodiscard]] bool monitored() const { return snapshot_.dc.monitored; }
   /// For who waits: in sync, or nobody watches.
   [[nodiscard]] bool slaves_in_sync() const;
   /// Somebody left the sync window, or may have: who it is, the slaves' own readings will say.
@@ -52,7 +60,9 @@ class SyncWatch {
   /// True: that one was wrong, too.
   bool observe_second_write(const dc::DcmObservation& observation);
   /// The same cycle, after observe_cycle() and the readings of the slaves. Fills the sample's DC fields.
-  void observe_slaves(Nanoseconds time, const std::optional<OredDeviation>& ored, CycleSample& sample);
+  /// `read`: the slaves whose own deviation came with this cycle.
+  void observe_slaves(Nanoseconds time, std::span<const std::uint16_t> read, const std::optional<OredDeviation>& ored,
+                      CycleSample& sample);
   /// System time of the reference clock at a host time, without the noise of single stamps.
   [[nodiscard]] Nanoseconds reference_time_at(Nanoseconds host_time) const;
   /// The latest reading extended to 64 bit.
@@ -85,7 +95,10 @@ class SyncWatch {
   void note_settings();
   [[nodiscard]] Nanoseconds period_adjust(Nanoseconds by_controller) const;
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  EventTeller& teller_;
+  const std::atomic<double>& timer_adjust_permil_;
   DcmSettings settings_;
   Nanoseconds least_set_value_ = 0;  // until outputs are at the last slave
   std::unique_ptr<dc::DcmController> controller_;

@@ -5,8 +5,11 @@
 #include <utility>
 
 #include "channels/master_channels.h"
+#include "channels/snapshot.h"
+#include "config/network_config.h"
 #include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_mailbox.h"
+#include "master/exchange/slave_name.h"
 #include "reasons/brief_reason.h"
 
 namespace syncline {
@@ -31,10 +34,11 @@ void refuse_requests(MasterChannels& channels, Nanoseconds now) {
   }
 }
 
-AcyclicRequests::AcyclicRequests(RunState& run)
-    : run_(run), desk_(run.channels().requests), eeprom_taken_(run.config().slaves.size()) {
-  for (auto& slot : slots_) slot = std::make_unique<RequestSlot>(run);
-  for (std::size_t i = 0; i < run.config().slaves.size(); ++i) names_.emplace_back(run.slave_name(i));
+AcyclicRequests::AcyclicRequests(const NetworkConfig& config, const Snapshot& snapshot,
+                                 std::span<SlaveMailbox> mailboxes, RequestDesk& desk)
+    : config_(config), snapshot_(snapshot), mailboxes_(mailboxes), desk_(desk), eeprom_taken_(config.slaves.size()) {
+  for (auto& slot : slots_) slot = std::make_unique<RequestSlot>(config, mailboxes);
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) names_.emplace_back(slave_name(config, i));
   waiting_.reserve(RequestDesk::kCapacity);
 }
 
@@ -65,18 +69,18 @@ RequestSlot* AcyclicRequests::free_slot() {
 
 /// Why it can never be carried out as things are.
 std::optional<BriefError> AcyclicRequests::refusal(const RequestTicket& ticket) const {
-  if (!run_.snapshot.slaves[slave_of(ticket.request)].present) return kGone;
+  if (!snapshot_.slaves[slave_of(ticket.request)].present) return kGone;
   return place_of(ticket.request) == RequestPlace::kMailbox ? mailbox_refusal(ticket) : std::nullopt;
 }
 
 std::optional<BriefError> AcyclicRequests::mailbox_refusal(const RequestTicket& ticket) const {
   const auto slave = slave_of(ticket.request);
-  const auto& mailbox = run_.config().slaves[slave].mailbox;
+  const auto& mailbox = config_.slaves[slave].mailbox;
   const bool file = is_file(ticket.request);
   const auto none = [](BriefReason why) { return BriefError{.code = ErrorCode::kNotSupported, .why = why}; };
   if (!mailbox) return none(brief("it has no mailbox"));
   if (!file && !mailbox->coe) return none(brief("it does not speak CoE"));
-  const auto state = al_state_of(run_.snapshot.slaves[slave].al_status);
+  const auto state = al_state_of(snapshot_.slaves[slave].al_status);
   const bool up = state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp;
   if (up || (file && state == AlState::kBoot)) return std::nullopt;
   auto why = none(brief("its mailbox works from PREOP on, and it is in {state}; lead it there first"));
@@ -87,14 +91,14 @@ std::optional<BriefError> AcyclicRequests::mailbox_refusal(const RequestTicket& 
 void AcyclicRequests::set_taken(const RequestTicket& ticket, bool taken) {
   const auto slave = slave_of(ticket.request);
   if (place_of(ticket.request) == RequestPlace::kMailbox) {
-    run_.mailboxes[slave].taken = taken;
-    run_.mailboxes[slave].own_last = false;
+    mailboxes_[slave].taken = taken;
+    mailboxes_[slave].own_last = false;
   }
   if (place_of(ticket.request) == RequestPlace::kEeprom) eeprom_taken_[slave] = taken;
 }
 
 SlaveAddress AcyclicRequests::address_of(std::size_t slave) const {
-  if (!by_position_) return SlaveAddress::at_station(run_.config().slaves[slave].station_address);
+  if (!by_position_) return SlaveAddress::at_station(config_.slaves[slave].station_address);
   return SlaveAddress::at_position(positions_ ? positions_(slave) : static_cast<std::uint16_t>(slave));
 }
 
@@ -102,7 +106,7 @@ SlaveAddress AcyclicRequests::address_of(std::size_t slave) const {
 bool AcyclicRequests::begin(RequestTicket& ticket, Nanoseconds now) {
   const auto place = place_of(ticket.request);
   const auto slave = slave_of(ticket.request);
-  auto& mailbox = run_.mailboxes[slave];
+  auto& mailbox = mailboxes_[slave];
   // Whom the state machine leads just now gets his mailbox, or has it in another place.
   if (place == RequestPlace::kState || (place == RequestPlace::kMailbox && mailbox.reserved > 0)) return false;
   if (const auto why = refusal(ticket)) {
@@ -124,7 +128,7 @@ bool AcyclicRequests::begin(RequestTicket& ticket, Nanoseconds now) {
 
 void AcyclicRequests::begin_ready(Nanoseconds now) {
   if (std::exchange(any_wanted_, false)) {
-    for (auto& mailbox : run_.mailboxes) mailbox.wanted = false;
+    for (auto& mailbox : mailboxes_) mailbox.wanted = false;
   }
   for (std::size_t i = 0; i < waiting_.size();) {
     if (begin(*waiting_[i], now)) {
@@ -182,7 +186,7 @@ void AcyclicRequests::settle(Nanoseconds now) {
   for (auto& slot : slots_) {
     if (slot->ticket() == nullptr) continue;
     const auto slave = slave_of(slot->ticket()->request);
-    if (!slot->work().over() && !run_.snapshot.slaves[slave].present) slot->give_up(kGone);
+    if (!slot->work().over() && !snapshot_.slaves[slave].present) slot->give_up(kGone);
     if (!slot->work().over()) continue;
     auto& ticket = slot->finish();
     set_taken(ticket, false);

@@ -6,18 +6,21 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "channels/request_desk.h"
 #include "channels/request_ticket.h"
+#include "channels/snapshot.h"
 #include "master/cyclic/request_slot.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_mailbox.h"
 
 namespace syncline {
 
 class Bus;
 struct MasterChannels;
+struct NetworkConfig;
 
 /// The requests of those outside (MasterChannels::requests): takes them from the desk, begins each when its mailbox or
 /// EEPROM is free, in their order, and gives the bus one datagram of one of them at a time, in turn. Requests for
@@ -27,8 +30,9 @@ class AcyclicRequests {
   /// So many are under way at once, each with another slave or another part of it.
   static constexpr std::size_t kSlots = 8;
 
-  explicit AcyclicRequests(RunState& run);
-  ~AcyclicRequests() { end_all({.code = ErrorCode::kCancelled}, run_.snapshot.time); }
+  AcyclicRequests(const NetworkConfig& config, const Snapshot& snapshot, std::span<SlaveMailbox> mailboxes,
+                  RequestDesk& desk);
+  ~AcyclicRequests() { end_all({.code = ErrorCode::kCancelled}, snapshot_.time); }
   AcyclicRequests(const AcyclicRequests&) = delete;
   AcyclicRequests& operator=(const AcyclicRequests&) = delete;
 
@@ -74,7 +78,9 @@ class AcyclicRequests {
   void set_taken(const RequestTicket& ticket, bool taken);
   [[nodiscard]] SlaveAddress address_of(std::size_t slave) const;
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  const Snapshot& snapshot_;
+  std::span<SlaveMailbox> mailboxes_;
   RequestDesk& desk_;
   std::array<std::unique_ptr<RequestSlot>, kSlots> slots_;
   std::vector<RequestTicket*> waiting_;  // in their order; room for all

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 #include "config/frame_time.h"
 #include "master/cyclic/mailbox_bits.h"
 #include "master/cyclic/sync_event_watch.h"
@@ -38,12 +39,12 @@ std::size_t bytes_within(Nanoseconds time) {
 }  // namespace
 
 AcyclicScheduler::AcyclicScheduler(RunState& run, const MailboxBits& bits, SyncEventWatch& events)
-    : requests_(run),
-      mailbox_(run),
-      mailboxes_(run, mailbox_, bits),
-      sm2_(run, mailbox_, events),
-      evidence_(run),
-      process_data_(run),
+    : requests_(run.config(), run.snapshot, run.mailboxes, run.channels().requests),
+      mailbox_(run.snapshot, run.mailboxes),
+      mailboxes_(run.config(), run.mailboxes, mailbox_, bits),
+      sm2_(run.config(), run.snapshot, run.teller, mailbox_, events),
+      evidence_(run.config(), run.snapshot, run.teller),
+      process_data_(run.config(), run.snapshot, run.teller),
       frames_(kMostFrames) {}
 
 PendingFrame& AcyclicScheduler::clear(const Room& room) {

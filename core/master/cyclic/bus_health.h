@@ -4,18 +4,20 @@
 #include <cstdint>
 
 #include "master/exchange/missing_frames.h"
-#include "master/exchange/run_state.h"
 #include "master/exchange/tally.h"
+#include "support/types.h"
 
 namespace syncline {
 
 struct CycleSample;
+class EventTeller;
+struct Snapshot;
 
 /// Counts frames that are lost or late, and cycles that were left out: tallied, so that the sum over the events is the
 /// count. Working counters: working_counter.h.
 class BusHealth {
  public:
-  explicit BusHealth(RunState& run) : run_(run) {}
+  BusHealth(Snapshot& snapshot, EventTeller& teller) : snapshot_(snapshot), teller_(teller) {}
 
   /// `missed`: frames of this cycle that were not back at their deadline. They count as lost, until one is `news`
   /// as late.
@@ -28,7 +30,8 @@ class BusHealth {
   void tell_rest(const MissingFrames::News& news);
 
  private:
-  RunState& run_;
+  Snapshot& snapshot_;
+  EventTeller& teller_;
   void tell_left_out(const std::optional<Tally::Report>& report);
   void tell_lost(const std::optional<Tally::Report>& report);
   void tell_late(const std::optional<Tally::Report>& report);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/cyclic_mailbox.h"
 
-#include "master/exchange/run_state.h"
+#include "channels/snapshot.h"
+#include "master/exchange/slave_mailbox.h"
 #include "support/byte_order.h"
 
 namespace syncline {
@@ -11,8 +12,9 @@ constexpr std::uint16_t kUploadRequestSize = 16;  // mailbox header, CoE header,
 
 }  // namespace
 
-CyclicMailbox::CyclicMailbox(RunState& run) : run_(run) {
-  for (auto& mailbox : run.mailboxes) {  // room for the longest
+CyclicMailbox::CyclicMailbox(Snapshot& snapshot, std::span<SlaveMailbox> mailboxes)
+    : snapshot_(snapshot), mailboxes_(mailboxes) {
+  for (auto& mailbox : mailboxes) {  // room for the longest
     sdo_.use(mailbox);
     fetch_.use(mailbox);
   }
@@ -20,11 +22,11 @@ CyclicMailbox::CyclicMailbox(RunState& run) : run_(run) {
 }
 
 bool CyclicMailbox::ready_for(std::size_t slave) const {
-  const auto& mailbox = run_.mailboxes[slave];
+  const auto& mailbox = mailboxes_[slave];
   if (holds_ > 0 || busy_ || mailbox.taken || mailbox.reserved > 0 || mailbox.port.send.length < kUploadRequestSize)
     return false;
   if (mailbox.wanted && mailbox.own_last) return false;  // by turns, however long each takes
-  const auto& status = run_.snapshot.slaves[slave];
+  const auto& status = snapshot_.slaves[slave];
   const auto state = al_state_of(status.al_status);
   return status.present && (state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp);
 }
@@ -33,20 +35,20 @@ void CyclicMailbox::begin(std::size_t slave, coe::ObjectAddress object) {
   current_ = {};
   current_.slave = static_cast<std::uint16_t>(slave);
   current_.object = object;
-  auto& mailbox = run_.mailboxes[slave];
+  auto& mailbox = mailboxes_[slave];
   mailbox.taken = mailbox.own_last = busy_ = true;
 }
 
 void CyclicMailbox::upload(std::size_t slave, coe::ObjectAddress object) {
   begin(slave, object);
   value_.clear();
-  sdo_.use(run_.mailboxes[slave]);
+  sdo_.use(mailboxes_[slave]);
   sdo_.upload(object, false, value_, kMostBytes);
 }
 
 void CyclicMailbox::fetch(std::size_t slave) {
   begin(slave, {});
-  fetch_.use(run_.mailboxes[slave]);
+  fetch_.use(mailboxes_[slave]);
 }
 
 Datagram* CyclicMailbox::next(Nanoseconds now) { return busy_ ? work().next(now) : nullptr; }
@@ -67,9 +69,9 @@ void CyclicMailbox::give_up() {
 std::optional<CyclicMailbox::Answer> CyclicMailbox::answer() {
   if (!busy_) return std::nullopt;
   // A slave that stays silent costs its turn, no more; one that is gone not even that.
-  if (!run_.snapshot.slaves[current_.slave].present) give_up();
+  if (!snapshot_.slaves[current_.slave].present) give_up();
   if (!work().over()) return std::nullopt;
-  busy_ = run_.mailboxes[current_.slave].taken = false;
+  busy_ = mailboxes_[current_.slave].taken = false;
   judge();
   return current_;
 }
@@ -89,7 +91,7 @@ void CyclicMailbox::judge() {
     current_.kind = Kind::kAbort;
     current_.value = static_cast<std::uint32_t>(failure->received);
   }
-  auto& silences = run_.snapshot.slaves[current_.slave].evidence.mailbox_silences;
+  auto& silences = snapshot_.slaves[current_.slave].evidence.mailbox_silences;
   silences = current_.kind == Kind::kNothing ? silences + 1 : 0;
 }
 

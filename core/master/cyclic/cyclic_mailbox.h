@@ -3,15 +3,17 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "master/exchange/slave_mailbox.h"
 #include "master/mailbox/fetch_work.h"
 #include "master/mailbox/sdo_work.h"
 #include "protocol/coe.h"
 
 namespace syncline {
 
-class RunState;
+struct Snapshot;
 
 /// The master's own work in the slaves' mailboxes while the bus runs: fetches a message that nobody asked for, or
 /// uploads an object of at most 4 bytes; one slave at a time. Tells emergencies by events. Allocates nothing in the
@@ -32,7 +34,7 @@ class CyclicMailbox {
     bool emergency = false;   // one came, now or before the answer
   };
 
-  explicit CyclicMailbox(RunState& run);
+  CyclicMailbox(Snapshot& snapshot, std::span<SlaveMailbox> mailboxes);
   CyclicMailbox(const CyclicMailbox&) = delete;
   CyclicMailbox& operator=(const CyclicMailbox&) = delete;
 
@@ -62,7 +64,8 @@ class CyclicMailbox {
 
   static constexpr std::size_t kMostBytes = 4;
 
-  RunState& run_;
+  Snapshot& snapshot_;
+  std::span<SlaveMailbox> mailboxes_;
   SdoWork sdo_;
   FetchWork fetch_;
   std::vector<std::uint8_t> value_;

@@ -7,6 +7,7 @@
 #include "config/frame_time.h"
 #include "config/master_settings.h"
 #include "master/exchange/narrow.h"
+#include "master/exchange/run_state.h"
 
 #include <algorithm>
 
@@ -31,14 +32,14 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       sync_(sync),
       frames_(run.config()),
       forces_(frames_.outputs().size()),
-      watched_(frames_, run),
-      slaves_(run),
-      mailbox_bits_(run, frames_),
-      sync_events_(run, sync),
+      watched_(frames_, run.snapshot),
+      slaves_(run.config(), run.snapshot, run.states, run.teller),
+      mailbox_bits_(run.config(), run.snapshot, run.mailboxes, frames_),
+      sync_events_(run.config(), run.snapshot, run.states, sync),
       acyclic_(run, mailbox_bits_, sync_events_),
-      health_(run),
-      working_counter_(run),
-      reference_(run, sync, frames_),
+      health_(run.snapshot, run.teller),
+      working_counter_(run.snapshot, run.states, run.teller),
+      reference_(run.config(), run.snapshot, run.teller, sync, frames_),
       feed_(run.config().cycle_time()),
       without_(run.config().slaves.size()),
       cycle_time_(run.config().cycle_time()),
@@ -116,7 +117,7 @@ void CyclicTaskRunner::publish_image(std::uint64_t cycle) {
 /// An adapter that is away is waited for, as slaves are that do not answer.
 Status CyclicTaskRunner::note_link(Status status) {
   const bool down = !status && status.error().code == ErrorCode::kLinkDown;
-  run_.note_link(!down, clock_.now());
+  run_.link.note(!down, clock_.now());
   return down ? Status{} : status;
 }
 
@@ -265,7 +266,7 @@ void CyclicTaskRunner::expect_present(std::optional<std::size_t> leaving) {
   const auto before = frames_.wkc_expected();
   frames_.expect_without(without_);
   const auto now = frames_.wkc_expected();
-  if (now != before) run_.event(send_time_, -1, events::WkcExpected{frames_.wkc_configured(), now});
+  if (now != before) run_.teller.tell(send_time_, -1, events::WkcExpected{frames_.wkc_configured(), now});
 }
 
 std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet::Reading& reading) const {
@@ -309,7 +310,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   acyclic_.take_evidence(send_time_, all_back && sample.skipped_cycles == 0);
   sync_events_.observe(sample, all_back, stamp_doubt_);
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
-  sync_.observe_slaves(send_time_, deviation, sample);
+  sync_.observe_slaves(send_time_, slaves_.deviations_read(), deviation, sample);
 }
 
 void CyclicTaskRunner::finish_sample(CycleSample& sample) {

@@ -4,9 +4,10 @@
 #include <utility>
 
 #include "channels/slave_evidence.h"
+#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "master/exchange/acyclic_window.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/event_teller.h"
 #include "protocol/datagram.h"
 #include "protocol/port_damage.h"
 #include "protocol/registers.h"
@@ -26,10 +27,11 @@ struct EvidencePlace {
 
 }  // namespace
 
-EvidenceReader::EvidenceReader(RunState& run) : run_(run), totals_(run.config().slaves.size()) {}
+EvidenceReader::EvidenceReader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller)
+    : config_(config), snapshot_(snapshot), teller_(teller), totals_(config.slaves.size()) {}
 
 bool EvidenceReader::worth_reading() const {
-  const auto& slave = run_.snapshot.slaves[slave_];
+  const auto& slave = snapshot_.slaves[slave_];
   if (what_ == What::kDlStatus) return slave.present && slave.evidence.pdi_watchdog.total > 0;
   return slave.present && (what_ != What::kSpeedCounter || slave.dc_enabled);
 }
@@ -50,7 +52,7 @@ Datagram* EvidenceReader::next(Nanoseconds /*now*/) {
                                                        {reg::kSpeedCounterDiff, 2}}};
   const auto place = kPlaces[static_cast<std::size_t>(what_)];
   bytes_.fill(0);
-  datagram_ = {Command::kFprd, device_address(run_.config().slaves[slave_].station_address, place.address),
+  datagram_ = {Command::kFprd, device_address(config_.slaves[slave_].station_address, place.address),
                std::span(bytes_).first(place.length)};
   return &datagram_;
 }
@@ -77,7 +79,7 @@ void EvidenceReader::take(Nanoseconds time) {
 }
 
 void EvidenceReader::take_ports(Nanoseconds time) {
-  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  auto& evidence = snapshot_.slaves[slave_].evidence;
   auto& totals = totals_[slave_].ports;
   std::array<std::uint32_t, 20> more{};
   for (std::size_t i = 0; i < totals.size(); ++i) more[i] = totals[i].read(bytes_[i]);
@@ -99,13 +101,13 @@ void EvidenceReader::take_ports(Nanoseconds time) {
 
 void EvidenceReader::tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time) {
   if (damaged == 0 && lost_links == 0) return;
-  const auto since = run_.snapshot.slaves[slave_].evidence.ports_time;
-  run_.event(time, static_cast<int>(slave_),
-             events::PortErrors{static_cast<std::uint8_t>(port), damaged, lost_links, since});
+  const auto since = snapshot_.slaves[slave_].evidence.ports_time;
+  teller_.tell(time, static_cast<int>(slave_),
+               events::PortErrors{static_cast<std::uint8_t>(port), damaged, lost_links, since});
 }
 
 void EvidenceReader::take_watchdogs(Nanoseconds time) {
-  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  auto& evidence = snapshot_.slaves[slave_].evidence;
   auto& totals = totals_[slave_].watchdogs;
   const std::array<EvidenceCount*, 2> counts{&evidence.process_data_watchdog, &evidence.pdi_watchdog};
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -113,20 +115,20 @@ void EvidenceReader::take_watchdogs(Nanoseconds time) {
     *counts[i] = {totals[i].total(), totals[i].at_least(), time};
     if (more == 0) continue;
     using Which = events::WatchdogExpired::Which;
-    run_.event(time, static_cast<int>(slave_),
-               events::WatchdogExpired{i == 0 ? Which::kProcessData : Which::kPdi, more});
+    teller_.tell(time, static_cast<int>(slave_),
+                 events::WatchdogExpired{i == 0 ? Which::kProcessData : Which::kPdi, more});
   }
 }
 
 /// ESC data sheet II, DL status: the watchdog is served again when the firmware works.
 void EvidenceReader::take_dl_status() {
   constexpr std::uint16_t kPdiWatchdogServed = 0x0002;
-  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  auto& evidence = snapshot_.slaves[slave_].evidence;
   evidence.pdi_silent = (load_le<std::uint16_t>(bytes_) & kPdiWatchdogServed) == 0;
 }
 
 void EvidenceReader::take_speed_counter(Nanoseconds time) {
-  auto& evidence = run_.snapshot.slaves[slave_].evidence;
+  auto& evidence = snapshot_.slaves[slave_].evidence;
   evidence.speed_counter_difference = static_cast<std::int16_t>(load_le<std::uint16_t>(bytes_));
   evidence.speed_counter_time = time;
 }

@@ -12,7 +12,9 @@
 
 namespace syncline {
 
-class RunState;
+class EventTeller;
+struct NetworkConfig;
+struct Snapshot;
 
 /// Reads what the slaves' ESCs counted, while the bus runs: the port error counters, the watchdog counters and the
 /// speed counter difference of one slave after the other, one datagram in each cycle that is left for
@@ -20,7 +22,7 @@ class RunState;
 /// errors by kPortErrors and kWatchdog. Allocates nothing; the cyclic thread.
 class EvidenceReader final : public SlaveWork {
  public:
-  explicit EvidenceReader(RunState& run);
+  EvidenceReader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller);
   EvidenceReader(const EvidenceReader&) = delete;
   EvidenceReader& operator=(const EvidenceReader&) = delete;
 
@@ -53,7 +55,9 @@ class EvidenceReader final : public SlaveWork {
   void take_dl_status();
   void take_speed_counter(Nanoseconds time);
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  EventTeller& teller_;
   std::vector<Totals> totals_;
   std::size_t slave_ = 0;
   What what_ = What::kPorts;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
 #include "master/exchange/mailbox_handshake.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_mailbox.h"
 #include "protocol/fmmu.h"
 #include "protocol/registers.h"
 #include "protocol/sync_manager.h"
@@ -33,9 +34,11 @@ std::optional<LogicalBit> mailbox_state_bit(const SlaveConfig& slave) {
   return std::nullopt;
 }
 
-MailboxBits::MailboxBits(RunState& run, const CyclicFrameSet& frames) : run_(run), frames_(frames) {
-  for (std::size_t i = 0; i < run.config().slaves.size(); ++i) {
-    const auto bit = mailbox_state_bit(run.config().slaves[i]);
+MailboxBits::MailboxBits(const NetworkConfig& config, const Snapshot& snapshot, std::span<SlaveMailbox> mailboxes,
+                         const CyclicFrameSet& frames)
+    : snapshot_(snapshot), mailboxes_(mailboxes), frames_(frames) {
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    const auto bit = mailbox_state_bit(config.slaves[i]);
     const auto byte = bit ? frames.find_logical(bit->address) : std::nullopt;
     if (byte) places_.push_back({i, *byte, static_cast<std::uint8_t>(1U << bit->bit)});
   }
@@ -49,9 +52,8 @@ void MailboxBits::observe() {
       entry = place.byte.entry;
       bytes = frames_.read_logical(place.byte.entry);
     }
-    const bool known = !bytes.empty() && run_.snapshot.slaves[place.slave].present;
-    run_.mailboxes[place.slave].full =
-        known ? std::optional((bytes[place.byte.offset] & place.mask) != 0) : std::nullopt;
+    const bool known = !bytes.empty() && snapshot_.slaves[place.slave].present;
+    mailboxes_[place.slave].full = known ? std::optional((bytes[place.byte.offset] & place.mask) != 0) : std::nullopt;
   }
 }
 

@@ -3,14 +3,17 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "master/cyclic/cyclic_frame_set.h"
+#include "master/exchange/slave_mailbox.h"
 
 namespace syncline {
 
-class RunState;
+struct NetworkConfig;
 struct SlaveConfig;
+struct Snapshot;
 
 /// A bit of the logical address space.
 struct LogicalBit {
@@ -21,10 +24,11 @@ struct LogicalBit {
 /// Where a slave's FMMU puts the state of its input mailbox (bits of the SyncManager's status), by its init commands.
 [[nodiscard]] std::optional<LogicalBit> mailbox_state_bit(const SlaveConfig& slave);
 
-/// Takes the mailbox states out of the cyclic frames, cycle by cycle, into RunState::mailboxes.
+/// Takes the mailbox states out of the cyclic frames, cycle by cycle, into the mailboxes.
 class MailboxBits {
  public:
-  MailboxBits(RunState& run, const CyclicFrameSet& frames);
+  MailboxBits(const NetworkConfig& config, const Snapshot& snapshot, std::span<SlaveMailbox> mailboxes,
+              const CyclicFrameSet& frames);
   void observe();
   /// The configuration brings this slave's bit; if not, its SyncManager is asked.
   [[nodiscard]] bool has(std::size_t slave) const;
@@ -35,7 +39,8 @@ class MailboxBits {
     CyclicFrameSet::LogicalByte byte;
     std::uint8_t mask = 0;
   };
-  RunState& run_;
+  const Snapshot& snapshot_;
+  std::span<SlaveMailbox> mailboxes_;
   const CyclicFrameSet& frames_;
   std::vector<Place> places_;
 };

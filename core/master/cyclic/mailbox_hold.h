@@ -7,7 +7,7 @@
 
 #include "master/cyclic/cyclic_mailbox.h"
 #include "master/exchange/bus.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_mailbox.h"
 
 namespace syncline {
 
@@ -15,21 +15,21 @@ namespace syncline {
 /// nothing new is begun in them. May be nested.
 class MailboxHold {
  public:
-  MailboxHold(RunState& run, CyclicMailbox& watch, std::span<const std::size_t> slaves)
-      : run_(run), watch_(watch), slaves_(slaves.begin(), slaves.end()) {
+  MailboxHold(std::span<SlaveMailbox> mailboxes, CyclicMailbox& watch, std::span<const std::size_t> slaves)
+      : mailboxes_(mailboxes), watch_(watch), slaves_(slaves.begin(), slaves.end()) {
     watch_.hold();
-    for (const auto slave : slaves_) ++run_.mailboxes[slave].reserved;
+    for (const auto slave : slaves_) ++mailboxes_[slave].reserved;
   }
   ~MailboxHold() {
     watch_.release();
-    for (const auto slave : slaves_) --run_.mailboxes[slave].reserved;
+    for (const auto slave : slaves_) --mailboxes_[slave].reserved;
   }
   MailboxHold(const MailboxHold&) = delete;
   MailboxHold& operator=(const MailboxHold&) = delete;
 
   /// Cycles until what is under way there has ended.
   Status settle(Bus& bus) {
-    const auto taken = [this](std::size_t slave) { return run_.mailboxes[slave].taken; };
+    const auto taken = [this](std::size_t slave) { return mailboxes_[slave].taken; };
     while (bus.cyclic() && (!watch_.idle() || std::ranges::any_of(slaves_, taken))) {
       if (auto status = bus.wait_a_little(); !status) return status;
     }
@@ -37,7 +37,7 @@ class MailboxHold {
   }
 
  private:
-  RunState& run_;
+  std::span<SlaveMailbox> mailboxes_;
   CyclicMailbox& watch_;
   std::vector<std::size_t> slaves_;
 };

@@ -6,7 +6,7 @@
 #include "config/network_config.h"
 #include "master/cyclic/mailbox_bits.h"
 #include "master/exchange/mailbox_handshake.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_mailbox.h"
 #include "protocol/datagram.h"
 #include "protocol/diagnosis_message.h"
 #include "protocol/registers.h"
@@ -22,9 +22,10 @@ constexpr std::size_t kPollsPerCycle = 16;
 
 }  // namespace
 
-MailboxWatch::MailboxWatch(RunState& run, CyclicMailbox& mailbox, const MailboxBits& bits)
-    : run_(run), mailbox_(mailbox) {
-  const auto& slaves = run.config().slaves;
+MailboxWatch::MailboxWatch(const NetworkConfig& config, std::span<SlaveMailbox> mailboxes, CyclicMailbox& mailbox,
+                           const MailboxBits& bits)
+    : mailboxes_(mailboxes), mailbox_(mailbox) {
+  const auto& slaves = config.slaves;
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     if (!slaves[i].mailbox) continue;
     Watched watched;
@@ -86,7 +87,7 @@ void MailboxWatch::schedule_history(Nanoseconds now) {
 }
 
 bool MailboxWatch::full(const Watched& slave) const {
-  return slave.poll_period > 0 ? slave.full : run_.mailboxes[slave.slave].full.value_or(false);
+  return slave.poll_period > 0 ? slave.full : mailboxes_[slave.slave].full.value_or(false);
 }
 
 void MailboxWatch::begin() {

@@ -4,14 +4,16 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "master/cyclic/cyclic_mailbox.h"
+#include "master/exchange/slave_mailbox.h"
 
 namespace syncline {
 
 class MailboxBits;
-class RunState;
+struct NetworkConfig;
 
 /// Notices in the running bus what slaves have to say without being asked: messages in their mailboxes (by the bits in
 /// the cyclic frames, or where a slave has none by reading the SyncManagers' status, many slaves a frame, at the
@@ -21,7 +23,8 @@ class MailboxWatch {
  public:
   static constexpr Nanoseconds kHistoryPeriod = 2 * kSecond;
 
-  MailboxWatch(RunState& run, CyclicMailbox& mailbox, const MailboxBits& bits);
+  MailboxWatch(const NetworkConfig& config, std::span<SlaveMailbox> mailboxes, CyclicMailbox& mailbox,
+               const MailboxBits& bits);
   MailboxWatch(const MailboxWatch&) = delete;
   MailboxWatch& operator=(const MailboxWatch&) = delete;
 
@@ -59,7 +62,7 @@ class MailboxWatch {
   [[nodiscard]] Watched* find(std::size_t slave);
   [[nodiscard]] const Watched* find(std::size_t slave) const;
 
-  RunState& run_;
+  std::span<SlaveMailbox> mailboxes_;
   CyclicMailbox& mailbox_;
   std::vector<Watched> watched_;  // slaves with a mailbox
   std::size_t next_ = 0, next_poll_ = 0, next_history_ = 0;

@@ -5,10 +5,11 @@
 #include <bit>
 #include <utility>
 
+#include "channels/snapshot.h"
 #include "channels/sync_standing.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/event_teller.h"
 #include "protocol/datagram.h"
 #include "protocol/registers.h"
 #include "recover/register_writes.h"
@@ -42,15 +43,15 @@ std::optional<std::uint8_t> process_data_manager(const SlaveConfig& slave, bool 
 
 }  // namespace
 
-ProcessDataWatch::ProcessDataWatch(RunState& run) : run_(run) {
-  const auto& config = run.config();
+ProcessDataWatch::ProcessDataWatch(const NetworkConfig& config, const Snapshot& snapshot, EventTeller& teller)
+    : config_(config), snapshot_(snapshot), teller_(teller) {
   // With several tasks the process data of some are not exchanged in every cycle.
   if (config.cyclic.size() != 1) return;
   for (std::size_t i = 0; i < config.slaves.size(); ++i) add_slave(i);
 }
 
 void ProcessDataWatch::add_slave(std::size_t position) {
-  const auto& config = run_.config().slaves[position];
+  const auto& config = config_.slaves[position];
   const bool outputs = !config.receive;
   if (outputs && !config.send) return;
   const auto manager = process_data_manager(config, outputs);
@@ -68,7 +69,7 @@ void ProcessDataWatch::add_slave(std::size_t position) {
 }
 
 bool ProcessDataWatch::worth_reading(const Slave& slave) const {
-  const auto& status = run_.snapshot.slaves[slave.position];
+  const auto& status = snapshot_.slaves[slave.position];
   return status.present && status.al_status == static_cast<std::uint16_t>(AlState::kOp);
 }
 
@@ -99,8 +100,7 @@ bool ProcessDataWatch::add_to(PendingFrame& frame) {
   if (tried > 0) return false;  // in the next cycles
   const auto& slave = slaves_[current_];
   byte_.fill(0);
-  datagram_ = {Command::kFprd, device_address(run_.config().slaves[slave.position].station_address, slave.address),
-               byte_};
+  datagram_ = {Command::kFprd, device_address(config_.slaves[slave.position].station_address, slave.address), byte_};
   asked_ = frame.add(datagram_);
   return asked_;
 }
@@ -109,9 +109,9 @@ bool ProcessDataWatch::add_to(PendingFrame& frame) {
 /// before the next frame as long as the frames keep their distance from it.
 bool ProcessDataWatch::counts(const Slave& slave, Sent sent) const {
   if (!sent.read || slave.event == 0) return sent.read;
-  const auto& dc = run_.config().slaves[slave.position].dc;
+  const auto& dc = config_.slaves[slave.position].dc;
   const bool has_sync0 = dc && dc->assign_activate != 0;
-  return sent.rode && (!has_sync0 || master_in_sync(run_.snapshot.dcm).value_or(false));
+  return sent.rode && (!has_sync0 || master_in_sync(snapshot_.dcm).value_or(false));
 }
 
 void ProcessDataWatch::take(Nanoseconds send_time, Sent sent) {
@@ -125,7 +125,7 @@ void ProcessDataWatch::take(Nanoseconds send_time, Sent sent) {
   const auto buffer = static_cast<std::uint8_t>((byte_[0] >> kBufferShift) & 3U);
   const bool none = !outputs && buffer == kNoBuffer;
   // In less than a cycle a slave that does it once a cycle may not have done so yet.
-  const bool whole_cycle = between + kNearly >= run_.config().cycle_time();
+  const bool whole_cycle = between + kNearly >= config_.cycle_time();
   if (!first_ || !whole_cycle || none) {
     first_ = buffer;
     if (none) next();
@@ -144,11 +144,11 @@ void ProcessDataWatch::note(Slave& slave, bool stale, Nanoseconds time) {
 }
 
 void ProcessDataWatch::judge(Slave& slave, Nanoseconds time) {
-  const auto& watchdog = run_.snapshot.slaves[slave.position].evidence.pdi_watchdog;
+  const auto& watchdog = snapshot_.slaves[slave.position].evidence.pdi_watchdog;
   const auto count = std::popcount(slave.stale & kWindowMask);
   const auto tell = [&](bool begun) {
-    run_.event(time, slave.position,
-               events::StaleProcessData{begun, static_cast<std::uint32_t>(count), kWindow, slave.event != 0});
+    teller_.tell(time, slave.position,
+                 events::StaleProcessData{begun, static_cast<std::uint32_t>(count), kWindow, slave.event != 0});
   };
   if (count <= kFew) {
     slave.stale_since.reset();

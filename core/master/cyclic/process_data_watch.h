@@ -11,7 +11,9 @@
 
 namespace syncline {
 
-class RunState;
+class EventTeller;
+struct NetworkConfig;
+struct Snapshot;
 
 /// Whether slaves renew their inputs, and those that have none take their outputs. The status of a buffered SyncManager
 /// names the buffer that was written last (0x0805 + 8 n, bits 5:4; ESC data sheet II, 2.8): behind two readings of the
@@ -26,7 +28,7 @@ class RunState;
 /// the PDI watchdog's. Allocates nothing; the cyclic thread.
 class ProcessDataWatch {
  public:
-  explicit ProcessDataWatch(RunState& run);
+  ProcessDataWatch(const NetworkConfig& config, const Snapshot& snapshot, EventTeller& teller);
   ProcessDataWatch(const ProcessDataWatch&) = delete;
   ProcessDataWatch& operator=(const ProcessDataWatch&) = delete;
 
@@ -60,7 +62,9 @@ class ProcessDataWatch {
   void note(Slave& slave, bool stale, Nanoseconds time);
   void judge(Slave& slave, Nanoseconds time);
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  const Snapshot& snapshot_;
+  EventTeller& teller_;
   std::vector<Slave> slaves_;
   std::size_t current_ = 0;
   std::optional<std::uint8_t> first_;  // byte in the first of the two cycles

@@ -5,8 +5,10 @@
 #include <cstdlib>
 #include <utility>
 
+#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "master/clocks/dc_loop_values.h"
+#include "master/exchange/event_teller.h"
 #include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/registers.h"
@@ -31,7 +33,7 @@ constexpr Nanoseconds kLeadPatience = 10 * kSecond;
 
 /// Below SAFEOP a slave's clock may be in the middle of being set up.
 bool ReferenceClock::can_lead(std::size_t slave) const {
-  const auto& status = run_.snapshot.slaves[slave];
+  const auto& status = snapshot_.slaves[slave];
   const auto state = al_state_of(status.al_status);
   return status.present && status.dc_enabled && (state == AlState::kSafeop || state == AlState::kOp);
 }
@@ -47,26 +49,25 @@ void ReferenceClock::start(std::uint16_t home, std::uint16_t leader, bool by_pla
 void ReferenceClock::address(bool settled) {
   if (!home_) return;
   Leader wanted{Leader::Who::kNobody, 0};
-  if (leader_) wanted = {Leader::Who::kOther, run_.config().slaves[*leader_].station_address};
+  if (leader_) wanted = {Leader::Who::kOther, config_.slaves[*leader_].station_address};
   // The frames of a file mean the clock that leads in that file; who leads here may have been chosen otherwise.
-  const bool configured =
-      leader_ == home_ && frames_.configured_for(*home_, run_.config().slaves[*home_].station_address);
+  const bool configured = leader_ == home_ && frames_.configured_for(*home_, config_.slaves[*home_].station_address);
   if (configured && by_place_ && places_right_ && settled) wanted = {};
   if (frames_.leader() != wanted) frames_.follow(wanted);
 }
 
 std::optional<std::uint16_t> ReferenceClock::station() const {
   if (!leader_) return std::nullopt;
-  return run_.config().slaves[*leader_].station_address;
+  return config_.slaves[*leader_].station_address;
 }
 
 void ReferenceClock::look(Nanoseconds time) {
   if (!home_) return;
-  auto& slaves = run_.snapshot.slaves;
+  auto& slaves = snapshot_.slaves;
   places_right_ = std::all_of(slaves.begin(), slaves.begin() + *home_, [](const SlaveStatus& s) { return s.present; });
   if (leader_ && slaves[*leader_].present) return;
   if (leader_) {
-    run_.event(time, *leader_, events::ReferenceClockChanged{What::kLost});
+    teller_.tell(time, *leader_, events::ReferenceClockChanged{What::kLost});
     slaves[*leader_].is_reference_clock = false;
     leader_.reset();
     sync_.leader_lost(time);
@@ -81,7 +82,7 @@ void ReferenceClock::look(Nanoseconds time) {
 std::optional<std::uint16_t> ReferenceClock::candidate(std::span<const std::size_t> slaves) const {
   std::optional<std::uint16_t> first;
   for (const auto slave : slaves) {
-    if (!run_.snapshot.slaves[slave].dc_enabled) continue;
+    if (!snapshot_.slaves[slave].dc_enabled) continue;
     if (slave == home_) return home_;
     if (!first) first = static_cast<std::uint16_t>(slave);
   }
@@ -91,7 +92,7 @@ std::optional<std::uint16_t> ReferenceClock::candidate(std::span<const std::size
 void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
   hand_over(position);
   sync_.leader_found(position, time);
-  run_.event(time, position, events::ReferenceClockChanged{position == home_ ? What::kPresent : What::kTookOver});
+  teller_.tell(time, position, events::ReferenceClockChanged{position == home_ ? What::kPresent : What::kTookOver});
 }
 
 /// A clock that follows takes each message as it is, and runs on with the last one when nobody leads it any more: that
@@ -100,7 +101,7 @@ void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
 /// it the time, with the host's jitter; the one that has come home learned quickly (DcLoopRole::kReturning) and
 /// averages as a leader now.
 void ReferenceClock::tune(std::uint16_t position, bool leads) {
-  const auto& config = run_.config();
+  const auto& config = config_;
   if (config.dc.dcm.standard_loop_values) return;
   // Home, it runs as it has learned where nobody steers it. A substitute that is steered keeps its quick loop: with
   // this filter in front of it, it would swing.
@@ -119,11 +120,11 @@ std::optional<ClockAmendment::Request> ReferenceClock::take_tuning() {
 }
 
 void ReferenceClock::hand_over(std::uint16_t position) {
-  if (leader_) run_.snapshot.slaves[*leader_].is_reference_clock = false;
+  if (leader_) snapshot_.slaves[*leader_].is_reference_clock = false;
   if (leader_) tune(*leader_, false);
   tune(position, true);
   leader_ = position;
-  run_.snapshot.slaves[position].is_reference_clock = true;
+  snapshot_.slaves[position].is_reference_clock = true;
   approach_.reset();
 }
 
@@ -134,13 +135,13 @@ void ReferenceClock::watch(Nanoseconds time) {
   if (!is_near() && time - approach_->begin < kLeadPatience) return;
   hand_over(*home_);
   sync_.leader_moved(*home_);
-  run_.event(time, *home_, events::ReferenceClockChanged{What::kPresent});
+  teller_.tell(time, *home_, events::ReferenceClockChanged{What::kPresent});
 }
 
 void ReferenceClock::add_to(PendingFrame& frame) {
   comparison_.asked = false;
   if (!approach_ || !leader_ || *home_ >= *leader_) return;
-  const auto& slaves = run_.config().slaves;
+  const auto& slaves = config_.slaves;
   const std::array stations{slaves[*home_].station_address, slaves[*leader_].station_address};
   for (std::size_t i = 0; i < stations.size(); ++i) {
     comparison_.bytes[i].fill(0);
@@ -152,7 +153,7 @@ void ReferenceClock::add_to(PendingFrame& frame) {
 /// Slaves that are further away from the substitute than the sync window allows have more to bear already: a substitute
 /// that the host steers moves with its jitter, and they run after it.
 std::int64_t ReferenceClock::near_enough() const {
-  const auto& dc = run_.snapshot.dc;
+  const auto& dc = snapshot_.dc;
   if (!dc.monitored) return kLeadNear;
   const std::int64_t borne = dc.over_limit > 0 ? dc.deviation_ns.value_or(0) : 0;
   return std::max({kLeadNear, dc.limit_ns / kLimitShare, std::min(borne, kLeadBorne)});
@@ -173,7 +174,7 @@ bool ReferenceClock::compares_near() {
 
 /// Behind it, it follows its time; in the mean of some readings.
 bool ReferenceClock::follows_near() {
-  const auto& status = run_.snapshot.slaves[*home_];
+  const auto& status = snapshot_.slaves[*home_];
   if (!status.deviation_valid || status.deviation_time <= approach_->last_reading) return false;
   approach_->last_reading = status.deviation_time;
   approach_->sum += status.deviation_ns;

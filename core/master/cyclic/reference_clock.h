@@ -8,17 +8,22 @@
 #include "master/clocks/clock_amendment.h"
 #include "master/clocks/sync_watch.h"
 #include "master/cyclic/cyclic_frame_set.h"
-#include "master/exchange/run_state.h"
 #include "protocol/coe.h"
 
 namespace syncline {
+
+class EventTeller;
+struct NetworkConfig;
+struct Snapshot;
 
 /// Who leads the distributed clocks while the bus runs: the reference clock, and when it is lost the next slave whose
 /// clock is synchronised. When it comes back it follows its substitute until it shows the same time, and then leads
 /// again, so that the others do not notice. Allocates nothing.
 class ReferenceClock {
  public:
-  ReferenceClock(RunState& run, SyncWatch& sync, CyclicFrameSet& frames) : run_(run), sync_(sync), frames_(frames) {}
+  ReferenceClock(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller, SyncWatch& sync,
+                 CyclicFrameSet& frames)
+      : config_(config), snapshot_(snapshot), teller_(teller), sync_(sync), frames_(frames) {}
 
   /// After the DC initialisation: who is to lead whenever it is there, and who does. `by_place`: the configuration's
   /// places on the bus are right, and its commands mean the one that leads.
@@ -66,7 +71,9 @@ class ReferenceClock {
   void hand_over(std::uint16_t position);
   void tune(std::uint16_t position, bool leads);
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  EventTeller& teller_;
   SyncWatch& sync_;
   CyclicFrameSet& frames_;
   std::optional<std::uint16_t> home_, leader_;

@@ -6,7 +6,7 @@
 
 #include "channels/request_ticket.h"
 #include "config/network_config.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_mailbox.h"
 #include "support/overloaded.h"
 
 namespace syncline {
@@ -23,12 +23,12 @@ RequestPlace place_of(const SlaveRequest& request) {
                     request);
 }
 
-RequestSlot::RequestSlot(RunState& run) : run_(run) {
+RequestSlot::RequestSlot(const NetworkConfig& config, std::span<SlaveMailbox> mailboxes) : mailboxes_(mailboxes) {
   SlaveMailbox longest;  // of any slave, in any state
   const auto grow = [](MailboxChannel& channel, const MailboxChannel& other) {
     channel.length = std::max(channel.length, other.length);
   };
-  for (const auto& slave : run.config().slaves) {
+  for (const auto& slave : config.slaves) {
     if (!slave.mailbox) continue;
     grow(longest.port.send, slave.mailbox->send);
     grow(longest.port.receive, slave.mailbox->receive);
@@ -50,8 +50,8 @@ void RequestSlot::begin(RequestTicket& ticket, const SlaveAddress& address) {
   const auto slave = slave_of(ticket.request);
   auto& bytes = ticket.bytes;
   const auto room = bytes.capacity();
-  sdo_.use(run_.mailboxes[slave]);
-  foe_.use(run_.mailboxes[slave]);
+  sdo_.use(mailboxes_[slave]);
+  foe_.use(mailboxes_[slave]);
   work_ = &sdo_;
   std::visit(Overloaded{[&](const SdoRead& r) { sdo_.upload(r.object, r.complete_access, bytes, r.limit); },
                         [&](const SdoWrite& r) { sdo_.download(r.object, r.complete_access, r.data); },

@@ -2,18 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "channels/slave_request.h"
 #include "master/exchange/register_work.h"
+#include "master/exchange/slave_mailbox.h"
 #include "master/mailbox/foe_work.h"
 #include "master/mailbox/sdo_work.h"
 #include "master/sii/sii_work.h"
 
 namespace syncline {
 
+struct NetworkConfig;
 struct RequestTicket;
-class RunState;
 
 /// What a request needs for itself while it is carried out.
 enum class RequestPlace : std::uint8_t { kMailbox, kEeprom, kRegisters, kState };
@@ -23,7 +25,7 @@ enum class RequestPlace : std::uint8_t { kMailbox, kEeprom, kRegisters, kState }
 /// ticket. Allocates at construction alone.
 class RequestSlot {
  public:
-  explicit RequestSlot(RunState& run);
+  RequestSlot(const NetworkConfig& config, std::span<SlaveMailbox> mailboxes);
   RequestSlot(RequestSlot&&) = delete;
 
   /// Not of RequestPlace::kState. `slave`: for registers and EEPROM.
@@ -39,7 +41,7 @@ class RequestSlot {
   RequestTicket& finish();
 
  private:
-  RunState& run_;
+  std::span<SlaveMailbox> mailboxes_;
   SdoWork sdo_;
   FoeWork foe_;
   RegisterWork registers_;

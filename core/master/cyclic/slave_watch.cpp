@@ -6,10 +6,12 @@
 
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
+#include "channels/snapshot.h"
 #include "channels/values/absent_after.h"
 #include "config/network_config.h"
 #include "master/clocks/ored_deviation.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/event_teller.h"
+#include "master/exchange/slave_states.h"
 #include "protocol/datagram.h"
 #include "protocol/dc_registers.h"
 #include "protocol/dl_status.h"
@@ -33,18 +35,20 @@ struct AlStatus {
 
 }  // namespace
 
-SlaveWatch::SlaveWatch(RunState& run)
-    : run_(run),
-      al_(run.config().slaves.size()),
-      cycles_per_round_(std::max<std::size_t>(
-          1, static_cast<std::size_t>(kRound / std::max<Nanoseconds>(1, run.config().cycle_time())))),
+SlaveWatch::SlaveWatch(const NetworkConfig& config, Snapshot& snapshot, SlaveStates& states, EventTeller& teller)
+    : config_(config),
+      snapshot_(snapshot),
+      states_(states),
+      teller_(teller),
+      al_(config.slaves.size()),
+      cycles_per_round_(
+          std::max<std::size_t>(1, static_cast<std::size_t>(kRound / std::max<Nanoseconds>(1, config.cycle_time())))),
       next_al_(al_.size()) {
   turns_.resize(al_.size() / cycles_per_round_ + 1);
-  run_.deviations_read.reserve(deviations_.size());
+  deviations_read_.reserve(deviations_.size());
   for (std::size_t i = 0; i < al_.size(); ++i) {
-    al_[i].datagram = {Command::kFprd, device_address(run.config().slaves[i].station_address, reg::kAlStatus),
-                       al_[i].bytes};
-    al_[i].dl_datagram = {Command::kFprd, device_address(run.config().slaves[i].station_address, reg::kDlStatus),
+    al_[i].datagram = {Command::kFprd, device_address(config.slaves[i].station_address, reg::kAlStatus), al_[i].bytes};
+    al_[i].dl_datagram = {Command::kFprd, device_address(config.slaves[i].station_address, reg::kDlStatus),
                           al_[i].dl_bytes};
   }
   all_ = {Command::kBrd, device_address(0, reg::kSystemTimeDifference), all_bytes_};
@@ -66,11 +70,11 @@ void SlaveWatch::observe_silence(bool silent, Nanoseconds time) {
   if (time - *silent_since_ < kAbsentAfter || last_wkc_ == 0) return;
   last_wkc_ = 0;  // the first answer is a change
   next_al_ = al_.size();
-  const bool any = std::ranges::any_of(run_.snapshot.slaves, &SlaveStatus::present);
-  if (any && run_.snapshot.link_up) tell_cable(time, 0, false);
+  const bool any = std::ranges::any_of(snapshot_.slaves, &SlaveStatus::present);
+  if (any && snapshot_.link_up) tell_cable(time, 0, false);
   for (auto& reading : al_) reading.datagram.wkc = 0;
-  for (std::size_t i = 0; i < al_.size(); ++i) run_.set_present(i, false, time);
-  run_.update_master_state(time);
+  for (std::size_t i = 0; i < al_.size(); ++i) states_.set_present(i, false, time);
+  states_.update_master_state(time);
   ++sweeps_;
 }
 
@@ -92,7 +96,7 @@ bool SlaveWatch::add_deviation(PendingFrame& frame) {
   auto& reading = deviations_[asked_deviations_];
   reading.slave = dc_slaves_[next_dc_ % dc_slaves_.size()];
   reading.bytes.fill(0);
-  const auto station = run_.config().slaves[reading.slave].station_address;
+  const auto station = config_.slaves[reading.slave].station_address;
   reading.datagram = {Command::kFprd, device_address(station, reg::kSystemTimeDifference), reading.bytes};
   if (!frame.add(reading.datagram)) return false;
   ++asked_deviations_;
@@ -119,7 +123,7 @@ void SlaveWatch::add_turns(PendingFrame& frame) {
     auto& turn = turns_[turns_asked_];
     turn.slave = next_turn_;
     turn.bytes.fill(0);
-    turn.datagram = {Command::kFprd, device_address(run_.config().slaves[turn.slave].station_address, reg::kAlStatus),
+    turn.datagram = {Command::kFprd, device_address(config_.slaves[turn.slave].station_address, reg::kAlStatus),
                      turn.bytes};
     if (!frame.add(turn.datagram)) break;
     turn_credit_ -= cycles_per_round_;
@@ -139,14 +143,14 @@ void SlaveWatch::take_turns(Nanoseconds time) {
     if (is_news(turn)) {
       refresh_al_status();
     } else if (turn.datagram.wkc > 0) {
-      run_.snapshot.slaves[turn.slave].al_status_time = time;
+      snapshot_.slaves[turn.slave].al_status_time = time;
     }
   }
   turns_asked_ = 0;
 }
 
 bool SlaveWatch::is_news(const Turn& turn) const {
-  const auto& known = run_.snapshot.slaves[turn.slave];
+  const auto& known = snapshot_.slaves[turn.slave];
   const bool present = turn.datagram.wkc > 0;
   if (!present || !known.present) return present != known.present;
   const AlStatus read(turn.bytes);
@@ -163,17 +167,17 @@ std::optional<OredDeviation> SlaveWatch::take(Nanoseconds time, CycleSample& sam
 
 /// The sample shows the last one.
 void SlaveWatch::take_deviations(Nanoseconds time, CycleSample& sample) {
-  run_.deviations_read.clear();
+  deviations_read_.clear();
   for (std::size_t i = 0; i < asked_deviations_; ++i) {
     const auto& reading = deviations_[i];
     if (!reading.datagram.done()) continue;
     const auto deviation =
         static_cast<std::int32_t>(SystemTimeDifference{load_le<std::uint32_t>(reading.bytes)}.signed_value());
-    auto& slave = run_.snapshot.slaves[reading.slave];
+    auto& slave = snapshot_.slaves[reading.slave];
     slave.deviation_ns = deviation;
     slave.deviation_valid = true;
     slave.deviation_time = time;
-    run_.deviations_read.push_back(reading.slave);
+    deviations_read_.push_back(reading.slave);
     sample.slave_position = static_cast<std::int16_t>(reading.slave);
     sample.slave_deviation_ns = deviation;
   }
@@ -198,18 +202,18 @@ void SlaveWatch::finish_sweep(Nanoseconds time) {
   for (std::size_t i = 0; i < al_.size(); ++i) {
     if (!al_[i].present()) continue;
     const AlStatus read(al_[i].bytes);
-    run_.set_al_status(i, read.status, read.code, time);
+    states_.set_al_status(i, read.status, read.code, time);
   }
-  run_.update_master_state(time);
+  states_.update_master_state(time);
 }
 
 /// A cable is known by the slaves at its ends: the near one answers and its port is dead, the far one does
 /// not. Pulled, broken or no power behind it look the same from here.
 void SlaveWatch::tell_cables(Nanoseconds time, bool healed) {
   for (std::size_t i = 0; i < al_.size(); ++i) {
-    const auto& slave = run_.snapshot.slaves[i];
-    const auto& previous = run_.config().slaves[i].previous;
-    if (run_.config().hot_connect_head(i)) continue;  // its cable is meant to be plugged and pulled
+    const auto& slave = snapshot_.slaves[i];
+    const auto& previous = config_.slaves[i].previous;
+    if (config_.hot_connect_head(i)) continue;  // its cable is meant to be plugged and pulled
     if (!previous) {
       if (healed && slave.cable_broken) tell_cable(time, i, true);  // somebody answers
       continue;
@@ -224,17 +228,17 @@ void SlaveWatch::tell_cables(Nanoseconds time, bool healed) {
 }
 
 void SlaveWatch::tell_cable(Nanoseconds time, std::size_t slave, bool healed) {
-  run_.snapshot.slaves[slave].cable_broken = !healed;
-  run_.snapshot.slaves[slave].moved = time;
-  const auto& previous = run_.config().slaves[slave].previous;
+  snapshot_.slaves[slave].cable_broken = !healed;
+  snapshot_.slaves[slave].moved = time;
+  const auto& previous = config_.slaves[slave].previous;
   const int near = previous ? previous->position : kMaster;
   const auto port = static_cast<std::uint8_t>(previous ? previous->port : 0);
-  run_.event(time, near, events::CableChanged{port, static_cast<int>(slave), healed});
+  teller_.tell(time, near, events::CableChanged{port, static_cast<int>(slave), healed});
 }
 
 void SlaveWatch::tell_presence(Nanoseconds time, bool present) {
   for (std::size_t i = 0; i < al_.size(); ++i) {
-    if (al_[i].present() == present) run_.set_present(i, present, time);
+    if (al_[i].present() == present) states_.set_present(i, present, time);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "master/exchange/frame_exchange.h"
@@ -11,8 +12,11 @@
 namespace syncline {
 
 struct CycleSample;
+class EventTeller;
+struct NetworkConfig;
 struct OredDeviation;
-class RunState;
+class SlaveStates;
+struct Snapshot;
 
 /// Looks after single slaves by acyclic datagrams while the bus runs: 0x092C of one DC slave a cycle in
 /// turn; AL status, AL status code and DL status of every slave when the cyclic broadcast says that
@@ -28,7 +32,7 @@ class RunState;
 /// frame order, the master's state last.
 class SlaveWatch {
  public:
-  explicit SlaveWatch(RunState& run);
+  SlaveWatch(const NetworkConfig& config, Snapshot& snapshot, SlaveStates& states, EventTeller& teller);
   SlaveWatch(const SlaveWatch&) = delete;
   SlaveWatch& operator=(const SlaveWatch&) = delete;
 
@@ -49,6 +53,8 @@ class SlaveWatch {
   void add_to(PendingFrame& frame, bool read_deviation_of_all, bool hurry = false);
   /// After the frame: takes the answers over. The ored 0x092C, if it was asked for.
   std::optional<OredDeviation> take(Nanoseconds time, CycleSample& sample);
+  /// The slaves whose deviation came with the latest cycle.
+  [[nodiscard]] std::span<const std::uint16_t> deviations_read() const { return deviations_read_; }
   /// Number of sweeps that came to their end.
   [[nodiscard]] std::uint64_t sweeps() const { return sweeps_; }
 
@@ -77,7 +83,10 @@ class SlaveWatch {
   void take_deviations(Nanoseconds time, CycleSample& sample);
   bool add_deviation(PendingFrame& frame);
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  SlaveStates& states_;
+  EventTeller& teller_;
   std::vector<std::uint16_t> dc_slaves_;
   std::size_t next_dc_ = 0;
   struct DeviationReading {
@@ -87,6 +96,7 @@ class SlaveWatch {
   };
   std::array<DeviationReading, 16> deviations_;
   std::size_t asked_deviations_ = 0;
+  std::vector<std::uint16_t> deviations_read_;
   std::array<std::uint8_t, 4> all_bytes_{};
   Datagram all_;
   bool asked_all_ = false;

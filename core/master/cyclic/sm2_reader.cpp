@@ -7,10 +7,11 @@
 #include "channels/cycle_sample.h"
 #include "channels/event.h"
 #include "channels/slave_evidence.h"
+#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
 #include "master/cyclic/sync_event_watch.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/event_teller.h"
 #include "master/mailbox/sm2_counter_profile.h"
 #include "protocol/dc_registers.h"
 
@@ -32,10 +33,11 @@ std::uint8_t other_of(std::uint8_t sub_index) {
 
 }  // namespace
 
-Sm2Reader::Sm2Reader(RunState& run, CyclicMailbox& mailbox, SyncEventWatch& events)
-    : run_(run), mailbox_(mailbox), events_(events) {
-  for (std::size_t i = 0; i < run.config().slaves.size(); ++i) {
-    const auto& slave = run.config().slaves[i];
+Sm2Reader::Sm2Reader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller, CyclicMailbox& mailbox,
+                     SyncEventWatch& events)
+    : config_(config), snapshot_(snapshot), teller_(teller), mailbox_(mailbox), events_(events) {
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    const auto& slave = config.slaves[i];
     if (!uses_sync(slave)) continue;
     const auto known = known_sm2_missed_sub_index(slave.identity);
     Counter counter;
@@ -115,7 +117,7 @@ void Sm2Reader::begin(Nanoseconds now) {
   next_start_ = now + kPeriod / static_cast<Nanoseconds>(counters_.size());
   current_ = (current_ + 1) % counters_.size();
   auto& counter = counters_[current_];
-  const auto state = al_state_of(run_.snapshot.slaves[counter.slave].al_status);
+  const auto state = al_state_of(snapshot_.slaves[counter.slave].al_status);
   const bool counting = state == AlState::kSafeop || state == AlState::kOp;
   if (!counting || counter.has == 0 || !mailbox_.ready_for(counter.slave)) return;
   choose(counter);
@@ -134,12 +136,12 @@ void Sm2Reader::take(const CyclicMailbox::Answer& answer, Nanoseconds now, Cycle
   }
   // There are not two to be mistaken for each other.
   if (answer.kind == Kind::kAbort && item == Item::kOther)
-    run_.snapshot.slaves[counter.slave].sm2_missed.other_sub_index = 0;
+    snapshot_.slaves[counter.slave].sm2_missed.other_sub_index = 0;
   if (answer.kind == Kind::kValue) take_value(counter, answer.value, now, sample);
 }
 
 void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample) {
-  auto& slave = run_.snapshot.slaves[counter.slave];
+  auto& slave = snapshot_.slaves[counter.slave];
   auto& evidence = slave.evidence;
   const auto count = [&](EvidenceCount& result, std::size_t which) {
     auto& total = counter.totals[which];
@@ -181,11 +183,11 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
 /// Once when it begins to rise, and once when it has stopped.
 void Sm2Reader::tell_exceeded(Counter& counter, std::size_t which, std::uint32_t more, Nanoseconds now) {
   if (std::exchange(counter.rising[which], more > 0) == (more > 0)) return;
-  run_.event(now, counter.slave, events::LongCycles{more > 0, more});
+  teller_.tell(now, counter.slave, events::LongCycles{more > 0, more});
 }
 
 void Sm2Reader::take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample) {
-  auto& status = run_.snapshot.slaves[counter.slave].sm2_missed;
+  auto& status = snapshot_.slaves[counter.slave].sm2_missed;
   events_.read(counter.slave, value);
   status.valid = true;
   status.value = value;

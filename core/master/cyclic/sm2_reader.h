@@ -11,7 +11,9 @@
 namespace syncline {
 
 struct CycleSample;
-class RunState;
+class EventTeller;
+struct NetworkConfig;
+struct Snapshot;
 class SyncEventWatch;
 
 /// Reads what slaves with SYNC signals count in 0x1C32 and 0x1C33, one object of one slave after the other, through the
@@ -20,7 +22,8 @@ class SyncEventWatch;
 /// (0x1C32:06). What a slave does not have is asked for once. Allocates nothing.
 class Sm2Reader {
  public:
-  Sm2Reader(RunState& run, CyclicMailbox& mailbox, SyncEventWatch& events);
+  Sm2Reader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller, CyclicMailbox& mailbox,
+            SyncEventWatch& events);
   Sm2Reader(const Sm2Reader&) = delete;
   Sm2Reader& operator=(const Sm2Reader&) = delete;
 
@@ -65,7 +68,9 @@ class Sm2Reader {
   void tell_exceeded(Counter& counter, std::size_t which, std::uint32_t more, Nanoseconds now);
   void take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample);
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  EventTeller& teller_;
   CyclicMailbox& mailbox_;
   SyncEventWatch& events_;
   std::vector<Counter> counters_;

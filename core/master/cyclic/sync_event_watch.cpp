@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 #include "config/frame_time.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
@@ -12,7 +13,7 @@
 #include "families/device_family.h"
 #include "families/families.h"
 #include "master/clocks/sync_watch.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_states.h"
 #include "protocol/al_state.h"
 #include "protocol/al_status_code.h"
 #include "protocol/dc_registers.h"
@@ -41,20 +42,21 @@ bool in_op(const SlaveStatus& slave) {
 
 }  // namespace
 
-SyncEventWatch::SyncEventWatch(RunState& run, const SyncWatch& sync)
-    : run_(run), sync_(sync), place_(run.config().slaves.size(), kNone) {
-  const auto& slaves = run.config().slaves;
+SyncEventWatch::SyncEventWatch(const NetworkConfig& config, Snapshot& snapshot, const SlaveStates& states,
+                               const SyncWatch& sync)
+    : config_(config), snapshot_(snapshot), states_(states), sync_(sync), place_(config.slaves.size(), kNone) {
+  const auto& slaves = config.slaves;
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     const auto& dc = slaves[i].dc;
     if (!dc || !slaves[i].send || !AssignActivate{dc->assign_activate}.sync0()) continue;
-    const auto period = dc->cycle_time0 > 0 ? dc->cycle_time0 : run.config().cycle_time();
+    const auto period = dc->cycle_time0 > 0 ? dc->cycle_time0 : config.cycle_time();
     place_[i] = slaves_.size();
     // Until it is read, the limit is what its start-up commands write, or what its family is delivered with.
     const auto limit = families::error_limit(slaves[i]).value_or(0);
     slaves_.push_back({.position = i,
                        .period = period,
                        .shift = dc->shift_time,
-                       .wire = outputs_wire_time(run.config(), i),
+                       .wire = outputs_wire_time(config, i),
                        .account = {},
                        .before = {},
                        .limit = limit,
@@ -74,7 +76,7 @@ SyncEventWatch::Slave* SyncEventWatch::find(std::size_t position) {
 
 /// Where its SYNC0 comes, as it was read back when it was started.
 dc::Sync0Grid SyncEventWatch::grid_of(const Slave& slave) const {
-  const auto off = run_.snapshot.slaves[slave.position].evidence.sync0.off_ns;
+  const auto off = snapshot_.slaves[slave.position].evidence.sync0.off_ns;
   return {sync_.base() + slave.shift + off, slave.period};
 }
 
@@ -89,7 +91,7 @@ void SyncEventWatch::end_settling(Slave& slave, Nanoseconds time) const {
 
 /// Whoever is in OP still when it comes back tells itself what it missed meanwhile.
 bool SyncEventWatch::follow_presence(Slave& slave) const {
-  const auto& status = run_.snapshot.slaves[slave.position];
+  const auto& status = snapshot_.slaves[slave.position];
   if (!status.present) {
     slave.away = slave.in_op_since.has_value();
     return !slave.away;
@@ -101,7 +103,7 @@ bool SyncEventWatch::follow_presence(Slave& slave) const {
 }
 
 void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
-  const bool op = in_op(run_.snapshot.slaves[slave.position]);
+  const bool op = in_op(snapshot_.slaves[slave.position]);
   if (!op && !slave.in_op_since) note_fall(slave);
   if (op == slave.in_op_since.has_value()) return;
   if (!op) {
@@ -114,7 +116,7 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
   }
   slave.in_op_since = time;
   slave.gave_up = slave.fallen = false;
-  run_.snapshot.slaves[slave.position].sm2_missed.settling = true;
+  snapshot_.slaves[slave.position].sm2_missed.settling = true;
   if (!slave.account) slave.account.emplace(grid_of(slave));
   slave.account->set_limit(slave.limit);
   slave.before = slave.account;
@@ -123,7 +125,7 @@ void SyncEventWatch::follow_state(Slave& slave, Nanoseconds time) {
 
 /// It may fall before anybody has seen it in OP.
 void SyncEventWatch::note_fall(Slave& slave) {
-  const auto& status = run_.snapshot.slaves[slave.position];
+  const auto& status = snapshot_.slaves[slave.position];
   const bool fell = (status.al_status & kAlErrorFlag) != 0 && is_about_outputs(status.al_status_code);
   if (std::exchange(slave.fallen, fell) == fell || !fell) return;
   slave.gave_up = true;
@@ -145,14 +147,14 @@ void SyncEventWatch::explain_fall(Slave& slave) {
 }
 
 Nanoseconds SyncEventWatch::nominal_margin(const Slave& slave) const {
-  const auto& status = run_.snapshot.slaves[slave.position];
-  return dc::nominal_margin(run_.snapshot.dcm.set_value_ns, {slave.shift + status.evidence.sync0.off_ns, slave.period},
+  const auto& status = snapshot_.slaves[slave.position];
+  return dc::nominal_margin(snapshot_.dcm.set_value_ns, {slave.shift + status.evidence.sync0.off_ns, slave.period},
                             status.propagation_delay_ns, slave.wire);
 }
 
 Nanoseconds SyncEventWatch::room() {
-  const auto changes = run_.slave_changes();
-  const auto set_value = run_.snapshot.dcm.set_value_ns;
+  const auto changes = states_.slave_changes();
+  const auto set_value = snapshot_.dcm.set_value_ns;
   if (!room_ || room_->changes != changes || room_->set_value != set_value) {
     room_ = {INT64_MAX, changes, set_value};
     for (const auto& slave : slaves_) {
@@ -177,7 +179,7 @@ void SyncEventWatch::observe(CycleSample& sample, bool outputs_back, Nanoseconds
 
 /// Closed form of looking at one slave after the other.
 bool SyncEventWatch::pass_together(Nanoseconds passed) {
-  if (!together_ || together_->changes != run_.slave_changes()) return false;
+  if (!together_ || together_->changes != states_.slave_changes()) return false;
   if (passed < together_->begin || passed >= together_->end) return false;
   together_->begin += together_->period;
   together_->end += together_->period;
@@ -199,10 +201,10 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
   settle_all();
   bool all_regular = true;
   Together together;
-  together.changes = run_.slave_changes();
+  together.changes = states_.slave_changes();
   for (auto& slave : slaves_) {
     const auto came =
-        dc::outputs_arrival(outputs.passed, run_.snapshot.slaves[slave.position].propagation_delay_ns, slave.wire);
+        dc::outputs_arrival(outputs.passed, snapshot_.slaves[slave.position].propagation_delay_ns, slave.wire);
     const auto delay = came - outputs.passed;
     if (outputs.regular() && slave.next && observe_regular(slave, came)) {
       if (together.period == 0) together.period = slave.period;
@@ -214,8 +216,7 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
     settle(slave);
     if (!follow_presence(slave)) continue;
     // The gap that made a slave fall may be told in the same cycle as its fall: first the gap, then the state.
-    const auto held =
-        counting_hold(grid_of(slave), came, outputs.held, nominal_margin(slave), run_.config().cycle_time());
+    const auto held = counting_hold(grid_of(slave), came, outputs.held, nominal_margin(slave), config_.cycle_time());
     const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped, slave.need, held};
     const bool was_in_op = slave.in_op_since.has_value();
     if (was_in_op) slave.account->observe(cycle);
@@ -234,7 +235,7 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
 
 bool SyncEventWatch::observe_regular(Slave& slave, Nanoseconds time) const {
   const auto since = time - *slave.next;
-  if (since < 0 || since >= slave.period - slave.need || !in_op(run_.snapshot.slaves[slave.position])) return false;
+  if (since < 0 || since >= slave.period - slave.need || !in_op(snapshot_.slaves[slave.position])) return false;
   *slave.next += slave.period;
   ++slave.regular;
   return true;
@@ -248,7 +249,7 @@ void SyncEventWatch::settle(Slave& slave) {
 void SyncEventWatch::tell(CycleSample& sample) {
   if (!news_) return;
   for (auto& slave : slaves_) {
-    const auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
+    const auto& status = snapshot_.slaves[slave.position].sm2_missed;
     if (!status.known || slave.told == status.missed) continue;
     slave.told = status.missed;
     sample.sm2_position = static_cast<std::int16_t>(slave.position);
@@ -305,7 +306,7 @@ void SyncEventWatch::set_calc_and_copy(std::size_t position, Nanoseconds time) {
 }
 
 void SyncEventWatch::publish(const Slave& slave) {
-  auto& status = run_.snapshot.slaves[slave.position].sm2_missed;
+  auto& status = snapshot_.slaves[slave.position].sm2_missed;
   const auto& account = *slave.account;
   news_ = news_ || !status.known || status.missed != account.missed();
   status.known = true;

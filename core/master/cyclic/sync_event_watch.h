@@ -10,7 +10,9 @@
 namespace syncline {
 
 struct CycleSample;
-class RunState;
+struct NetworkConfig;
+class SlaveStates;
+struct Snapshot;
 class SyncWatch;
 
 /// Follows the missed SM2 events of every slave with SYNC0 from cycle to cycle: where its outputs arrived in its SYNC0
@@ -18,7 +20,7 @@ class SyncWatch;
 /// thread.
 class SyncEventWatch {
  public:
-  SyncEventWatch(RunState& run, const SyncWatch& sync);
+  SyncEventWatch(const NetworkConfig& config, Snapshot& snapshot, const SlaveStates& states, const SyncWatch& sync);
 
   /// One cycle; `outputs_back`: all cyclic frames came back; `held`: by how much later than frames usually do, ns. Not
   /// before SYNC0 has its grid.
@@ -74,7 +76,7 @@ class SyncEventWatch {
     // Of the time in which the next ones must do so; half of all time, where nobody is in OP, bears additions.
     Nanoseconds begin = INT64_MIN / 2, end = INT64_MAX / 2;
     Nanoseconds period = 0;     // 0: nobody is in OP
-    std::uint64_t changes = 0;  // RunState::slave_changes()
+    std::uint64_t changes = 0;  // SlaveStates::slave_changes()
     std::int64_t cycles = 0;    // since then; not yet counted in the slaves
   };
   [[nodiscard]] bool pass_together(Nanoseconds passed);
@@ -98,7 +100,9 @@ class SyncEventWatch {
   void end_settling(Slave& slave, Nanoseconds time) const;
   [[nodiscard]] dc::Sync0Grid grid_of(const Slave& slave) const;
 
-  RunState& run_;
+  const NetworkConfig& config_;
+  Snapshot& snapshot_;
+  const SlaveStates& states_;
   const SyncWatch& sync_;
   std::vector<Slave> slaves_;
   std::optional<Together> together_;
@@ -106,7 +110,7 @@ class SyncEventWatch {
   /// What room() was found of.
   struct Room {
     Nanoseconds room = 0;
-    std::uint64_t changes = 0;  // RunState::slave_changes()
+    std::uint64_t changes = 0;  // SlaveStates::slave_changes()
     std::int32_t set_value = 0;
   };
   std::optional<Room> room_;

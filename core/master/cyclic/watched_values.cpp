@@ -5,6 +5,7 @@
 #include <span>
 
 #include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
 #include "config/cyclic_frame.h"
 #include "protocol/al_state.h"
 #include "support/bits.h"
@@ -60,8 +61,8 @@ bool WatchedValues::covered(const Place& place, Counts counts) const {
 
 bool WatchedValues::exchanges(const Place& place) const {
   if (place.what.slave < 0) return true;
-  if (static_cast<std::size_t>(place.what.slave) >= run_.snapshot.slaves.size()) return false;
-  const auto& slave = run_.snapshot.slaves[static_cast<std::size_t>(place.what.slave)];
+  if (static_cast<std::size_t>(place.what.slave) >= snapshot_.slaves.size()) return false;
+  const auto& slave = snapshot_.slaves[static_cast<std::size_t>(place.what.slave)];
   const auto state = al_state_of(slave.al_status);
   return slave.present && (state == AlState::kSafeop || state == AlState::kOp);
 }

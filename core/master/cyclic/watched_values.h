@@ -6,11 +6,11 @@
 
 #include "channels/watch_command.h"
 #include "master/cyclic/cyclic_frame_set.h"
-#include "master/exchange/run_state.h"
 
 namespace syncline {
 
 struct CycleSample;
+struct Snapshot;
 
 /// Copies the variables that somebody watches out of the process image into the sample of each cycle. An input is known
 /// when the datagrams that read it came back with the expected working counter, and its slave exchanges process data;
@@ -18,7 +18,7 @@ struct CycleSample;
 /// Allocates nothing; the cyclic thread.
 class WatchedValues {
  public:
-  WatchedValues(const CyclicFrameSet& frames, const RunState& run) : frames_(frames), run_(run) {}
+  WatchedValues(const CyclicFrameSet& frames, const Snapshot& snapshot) : frames_(frames), snapshot_(snapshot) {}
   WatchedValues(const WatchedValues&) = delete;
   WatchedValues& operator=(const WatchedValues&) = delete;
 
@@ -45,7 +45,7 @@ class WatchedValues {
   [[nodiscard]] bool exchanges(const Place& place) const;
 
   const CyclicFrameSet& frames_;
-  const RunState& run_;
+  const Snapshot& snapshot_;
   std::uint32_t list_ = 0;
   std::size_t count_ = 0;
   std::array<Place, kMostWatched> places_{};

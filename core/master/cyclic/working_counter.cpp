@@ -4,6 +4,9 @@
 #include <utility>
 
 #include "channels/cycle_sample.h"
+#include "channels/snapshot.h"
+#include "master/exchange/event_teller.h"
+#include "master/exchange/slave_states.h"
 
 namespace syncline {
 
@@ -15,7 +18,7 @@ void WorkingCounter::set_judging(bool judging) {
 
 void WorkingCounter::end_spell(Nanoseconds time) {
   const auto count = std::exchange(spell_, 0);
-  if (count > 1) run_.event(time, -1, events::WkcError{last_expected_, last_wrong_, count});
+  if (count > 1) teller_.tell(time, -1, events::WkcError{last_expected_, last_wrong_, count});
 }
 
 void WorkingCounter::observe(std::uint16_t expected, std::uint16_t received, Nanoseconds time, CycleSample& sample) {
@@ -24,15 +27,15 @@ void WorkingCounter::observe(std::uint16_t expected, std::uint16_t received, Nan
   // A lost frame is told as such, not a second time as a counter of zero.
   if (!judging_ || (sample.flags & CycleSample::kFrameLost) != 0) return;
   // Who comes back counts before anybody has looked at him.
-  if (expected == received || (received > expected && (joining_ || run_.somebody_absent()))) {
+  if (expected == received || (received > expected && (joining_ || states_.somebody_absent()))) {
     return end_spell(time);
   }
   sample.flags |= CycleSample::kWkcError;
-  ++run_.snapshot.wkc_errors;
+  ++snapshot_.wkc_errors;
   last_wrong_ = received;
   last_expected_ = expected;
   last_time_ = time;
-  if (spell_++ == 0) run_.event(time, -1, events::WkcError{expected, received, 1});
+  if (spell_++ == 0) teller_.tell(time, -1, events::WkcError{expected, received, 1});
 }
 
 }  // namespace syncline

@@ -3,18 +3,22 @@
 
 #include <cstdint>
 
-#include "master/exchange/run_state.h"
+#include "support/types.h"
 
 namespace syncline {
 
 struct CycleSample;
+class EventTeller;
+class SlaveStates;
+struct Snapshot;
 
 /// The working counter of the cyclic frames against what is expected of the slaves that are there. Errors are told as
 /// spells: one event when a spell begins, one with the count when a longer one is over. What is expected follows from
 /// the configuration (compile/cyclic_frames) and from who is absent (CyclicTaskRunner::expect_present).
 class WorkingCounter {
  public:
-  explicit WorkingCounter(RunState& run) : run_(run) {}
+  WorkingCounter(Snapshot& snapshot, const SlaveStates& states, EventTeller& teller)
+      : snapshot_(snapshot), states_(states), teller_(teller) {}
 
   /// It is judged in OP only: below it a slave may or may not take outputs. A spell is over when judging ends.
   void set_judging(bool judging);
@@ -29,7 +33,9 @@ class WorkingCounter {
  private:
   void end_spell(Nanoseconds time);
 
-  RunState& run_;
+  Snapshot& snapshot_;
+  const SlaveStates& states_;
+  EventTeller& teller_;
   bool judging_ = false, joining_ = false;
   std::uint64_t spell_ = 0;
   std::uint16_t last_wrong_ = 0, last_expected_ = 0;

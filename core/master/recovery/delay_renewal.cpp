@@ -6,12 +6,15 @@
 #include <utility>
 
 #include "channels/slave_status.h"
+#include "channels/snapshot.h"
 #include "config/dc_settings.h"
+#include "config/network_config.h"
 #include "config/slave_config.h"
 #include "master/clocks/clock_survey.h"
 #include "master/clocks/dc_setup.h"
 #include "master/clocks/delay_compensation.h"
 #include "master/cyclic/cyclic_task.h"
+#include "master/exchange/event_teller.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 
@@ -27,18 +30,18 @@ constexpr std::uint32_t kUsualStep = 31;  // ns
 
 Nanoseconds DelayRenewal::last_move() const {
   Nanoseconds last = 0;
-  for (const auto& slave : run_.snapshot.slaves) last = std::max(last, slave.moved);
+  for (const auto& slave : snapshot_.slaves) last = std::max(last, slave.moved);
   return last;
 }
 
 /// Nobody answers whose station address is not known: a device that is not set up changes the way, too.
 bool DelayRenewal::all_known() const {
-  const auto known = std::ranges::count_if(run_.snapshot.slaves, &SlaveStatus::present);
+  const auto known = std::ranges::count_if(snapshot_.slaves, &SlaveStatus::present);
   return !task_.slaves().refreshing() && known > 0 && task_.slaves().answering() == known;
 }
 
 Status DelayRenewal::after_cycle() {
-  const auto now = run_.snapshot.time;
+  const auto now = snapshot_.time;
   if (now < next_look_) return {};
   next_look_ = now + kMovesPeriod;
   const auto last = last_move();
@@ -57,12 +60,12 @@ Result<std::optional<DelayRenewal::Members>> DelayRenewal::read_members() {
   }
   if (auto status = bus_.transact(reads); !status) return tl::unexpected(status.error());
   Members members;
-  const auto& slaves = run_.config().slaves;
+  const auto& slaves = config_.slaves;
   for (const auto& bytes : stations) {
     const auto station = load_le<std::uint16_t>(bytes);
     const auto found = std::ranges::find(slaves, station, &SlaveConfig::station_address);
     const auto position = static_cast<std::size_t>(found - slaves.begin());
-    if (found == slaves.end() || !run_.snapshot.slaves[position].present) return std::nullopt;
+    if (found == slaves.end() || !snapshot_.slaves[position].present) return std::nullopt;
     if (std::ranges::find(members.slaves, position) != members.slaves.end()) return std::nullopt;
     members.slaves.push_back(position);
     members.addresses.push_back(SlaveAddress::at_station(station));
@@ -75,17 +78,17 @@ Status DelayRenewal::measure(std::uint16_t leader) {
   auto members = read_members();
   if (!members) return tl::unexpected(members.error());
   if (!*members) return {};
-  const auto& dc = run_.config().dc;
+  const auto& dc = config_.dc;
   auto survey = survey_delays(bus_, (*members)->addresses, dc.delay_rounds, delay_options(dc));
   if (!survey) return tl::unexpected(survey.error());
   // Somebody moved meanwhile: what was latched is of two trees.
   if (last_move() != last || task_.reference().leader() != leader) return {};
-  const auto now = run_.snapshot.time;
+  const auto now = snapshot_.time;
   for (const auto& finding : survey->result.findings) {
-    run_.event(now, static_cast<int>((*members)->slaves[finding.position]),
-               events::DelayFinding{finding.warning, finding.value_ns});
+    teller_.tell(now, static_cast<int>((*members)->slaves[finding.position]),
+                 events::DelayFinding{finding.warning, finding.value_ns});
   }
-  const auto limit = run_.snapshot.dc.limit_ns;
+  const auto limit = snapshot_.dc.limit_ns;
   const auto step = limit > 0 ? std::max<std::uint32_t>(limit / 4, 1) : kUsualStep;
   delays_.renew(std::move((*members)->slaves), *survey, leader, step, now);
   return {};

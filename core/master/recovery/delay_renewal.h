@@ -11,15 +11,18 @@ namespace syncline {
 class Bus;
 class CyclicTaskRunner;
 class DelayCompensation;
-class RunState;
+class EventTeller;
+struct NetworkConfig;
+struct Snapshot;
 
 /// Measures the propagation delays anew when slaves have gone or come: frames take another way then, and those behind
 /// follow the reference clock with a delay that is not theirs any more, which their own readings (0x092C) soon do not
 /// show. Who is on the bus is read in frame order, so that it does not matter where a hot-connect group stands.
 class DelayRenewal {
  public:
-  DelayRenewal(Bus& bus, RunState& run, CyclicTaskRunner& task, DelayCompensation& delays)
-      : bus_(bus), run_(run), task_(task), delays_(delays) {}
+  DelayRenewal(Bus& bus, const NetworkConfig& config, const Snapshot& snapshot, EventTeller& teller,
+               CyclicTaskRunner& task, DelayCompensation& delays)
+      : bus_(bus), config_(config), snapshot_(snapshot), teller_(teller), task_(task), delays_(delays) {}
 
   /// After a bus cycle; does nothing (and allocates nothing) as long as nobody has moved. Waits until all have been
   /// quiet for a second and everybody who answers is known; cycles go on while it measures. Bus errors; kCancelled when
@@ -37,7 +40,9 @@ class DelayRenewal {
   Result<std::optional<Members>> read_members();
 
   Bus& bus_;
-  RunState& run_;
+  const NetworkConfig& config_;
+  const Snapshot& snapshot_;
+  EventTeller& teller_;
   CyclicTaskRunner& task_;
   DelayCompensation& delays_;
   Nanoseconds next_look_ = 0;

@@ -64,13 +64,13 @@ bool Recovery::comes_back(std::size_t slave) const {
 /// Keeps the tracks up to date.
 void Recovery::look() {
   const auto now = run_.snapshot.time;
-  if (run_.link_away_since() || run_.link_outages() != outages_seen_) fall_by_outage_ = now + kAfterOutage;
-  outages_seen_ = run_.link_outages();
+  if (run_.link.away_since() || run_.link.outages() != outages_seen_) fall_by_outage_ = now + kAfterOutage;
+  outages_seen_ = run_.link.outages();
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const auto& slave = run_.snapshot.slaves[i];
     auto& track = tracks_[i];
     // Also one that went and came while others ran the cycles, as the bring-up does.
-    const bool was_away = std::exchange(track.losses, run_.losses(i)) != run_.losses(i);
+    const bool was_away = std::exchange(track.losses, run_.states.losses(i)) != run_.states.losses(i);
     if (!slave.present || was_away) {
       if (!track.returning || track.given_up) track = {.losses = track.losses};
       if (!track.returning) track.next_try = now + kFirstWait;
@@ -151,7 +151,7 @@ Status Recovery::work(bool on_command, AlState target) {
 }
 
 void Recovery::tell(std::size_t slave, events::RecoveryStep::Stage stage) {
-  run_.event(bus_.clock().now(), static_cast<int>(slave), events::RecoveryStep{stage, tracks_[slave].tries});
+  run_.teller.tell(bus_.clock().now(), static_cast<int>(slave), events::RecoveryStep{stage, tracks_[slave].tries});
 }
 
 // ---- where ----------------------------------------------------------------------------------------
@@ -250,7 +250,7 @@ void Recovery::match_gap(std::span<const std::uint16_t> wanted, std::span<const 
     const auto& identity = there[i].identity;
     const auto key = (std::uint64_t{identity.vendor_id} << 32) | identity.product_code;
     if (taken || !told_unknown_.emplace(positions[i], key).second) continue;
-    run_.event(bus_.clock().now(), positions[i], events::UnknownSlave{identity});
+    run_.teller.tell(bus_.clock().now(), positions[i], events::UnknownSlave{identity});
   }
 }
 

@@ -49,7 +49,7 @@ Result<Attendance::Differences> Attendance::look(std::uint16_t count) {
   for (std::size_t i = 0; i < config.slaves.size(); ++i) wanted.push_back(wanted_device(config, i));
   const auto match = match_bus(wanted, *found);
   Differences differences{.errors = explain(match, config, *found)};
-  for (const auto& error : differences.errors) run_.error(error, bus_.clock().now());
+  for (const auto& error : differences.errors) run_.teller.error(error, bus_.clock().now());
   const bool any = match.missing.size() + match.absent.size() < config.slaves.size();
   const bool usable = match.swapped.empty() && match.wrong.empty() && any;
   // Hot-connect groups may be absent; others only where the user said so.
@@ -64,7 +64,7 @@ Result<Attendance::Differences> Attendance::look(std::uint16_t count) {
       slave.al_status = slave.al_status_code = 0;
       slave.al_status_time = 0;
     }
-    run_.note_slave_change();
+    run_.states.note_slave_change();
     return differences;
   }
   for (std::size_t i = 0; i < config.slaves.size(); ++i) {
@@ -72,7 +72,7 @@ Result<Attendance::Differences> Attendance::look(std::uint16_t count) {
     if (match.position[i]) commands_.set_position(i, *match.position[i]);
   }
   for (const auto slave : match.absent)
-    run_.hot_connect(slave, events::HotConnect::What::kNotThereYet, bus_.clock().now());
+    run_.teller.hot_connect(slave, events::HotConnect::What::kNotThereYet, bus_.clock().now());
   return differences;
 }
 

@@ -13,6 +13,7 @@
 #include "master/clocks/dc_start.h"
 #include "master/clocks/delay_compensation.h"
 #include "master/cyclic/cyclic_task.h"
+#include "master/exchange/slave_name.h"
 #include "master/startup/attendance.h"
 #include "protocol/dcm_error.h"
 #include "reasons/because.h"
@@ -65,17 +66,18 @@ void ClockSteps::note(const DcNetwork& network) {
     }
     if (slave.dc_enabled) watched.push_back(static_cast<std::uint16_t>(i));
   }
-  run_.note_slave_change();
+  run_.states.note_slave_change();
   task_.slaves().set_dc_slaves(std::move(watched));
   for (const auto& finding : network.findings) {
-    run_.event(bus_.clock().now(), finding.position, events::DelayFinding{finding.warning, finding.value_ns});
+    run_.teller.tell(bus_.clock().now(), finding.position, events::DelayFinding{finding.warning, finding.value_ns});
   }
   const bool configured = network.reference_clock == configured_reference_clock(run_.config());
   task_.reference().start(network.home, network.reference_clock, configured && attendance_.complete());
   const auto now = bus_.clock().now();
   using What = events::ReferenceClockChanged::What;
-  if (network.without_time) run_.event(now, *network.without_time, events::ReferenceClockChanged{What::kNoSystemTime});
-  run_.event(now, network.reference_clock, events::ReferenceClockChanged{What::kPresent});
+  if (network.without_time)
+    run_.teller.tell(now, *network.without_time, events::ReferenceClockChanged{What::kNoSystemTime});
+  run_.teller.tell(now, network.reference_clock, events::ReferenceClockChanged{What::kPresent});
 }
 
 Result<bool> ClockSteps::comes_true(bool (SyncWatch::*in_sync)() const) {
@@ -85,7 +87,7 @@ Result<bool> ClockSteps::comes_true(bool (SyncWatch::*in_sync)() const) {
     if (auto status = bus_.wait_a_little(); !status) return tl::unexpected(status.error());
     const auto now = bus_.clock().now();
     if (task_.reference().leader()) led = now;
-    if (!run_.somebody_present()) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
+    if (!run_.states.somebody_present()) return fail(ErrorCode::kNoResponse, bus_.exchange().link().describe().name);
     if (now - led >= kLeaderless) {
       return fail(ErrorCode::kDcSetup, "the slaves",
                   because("the reference clock has been away for {time} s", kLeaderless / kSecond));
@@ -115,13 +117,13 @@ Status ClockSteps::await_slaves() {
     }
     return fail(ErrorCode::kDcSetup, "the slaves",
                 because("{slave} {by} ns from the reference clock after {time} s, the sync window allows {limit} ns",
-                        run_.slave_name(static_cast<std::size_t>(dc.culprit)), by, after, dc.limit_ns));
+                        slave_name(run_.config(), static_cast<std::size_t>(dc.culprit)), by, after, dc.limit_ns));
   }
   const auto now = bus_.clock().now();
-  if (!sync_.monitored()) run_.event(now, -1, events::SlavesNotMonitored{});
+  if (!sync_.monitored()) run_.teller.tell(now, -1, events::SlavesNotMonitored{});
   std::size_t count = 0;
   for (const auto& slave : run_.snapshot.slaves) count += slave.dc_enabled && slave.present ? 1 : 0;
-  run_.event(now, -1, events::DcInitialised{count, run_.snapshot.dc.reference_clock});
+  run_.teller.tell(now, -1, events::DcInitialised{count, run_.snapshot.dc.reference_clock});
   return {};
 }
 
@@ -143,7 +145,7 @@ Status ClockSteps::await_master() {
 Status ClockSteps::join(const SlaveList& slaves) {
   if (!sync_.active()) return {};
   auto& reference = task_.reference();
-  DcJoin join(bus_, run_, sync_, task_.feed(), reference.home());
+  DcJoin join(bus_, run_.config(), run_.snapshot, sync_, task_.feed(), reference.home());
   auto others = slaves;
   if (const auto first = reference.leader() ? std::nullopt : reference.candidate(slaves)) {
     // Nobody has kept the time: it goes on with the master's own idea of it.
@@ -189,7 +191,7 @@ Status ClockSteps::check_sync_signals(const SlaveList& slaves) {
   Status result;
   for (const auto& reading : *readings) {
     if (!reading.error) continue;
-    run_.error(*reading.error, bus_.clock().now());
+    run_.teller.error(*reading.error, bus_.clock().now());
     if (result) result = fail(*reading.error);
   }
   return result;

@@ -65,14 +65,15 @@ Status Esm::reset() {
   }
   for (std::size_t i = 0; i < expected; ++i) {
     auto& slave = run_.snapshot.slaves[i];
-    if (slave.absent_since != 0) run_.set_present(i, !attendance_.missing(i), bus_.clock().now());  // was told as lost
+    if (slave.absent_since != 0)
+      run_.states.set_present(i, !attendance_.missing(i), bus_.clock().now());  // was told as lost
     slave.present = !attendance_.missing(i);
     slave.al_status = slave.present ? init : 0;
     slave.al_status_code = 0;
     slave.al_status_time = slave.present ? bus_.clock().now() : 0;
   }
-  run_.note_slave_change();
-  run_.update_master_state(bus_.clock().now());
+  run_.states.note_slave_change();
+  run_.states.update_master_state(bus_.clock().now());
   return {};
 }
 
@@ -96,7 +97,7 @@ void Esm::operate(AlState level) {
 Status Esm::change_to(AlState target) {
   run_.snapshot.requested = target;
   const auto all = slaves_where([](AlState) { return true; });
-  MailboxHold hold(run_, task_.acyclic().mailbox(), all);
+  MailboxHold hold(run_.mailboxes, task_.acyclic().mailbox(), all);
   task_.acyclic().requests().cancel_files();
   if (auto status = hold.settle(bus_); !status) return status;
   // An ended bring-up leaves slaves in states that nobody has looked at.
@@ -108,7 +109,7 @@ Status Esm::change_to(AlState target) {
   if (std::ranges::any_of(slaves, [&](const auto& s) { return is_above(al_state_of(s.al_status), target); })) {
     result = down_to(target);
   }
-  if (result && is_above(target, run_.lowest_state())) result = up_to(target);
+  if (result && is_above(target, run_.states.lowest_state())) result = up_to(target);
   return result;
 }
 
@@ -158,7 +159,7 @@ Status Esm::init_to_preop() {
   if (!status) return status;
   if (status = run_master_commands(Transition::kIP, false); !status) return status;
   if (status = commands_.read_all(); !status) return status;
-  return find_sm2_counters(bus_, run_, task_.acyclic().sm2());
+  return find_sm2_counters(bus_, run_.config(), run_.snapshot, run_.mailboxes, task_.acyclic().sm2());
 }
 
 /// Index of the command that requests PREOP, or behind the last one, for every slave.
@@ -193,7 +194,7 @@ Status Esm::join(SlaveList slaves, AlState target) {
 }
 
 Status Esm::join_each(SlaveList slaves, AlState target) {
-  MailboxHold hold(run_, task_.acyclic().mailbox(), slaves);
+  MailboxHold hold(run_.mailboxes, task_.acyclic().mailbox(), slaves);
   if (auto settled = hold.settle(bus_); !settled) return settled;
   if (auto status = commands_.acknowledge(slaves); !status) return status;
   SlaveList anew;
@@ -300,7 +301,7 @@ Status Esm::start_sync_signals(const SlaveList& slaves) {
 Status Esm::down_to(AlState target) {
   task_.working_counter().set_judging(false);
   task_.frames().expect_without(std::vector<bool>(run_.config().slaves.size()));
-  const auto from = run_.lowest_state();
+  const auto from = run_.states.lowest_state();
   if (const auto transition = transition_between(from, target)) {
     if (auto status = run_master_commands(*transition, true); !status) return status;
   }

@@ -7,7 +7,7 @@
 #include "support/result.h"
 
 /// Which device on the bus is the first slave of which hot-connect group. That one came or went is told by
-/// RunState::hot_connect().
+/// EventTeller::hot_connect().
 namespace syncline {
 
 class Bus;

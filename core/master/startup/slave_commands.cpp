@@ -12,6 +12,7 @@
 #include "master/clocks/sync_watch.h"
 #include "master/exchange/bus.h"
 #include "master/exchange/run_state.h"
+#include "master/exchange/slave_name.h"
 #include "master/startup/coe_download_work.h"
 #include "master/startup/init_cmd_runner.h"
 #include "master/startup/startup_message_work.h"
@@ -64,7 +65,7 @@ Status SlaveCommands::run(SlaveList& slaves, Transition transition, const Part& 
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (has_transition(list[i], transition) && (!part || part(slave, i))) commands.push_back(&list[i]);
     }
-    InitCmdContext context{run_.slave_name(slave), init_cmd_pause(bus_), std::nullopt, {}};
+    InitCmdContext context{slave_name(run_.config(), slave), init_cmd_pause(bus_), std::nullopt, {}};
     if (positions_[slave] != slave)
       context.auto_increment_address = Position{positions_[slave]}.auto_increment_address();
     if (sync_.active() && transition == Transition::kPS) {
@@ -153,7 +154,7 @@ Status SlaveCommands::send_all(SlaveList& slaves, Messages messages) {
 
 std::vector<std::uint32_t> SlaveCommands::losses_of(std::span<const std::size_t> slaves) const {
   std::vector<std::uint32_t> losses;
-  for (const auto slave : slaves) losses.push_back(run_.losses(slave));
+  for (const auto slave : slaves) losses.push_back(run_.states.losses(slave));
   return losses;
 }
 
@@ -162,7 +163,7 @@ void SlaveCommands::leave_out_lost(SlaveList& slaves, std::span<const std::uint3
   if (!bus_.cyclic()) return;
   SlaveList stayed;
   for (std::size_t i = 0; i < slaves.size(); ++i) {
-    if (run_.losses(slaves[i]) == before[i]) stayed.push_back(slaves[i]);
+    if (run_.states.losses(slaves[i]) == before[i]) stayed.push_back(slaves[i]);
   }
   slaves = std::move(stayed);
 }
@@ -194,7 +195,8 @@ Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> work
 /// Also one that has come back meanwhile and did not get all. Without cycles nobody looks for who is away: there a
 /// slave that does not answer is an error.
 bool SlaveCommands::was_lost(const Failed& failed) const {
-  return bus_.cyclic() && (!run_.snapshot.slaves[failed.slave].present || run_.losses(failed.slave) != failed.losses);
+  return bus_.cyclic() &&
+         (!run_.snapshot.slaves[failed.slave].present || run_.states.losses(failed.slave) != failed.losses);
 }
 
 Status SlaveCommands::report(std::span<const Failed> failed) {
@@ -202,7 +204,7 @@ Status SlaveCommands::report(std::span<const Failed> failed) {
   // has been told as that.
   SlaveList slaves;
   for (const auto& each : failed) {
-    if (!was_lost(each)) run_.error(each.error, bus_.clock().now());
+    if (!was_lost(each)) run_.teller.error(each.error, bus_.clock().now());
     slaves.push_back(each.slave);
   }
   if (auto status = read_al_status(slaves); !status) return status;
@@ -254,10 +256,10 @@ Status SlaveCommands::read_al_status(std::span<const std::size_t> slaves) {
   if (auto status = bus_.transact(reads); !status) return status;
   const auto now = bus_.clock().now();
   for (std::size_t i = 0; i < slaves.size(); ++i) {
-    run_.set_present(slaves[i], reads[i].wkc > 0, now);
+    run_.states.set_present(slaves[i], reads[i].wkc > 0, now);
     if (reads[i].wkc == 0) continue;
     const std::span<const std::uint8_t> view(bytes[i]);
-    run_.set_al_status(slaves[i], load_le<std::uint16_t>(view), load_le<std::uint16_t>(view.subspan(4)), now);
+    run_.states.set_al_status(slaves[i], load_le<std::uint16_t>(view), load_le<std::uint16_t>(view.subspan(4)), now);
   }
   return {};
 }
@@ -266,7 +268,7 @@ Status SlaveCommands::read_all() {
   SlaveList all(run_.config().slaves.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   if (auto status = read_al_status(all); !status) return status;
-  run_.update_master_state(bus_.clock().now());
+  run_.states.update_master_state(bus_.clock().now());
   return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include "master/cyclic/cyclic_task.h"
 #include "master/cyclic/mailbox_hold.h"
+#include "master/exchange/slave_name.h"
 #include "master/startup/esm.h"
 #include "reasons/because.h"
 
@@ -12,7 +13,7 @@ Status Esm::judge(std::size_t slave, AlState target) const {
   if (known.present && known.al_status == static_cast<std::uint16_t>(target)) return {};
   const bool refused = (known.al_status & kAlErrorFlag) != 0;
   Error error{known.present ? refused ? ErrorCode::kAlState : ErrorCode::kAlTimeout : ErrorCode::kNoResponse,
-              run_.slave_name(slave)};
+              slave_name(run_.config(), slave)};
   error.expected = static_cast<std::int64_t>(target);
   error.received = known.al_status;
   error.extra = known.al_status_code;
@@ -22,7 +23,7 @@ Status Esm::judge(std::size_t slave, AlState target) const {
 /// Without cycles slaves may not have their station addresses yet.
 Status Esm::check_cyclic(std::size_t slave) const {
   if (bus_.cyclic()) return {};
-  return fail(ErrorCode::kConfiguration, run_.slave_name(slave),
+  return fail(ErrorCode::kConfiguration, slave_name(run_.config(), slave),
               because("the bus is at rest in INIT; lead the whole bus to PREOP first"));
 }
 
@@ -54,20 +55,20 @@ Status Esm::lead(std::size_t slave, AlState target) {
   task_.working_counter().set_joining(false);
   task_.slaves().refresh_al_status();
   if (task_.working_counter().judging()) task_.expect_present();
-  run_.update_master_state(bus_.clock().now());
+  run_.states.update_master_state(bus_.clock().now());
   return status;
 }
 
 Status Esm::lead_alone(std::size_t slave, AlState target) {
   const SlaveList one{slave};
-  MailboxHold hold(run_, task_.acyclic().mailbox(), one);
+  MailboxHold hold(run_.mailboxes, task_.acyclic().mailbox(), one);
   if (auto status = hold.settle(bus_); !status) return status;
   if (auto status = commands_.read_al_status(one); !status) return status;
   if (auto status = commands_.acknowledge(one); !status) return status;
   if (!run_.snapshot.slaves[slave].present) return judge(slave, target);
   const bool boots = target == AlState::kBoot || state_of(slave) == AlState::kBoot;
   if (target != AlState::kBoot && is_above(target, level_)) {
-    return fail(ErrorCode::kConfiguration, run_.slave_name(slave),
+    return fail(ErrorCode::kConfiguration, slave_name(run_.config(), slave),
                 because("the bus is in {state}; no slave can be led above it", al_state_name(level_)));
   }
   if (boots && state_of(slave) != target) {

@@ -4,9 +4,10 @@
 #include <map>
 #include <tuple>
 
+#include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "master/cyclic/sm2_reader.h"
-#include "master/exchange/run_state.h"
+#include "master/exchange/slave_mailbox.h"
 #include "master/mailbox/mailbox_client.h"
 #include "master/mailbox/sdo_info_client.h"
 #include "master/mailbox/sm2_counter_profile.h"
@@ -23,8 +24,8 @@ bool ends_the_bring_up(const Error& error) {
 }
 
 /// 0 when the slave does not say.
-Result<std::uint8_t> ask(Bus& bus, RunState& run, std::size_t slave) {
-  MailboxClient mailbox(bus, run.mailboxes[slave]);
+Result<std::uint8_t> ask(Bus& bus, SlaveMailbox& shared) {
+  MailboxClient mailbox(bus, shared);
   mailbox.set_response_timeout(kLookupPatience);
   SdoInfoClient information(mailbox);
   std::string names[2];
@@ -44,15 +45,16 @@ Result<std::uint8_t> ask(Bus& bus, RunState& run, std::size_t slave) {
 
 }  // namespace
 
-Status find_sm2_counters(Bus& bus, RunState& run, Sm2Reader& reader) {
+Status find_sm2_counters(Bus& bus, const NetworkConfig& network, const Snapshot& snapshot,
+                         std::span<SlaveMailbox> mailboxes, Sm2Reader& reader) {
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::uint8_t> kinds;
   for (const auto slave : reader.slaves()) {
-    if (!run.snapshot.slaves[slave].present) continue;
-    const auto& config = run.config().slaves[slave];
+    if (!snapshot.slaves[slave].present) continue;
+    const auto& config = network.slaves[slave];
     const auto [kind, unknown] = kinds.try_emplace(
         {config.identity.vendor_id, config.identity.product_code, config.identity.revision_no}, std::uint8_t{0});
     if (unknown) {
-      const auto place = ask(bus, run, slave);
+      const auto place = ask(bus, mailboxes[slave]);
       if (!place) return tl::unexpected(place.error());
       kind->second = *place;
     }

@@ -36,7 +36,7 @@ class AcyclicRequestsTest : public ::testing::Test {
     run = std::make_unique<RunState>(config, channels);
     run->snapshot.slaves.front().present = true;
     run->snapshot.slaves.front().al_status = static_cast<std::uint16_t>(AlState::kOp);
-    requests = std::make_unique<AcyclicRequests>(*run);
+    requests = std::make_unique<AcyclicRequests>(config, run->snapshot, run->mailboxes, channels.requests);
   }
   RequestId submit(SlaveRequest request) {
     const auto id = channels.requests.submit(std::move(request));

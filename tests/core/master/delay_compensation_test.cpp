@@ -7,6 +7,7 @@
 #include <array>
 
 #include "channels/master_channels.h"
+#include "master/exchange/run_state.h"
 #include "protocol/dc_registers.h"
 #include "tests/support/clock_bed.h"
 
@@ -91,7 +92,7 @@ class DelayCompensationTest : public ::testing::Test {
   DcNetwork network;
   MasterChannels channels;
   RunState run{bed.config(), channels};
-  DelayCompensation compensation{run};
+  DelayCompensation compensation{bed.config(), run.snapshot, run.states, run.teller};
   std::optional<std::uint16_t> leader = 0;
 };
 

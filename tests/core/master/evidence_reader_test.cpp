@@ -32,7 +32,7 @@ class EvidenceReaderTest : public ::testing::Test {
     run->snapshot.slaves.resize(2);
     for (auto& slave : run->snapshot.slaves) slave.present = true;
     run->snapshot.slaves[1].dc_enabled = true;
-    reader = std::make_unique<EvidenceReader>(*run);
+    reader = std::make_unique<EvidenceReader>(config, run->snapshot, run->teller);
   }
   void cycle(bool lost = false) {
     now += kMillisecond;

@@ -17,9 +17,10 @@
 #include "master/clocks/slaves_sync.h"
 #include "master/clocks/sync_watch.h"
 #include "master/cyclic/sync_event_watch.h"
+#include "master/exchange/run_state.h"
 #include "support/random.h"
 
-/// What is made of all slaves in each cycle is looked at again only after a change (RunState::note_slave_change()).
+/// What is made of all slaves in each cycle is looked at again only after a change (SlaveStates::note_slave_change()).
 /// The same history, once as it is and once with a change told in each cycle, must come out the same.
 namespace syncline {
 namespace {
@@ -50,7 +51,10 @@ DcNetwork clocks_of(std::size_t slaves) {
 /// One of the two masters that live through the same.
 struct WatchedLine {
   WatchedLine(const NetworkConfig& config, bool looks_always)
-      : always(looks_always), run(config, channels), sync(run), slaves_sync(run) {
+      : always(looks_always),
+        run(config, channels),
+        sync(config, run.snapshot, run.states, run.teller, channels.timer_adjust_permil),
+        slaves_sync(config, run.snapshot, run.states, run.teller) {
     const auto network = clocks_of(config.slaves.size());
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
       auto& slave = run.snapshot.slaves[i];
@@ -60,8 +64,8 @@ struct WatchedLine {
     }
     sync.start(network, 0);
     slaves_sync.start(network, 0, false);
-    run.note_slave_change();
-    events = std::make_unique<SyncEventWatch>(run, sync);
+    run.states.note_slave_change();
+    events = std::make_unique<SyncEventWatch>(run.config(), run.snapshot, run.states, sync);
     limits.resize(config.slaves.size());
   }
   /// What an event says, with its moment.
@@ -74,14 +78,14 @@ struct WatchedLine {
   }
   void follow(Nanoseconds now, bool led, bool distributed, const std::optional<OredDeviation>& ored,
               CycleSample& sample) {
-    if (always) run.note_slave_change();
-    slaves_sync.observe(now, led, distributed, ored, sample);
-    run.deviations_read.clear();
+    if (always) run.states.note_slave_change();
+    slaves_sync.observe(now, led, distributed, read, ored, sample);
+    read.clear();
     take_events();
   }
   void send(bool back, CycleSample& sample) {
     if (always) {
-      run.note_slave_change();
+      run.states.note_slave_change();
       for (std::size_t i = 0; i < limits.size(); ++i) events->set_limit(i, limits[i]);  // ends the closed form
     }
     events->observe(sample, back, 0);
@@ -91,6 +95,7 @@ struct WatchedLine {
   bool always;
   MasterChannels channels;
   RunState run;
+  std::vector<std::uint16_t> read;  // whose deviation comes with the next cycle
   SyncWatch sync;
   SlavesSync slaves_sync;
   std::unique_ptr<SyncEventWatch> events;
@@ -113,11 +118,11 @@ struct Twins {
     const auto state = static_cast<std::uint16_t>(kStates[random.next() % kStates.size()]);
     both([&](WatchedLine& line) {
       auto& status = line.run.snapshot.slaves[slave];
-      if (dice < 4) line.run.set_present(slave, !status.present, now);
-      if (dice >= 4 && dice < 9 && status.present) line.run.set_al_status(slave, state, 0, now);
+      if (dice < 4) line.run.states.set_present(slave, !status.present, now);
+      if (dice >= 4 && dice < 9 && status.present) line.run.states.set_al_status(slave, state, 0, now);
       if (dice == 9) {
         status.dc_enabled = !status.dc_enabled;
-        line.run.note_slave_change();
+        line.run.states.note_slave_change();
       }
       if (dice == 10) line.run.snapshot.dc.reference_clock = static_cast<int>(slave);
     });
@@ -132,7 +137,7 @@ struct Twins {
       status.deviation_valid = true;
       status.deviation_ns = deviation;
       status.deviation_time = now;
-      line.run.deviations_read.push_back(slave);
+      line.read.push_back(slave);
     });
   }
   [[nodiscard]] bool agree() const {
@@ -190,20 +195,20 @@ TEST(SlaveChanges, ASlaveThatIsBackWithoutItsClockHasNotCaughtUpWhenItHasIt) {
   const auto clock = [](bool on) {
     return [on](RunState& run) {
       run.snapshot.slaves[1].dc_enabled = on;
-      run.note_slave_change();
+      run.states.note_slave_change();
     };
   };
   live(20 * kMillisecond);
-  change([&](RunState& run) { run.set_present(1, false, now); });
+  change([&](RunState& run) { run.states.set_present(1, false, now); });
   live(20 * kMillisecond);
   change(clock(false));
-  change([&](RunState& run) { run.set_present(1, true, now); });
+  change([&](RunState& run) { run.states.set_present(1, true, now); });
   live(kSecond);
-  change([&](RunState& run) { run.set_al_status(1, static_cast<std::uint16_t>(AlState::kPreop), 0, now); });
+  change([&](RunState& run) { run.states.set_al_status(1, static_cast<std::uint16_t>(AlState::kPreop), 0, now); });
   change(clock(true));
   live(kSecond);
   EXPECT_FALSE(twins.lines[0].run.snapshot.slaves[1].follows);
-  change([&](RunState& run) { run.set_al_status(1, static_cast<std::uint16_t>(AlState::kOp), 0, now); });
+  change([&](RunState& run) { run.states.set_al_status(1, static_cast<std::uint16_t>(AlState::kOp), 0, now); });
   live(kSecond);
   EXPECT_TRUE(twins.lines[0].run.snapshot.slaves[1].follows);
 }
@@ -238,7 +243,7 @@ TEST(SlaveChanges, MissedEventsAreTheSameAsIfEachSlaveWereLookedAtInEachCycle) {
         if (news == 4) line.events->set_limit(slave, line.limits[slave] = limit);
         if (news == 5) {
           line.run.snapshot.slaves[slave].propagation_delay_ns = 100 * limit;
-          line.run.note_slave_change();
+          line.run.states.note_slave_change();
         }
         line.send(back, samples[i]);
       }
@@ -260,7 +265,7 @@ class OneIsAway : public ::testing::Test {
         auto& status = line.run.snapshot.slaves[*read];
         status.deviation_valid = true;
         status.deviation_time = now;
-        line.run.deviations_read.push_back(*read);
+        line.read.push_back(*read);
       }
       line.send(true, sample);
       line.follow(now, true, true, {}, sample);
@@ -269,10 +274,10 @@ class OneIsAway : public ::testing::Test {
 
   void slave_2_comes_back_in(AlState state) {
     cycles(200);
-    line.run.set_present(2, false, now);
+    line.run.states.set_present(2, false, now);
     cycles(3);
-    line.run.set_present(2, true, now);
-    line.run.set_al_status(2, static_cast<std::uint16_t>(state), 0, now);
+    line.run.states.set_present(2, true, now);
+    line.run.states.set_al_status(2, static_cast<std::uint16_t>(state), 0, now);
     cycles(3);
   }
 
@@ -285,7 +290,7 @@ TEST_F(OneIsAway, TheOthersAreNotLookedAtInEachCycleForIt) {
   cycles(200);
   EXPECT_TRUE(line.slaves_sync.settled());
   EXPECT_TRUE(line.events->together());
-  line.run.set_present(2, false, now);
+  line.run.states.set_present(2, false, now);
   cycles(3);
   EXPECT_TRUE(line.slaves_sync.settled());
   EXPECT_TRUE(line.events->together());
@@ -320,11 +325,11 @@ TEST_F(OneIsAway, WhoWorksAgainAndNeverCatchesUpCountsAllTheSame) {
 
 TEST_F(OneIsAway, WhoHasNoClockIsNotAwaited) {
   line.run.snapshot.slaves[2].dc_enabled = false;
-  line.run.note_slave_change();
+  line.run.states.note_slave_change();
   cycles(200);
-  line.run.set_present(2, false, now);
+  line.run.states.set_present(2, false, now);
   cycles(3);
-  line.run.set_present(2, true, now);
+  line.run.states.set_present(2, true, now);
   cycles(3);
   EXPECT_TRUE(line.slaves_sync.settled());
 }
@@ -362,7 +367,7 @@ TEST(LongFrame, IsMissedWhereItEndsBehindSync0) {
 }
 
 TEST_F(OneIsAway, NobodyInOpIsNobodyToLookAt) {
-  for (std::size_t i = 0; i < 4; ++i) line.run.set_present(i, false, now);
+  for (std::size_t i = 0; i < 4; ++i) line.run.states.set_present(i, false, now);
   cycles(1'000);
   EXPECT_TRUE(line.slaves_sync.settled());
   EXPECT_TRUE(line.events->together());

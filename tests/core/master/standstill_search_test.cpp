@@ -22,8 +22,9 @@ class Standstill : public testing::Test {
     proc_.thread(7, 7, "a name of more than thirty-one letters", true, SCHED_OTHER, 0,
                  fmt::format("{} 0 {}", slices_ * 3 * kMillisecond, slices_));
   }
-  bool found(StandstillSearch& search, ProcessorHolder& holder, bool noted) {
-    for (int i = 0; i < 2000; ++i) {
+  /// Looks as often as `looks`, each time after the thread has run once more.
+  bool found(StandstillSearch& search, ProcessorHolder& holder, bool noted, int looks) {
+    for (int i = 0; i < looks; ++i) {
       run_once_more();
       if (noted) search.note_standstill();
       if (search.read(holder)) return true;
@@ -40,7 +41,7 @@ class Standstill : public testing::Test {
 TEST_F(Standstill, FindsWhoKeepsAProcessorLongest) {
   StandstillSearch search(options_);
   ProcessorHolder holder;
-  ASSERT_TRUE(found(search, holder, true));
+  ASSERT_TRUE(found(search, holder, true, 2000));
   EXPECT_TRUE(holder.known());
   EXPECT_EQ(holder.name_text(), "a name of more than thirty-one ");
   EXPECT_TRUE(holder.kernel);
@@ -51,7 +52,7 @@ TEST_F(Standstill, FindsWhoKeepsAProcessorLongest) {
 TEST_F(Standstill, LooksForNobodyBeforeThereWasOne) {
   StandstillSearch search(options_);
   ProcessorHolder holder;
-  EXPECT_FALSE(found(search, holder, false));
+  EXPECT_FALSE(found(search, holder, false, 100));
   EXPECT_FALSE(holder.known());
 }
 

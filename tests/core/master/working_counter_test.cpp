@@ -7,6 +7,7 @@
 
 #include "channels/cycle_sample.h"
 #include "channels/master_channels.h"
+#include "master/exchange/run_state.h"
 
 namespace syncline {
 namespace {
@@ -32,7 +33,7 @@ class WorkingCounterTest : public ::testing::Test {
   }();
   MasterChannels channels;
   RunState run{config, channels};
-  WorkingCounter counter{run};
+  WorkingCounter counter{run.snapshot, run.states, run.teller};
   Nanoseconds now = 0;
 };
 
