@@ -20,6 +20,10 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>High &amp;Contrast</source>
+            <translation>Hoher &amp;Kontrast</translation>
+        </message>
+        <message>
             <source>Make a recording of a capture of frames (pcap, pcapng) of any master, and show it</source>
             <translation>Aus einem Mitschnitt von Frames (pcap, pcapng) eines beliebigen Masters eine Aufzeichnung machen und zeigen</translation>
         </message>
@@ -1507,7 +1511,7 @@
         </message>
         <message>
             <source>Main</source>
-            <translation>Haupt</translation>
+            <translation>Hauptwerkzeugleiste</translation>
         </message>
         <message>
             <source>Request a state for all slaves</source>
@@ -3372,8 +3376,8 @@ Einstellung %2</translation>
             <translation>Buszyklus</translation>
         </message>
         <message>
-            <source>Cycle time of the master, base of the Sync Unit Cycle</source>
-            <translation>Zykluszeit des Masters, Basis des Sync Unit Cycle</translation>
+            <source>Cycle of the task that exchanges the slave&apos;s process data, base of the Sync Unit Cycle</source>
+            <translation>Zyklus der Task, die die Prozessdaten des Slaves austauscht, Grundlage des Sync-Unit-Zyklus</translation>
         </message>
         <message>
             <source>0x0980 activation</source>
@@ -10534,8 +10538,8 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Variablen</translation>
         </message>
         <message>
-            <source>%1 inputs, %2 outputs. Values are shown while the machine runs.</source>
-            <translation>Eingänge %1, Ausgänge %2. Werte werden gezeigt, während die Maschine läuft.</translation>
+            <source>The process image has %1 for inputs and %2 for outputs, with gaps and addresses that both use. Values are shown while the machine runs.</source>
+            <translation>Im Prozessabbild sind %1 für Eingänge und %2 für Ausgänge, mit Lücken und gemeinsamen Adressen. Werte werden gezeigt, während die Maschine läuft.</translation>
         </message>
         <message>
             <source>%1 is an input.</source>
@@ -11024,6 +11028,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
 </context>
 <context>
     <name>FindingFixes</name>
+        <message>
+            <source>Show the Master</source>
+            <translation>Den Master zeigen</translation>
+        </message>
         <message>
             <source>Show Its Slave</source>
             <translation>Ihren Slave zeigen</translation>

@@ -20,6 +20,10 @@
 <context>
     <name>Actions</name>
         <message>
+            <source>High &amp;Contrast</source>
+            <translation>高对比度(&amp;C)</translation>
+        </message>
+        <message>
             <source>Make a recording of a capture of frames (pcap, pcapng) of any master, and show it</source>
             <translation>将任意主站的帧抓包（pcap、pcapng）生成记录并显示</translation>
         </message>
@@ -3360,8 +3364,8 @@ Setting %2</source>
             <translation>总线周期</translation>
         </message>
         <message>
-            <source>Cycle time of the master, base of the Sync Unit Cycle</source>
-            <translation>主站的周期时间，同步单元周期的基准</translation>
+            <source>Cycle of the task that exchanges the slave&apos;s process data, base of the Sync Unit Cycle</source>
+            <translation>交换该从站过程数据的任务的周期，是同步单元周期的基准</translation>
         </message>
         <message>
             <source>0x0980 activation</source>
@@ -10483,8 +10487,8 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>变量</translation>
         </message>
         <message>
-            <source>%1 inputs, %2 outputs. Values are shown while the machine runs.</source>
-            <translation>输入 %1，输出 %2。机器运行时显示值。</translation>
+            <source>The process image has %1 for inputs and %2 for outputs, with gaps and addresses that both use. Values are shown while the machine runs.</source>
+            <translation>过程映像中输入占 %1，输出占 %2，包括空隙和共用的地址。机器运行时显示值。</translation>
         </message>
         <message>
             <source>%1 is an input.</source>
@@ -10968,6 +10972,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
 </context>
 <context>
     <name>FindingFixes</name>
+        <message>
+            <source>Show the Master</source>
+            <translation>显示主站</translation>
+        </message>
         <message>
             <source>Show Its Slave</source>
             <translation>显示其从站</translation>

@@ -108,7 +108,8 @@ Actions::Actions(QUndoGroup& stacks, QObject* parent) : QObject(parent) {
     QString text;
   } modes[] = {{theme::Mode::kSystem, tr("&System Colours")},
                {theme::Mode::kLight, tr("&Light")},
-               {theme::Mode::kDark, tr("&Dark")}};
+               {theme::Mode::kDark, tr("&Dark")},
+               {theme::Mode::kContrast, tr("High &Contrast")}};
   for (const auto& mode : modes) {
     auto* action = add("", mode.text, "", mode.text);
     action->setObjectName(QStringLiteral("actionTheme_") + theme::modeName(mode.mode));

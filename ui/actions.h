@@ -25,7 +25,7 @@ class Actions final : public QObject {
   QAction *demo, *scan, *choose_link, *online, *offline, *clear_statistics, *record, *save_recent, *memory, *black_box,
       *commissioning;
   QList<QAction*> states;  // INIT, PREOP, SAFEOP, OP; data() is the AlState
-  QList<QAction*> themes;  // system, light, dark; data() is the theme::Mode
+  QList<QAction*> themes;  // system, light, dark, high contrast; data() is the theme::Mode
   QAction *toggle_theme, *about, *reset_layout, *expert, *overview;
 
  private:

@@ -95,7 +95,8 @@ QString given(const QCommandLineParser& parser, const QCommandLineOption& option
 
 /// Nothing is taken for another value: who typed it sees that the window is not as asked.
 void refuse_values(const Options& options, const QString& exit_after) {
-  const QStringList themes{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("system")};
+  const QStringList themes{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast"),
+                           QStringLiteral("system")};
   if (!options.theme.isNull() && !themes.contains(options.theme))
     refuse(QStringLiteral("--theme: \"%1\" is none of %2").arg(options.theme, themes.join(QStringLiteral(", "))));
   QStringList codes;
@@ -126,7 +127,7 @@ Options parse_options(const QCoreApplication& app) {
                                 QStringLiteral("Scan the simulated demonstration machine and go online."));
   const QCommandLineOption link(QStringLiteral("link"), QStringLiteral("Bus to use: sim:FILE[?virtual] or nic:NAME."),
                                 QStringLiteral("LINK"));
-  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or system."),
+  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark, contrast or system."),
                                  QStringLiteral("NAME"));
   const QCommandLineOption language(
       QStringLiteral("language"),

@@ -34,16 +34,22 @@ Nanoseconds task_cycle(const MasterSettings& master, std::size_t task) {
   return master.cycle_time * multiple;
 }
 
+Nanoseconds sync_unit_cycle(const MasterSettings& master, const SlaveSettings& slave, bool writes, bool reads) {
+  const auto tasks = unit_tasks(master);
+  const auto cycle_of = [&](const std::string& unit) {
+    return task_cycle(master, tasks[sync_unit_number(master, unit)]);
+  };
+  if (writes && reads) return std::min(cycle_of(slave.output_unit), cycle_of(slave.input_unit));
+  return writes ? cycle_of(slave.output_unit) : reads ? cycle_of(slave.input_unit) : master.cycle_time;
+}
+
 void plan_tasks(const Project& project, std::span<SlavePlan> slaves) {
   const MasterSettings& master = project.master;
-  const auto tasks = unit_tasks(master);
   for (SlavePlan& slave : slaves) {
     slave.output_unit = sync_unit_number(master, slave.settings->output_unit);
     slave.input_unit = sync_unit_number(master, slave.settings->input_unit);
-    const bool writes = slave.image_bits(PdoDirection::kRx) > 0, reads = slave.image_bits(PdoDirection::kTx) > 0;
-    const Nanoseconds out = task_cycle(master, tasks[slave.output_unit]),
-                      in = task_cycle(master, tasks[slave.input_unit]);
-    slave.cycle_time = writes && reads ? std::min(out, in) : writes ? out : reads ? in : master.cycle_time;
+    slave.cycle_time = sync_unit_cycle(master, *slave.settings, slave.image_bits(PdoDirection::kRx) > 0,
+                                       slave.image_bits(PdoDirection::kTx) > 0);
   }
 }
 

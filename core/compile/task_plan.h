@@ -12,6 +12,7 @@ namespace syncline {
 struct CyclicTask;
 struct MasterSettings;
 struct Project;
+struct SlaveSettings;
 }  // namespace syncline
 
 /// Which task exchanges whose process data.
@@ -29,6 +30,11 @@ struct SlavePlan;
 
 /// Cycle of a task, ns.
 [[nodiscard]] Nanoseconds task_cycle(const MasterSettings& master, std::size_t task);
+
+/// Sync Unit Cycle of a slave, ns: the shorter one of the tasks that exchange what it `writes` (has as outputs) and
+/// `reads`, the bus cycle where it exchanges nothing. The base of the factors of SYNC0 and SYNC1.
+[[nodiscard]] Nanoseconds sync_unit_cycle(const MasterSettings& master, const SlaveSettings& slave, bool writes,
+                                          bool reads);
 
 /// Fills SlavePlan::output_unit, input_unit and cycle_time.
 void plan_tasks(const Project& project, std::span<SlavePlan> slaves);

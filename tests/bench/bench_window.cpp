@@ -9,6 +9,8 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/ratio_report.h"
@@ -223,8 +225,18 @@ class ThousandSlaves {
     add("search an object", [&] { words->setText(QStringLiteral("7000:0%1").arg(++round % 9)); });
     QTest::keyClick(words, Qt::Key_Escape);
   }
-  /// Each picture of the plots and tables, and not only most of them.
+  /// Each picture of each view of the live strip, and not only most of them.
   void addFrames() {
+    using Body = ui::LiveStrip::Body;
+    const std::pair<Body, const char*> bodies[] = {
+        {Body::kPlots, "plots"},         {Body::kFree, "own plots"}, {Body::kDistribution, "distribution"},
+        {Body::kStability, "stability"}, {Body::kSlaves, "slaves"},  {Body::kCycle, "cycle"}};
+    for (const auto& [body, name] : bodies) {
+      window_.liveStrip().showBody(body);
+      addPictures(name);
+    }
+  }
+  void addPictures(const std::string& view) {
     auto& strip = window_.liveStrip();
     for (int i = 0; i < 30; ++i) {  // what is made once
       tick();
@@ -236,7 +248,7 @@ class ThousandSlaves {
                              strip.refresh();
                              QApplication::processEvents();
                            });
-    report_.add("1000 slaves, running: a picture of the live strip, the slowest of 200", took.slowest,
+    report_.add("1000 slaves, running: a picture of the live strip (" + view + "), the slowest of 200", took.slowest,
                 "a thirtieth of a second", kPicture, 1);
   }
 

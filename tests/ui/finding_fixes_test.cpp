@@ -9,6 +9,7 @@
 #include <QTableView>
 
 #include "support/project_window.h"
+#include "ui/dialogs/finding_fixes.h"
 #include "ui/models/eni_finding_model.h"
 #include "ui/models/message_model.h"
 #include "ui/session/eni_preview.h"
@@ -58,6 +59,20 @@ TEST_F(FixesOfFindings, AreTriedBeforeTheyAreOfferedAndAreOneStep) {
   EXPECT_EQ(rowOf(key), -1) << "it is gone";
   workspace_.document().undoStack().undo();
   EXPECT_GE(rowOf(key), 0);
+}
+
+TEST_F(FixesOfFindings, LeadToTheMasterOrToASlave) {
+  FindingFixes fixes(
+      workspace_, [] { return true; }, nullptr);
+  const auto way = [&fixes](int slave) {
+    QMenu menu;
+    Message message;
+    message.slave = slave;
+    fixes.fill(menu, message);
+    return menu.actions().front()->text();
+  };
+  EXPECT_EQ(way(-1), QStringLiteral("Show the Master"));
+  EXPECT_EQ(way(1), QStringLiteral("Show Its Slave"));
 }
 
 /// The panel of findings has what the messages have of the project: live, with the way to the field and the fixes.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "channels/snapshot.h"
 #include "support/ui_test_support.h"
 #include "ui/models/message_model.h"
 #include "ui/models/network_model.h"

@@ -11,6 +11,7 @@
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/network_commands.h"
 #include "ui/editors/choice_edit.h"
+#include "ui/panels/live_strip.h"
 #include "ui/panels/messages_panel.h"
 #include "ui/widgets/pill.h"
 

@@ -173,7 +173,7 @@ Linear lab(const QColor& color, const SeenAs& seen) {
 /// Any two traces can be told apart, also by who sees no red or no green.
 TEST(PlotColors, AreToldApartWithoutRedOrGreen) {
   constexpr double kLeastDistance = 16;  // just seen side by side are 2.3
-  for (const auto mode : {theme::Mode::kLight, theme::Mode::kDark}) {
+  for (const auto mode : {theme::Mode::kLight, theme::Mode::kDark, theme::Mode::kContrast}) {
     theme::apply(mode);
     const QPalette palette = QGuiApplication::palette();
     for (const auto& seen : {kNormal, kNoRed, kNoGreen}) {
@@ -188,8 +188,8 @@ TEST(PlotColors, AreToldApartWithoutRedOrGreen) {
   theme::apply(theme::Mode::kLight);
 }
 
-TEST(PlotColors, StandOutOnTheCanvasOfBothThemes) {
-  for (const auto mode : {theme::Mode::kLight, theme::Mode::kDark}) {
+TEST(PlotColors, StandOutOnTheCanvasOfEachTheme) {
+  for (const auto mode : {theme::Mode::kLight, theme::Mode::kDark, theme::Mode::kContrast}) {
     theme::apply(mode);
     const QPalette palette = QGuiApplication::palette();
     const auto canvas = palette.color(QPalette::Base);

@@ -7,6 +7,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QTabWidget>
 #include <QTableView>
@@ -141,6 +142,37 @@ TEST_F(Lists, StartupCommandsAreMadeByKeyboard) {
   ASSERT_EQ(project().slaves[1].startup.size(), 1U);
   EXPECT_EQ(project().slaves[1].startup[0].index, 0x6060);
   EXPECT_EQ(steps(), before + 9);
+}
+
+/// As slaves in the explorer.
+TEST_F(Lists, AreEditedByTheKeysOfAList) {
+  show(1, "slaveStartupPage");
+  auto& table = field<QTableView>("startupTable");
+  const auto& commands = project().slaves[1].startup;
+  const int before = steps();
+  const auto press_key = [&table](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    table.setFocus();
+    QTest::keyClick(&table, key, modifiers);
+  };
+  press_key(Qt::Key_Insert);
+  press_key(Qt::Key_Insert);
+  ASSERT_EQ(commands.size(), 2U);
+  test::type(field("coeObject"), QStringLiteral("6060:00"));
+  press_key(Qt::Key_Up, Qt::AltModifier);
+  EXPECT_EQ(commands[0].index, 0x6060);
+  press_key(Qt::Key_Up, Qt::AltModifier);
+  EXPECT_EQ(commands[0].index, 0x6060) << "it is the first one";
+  press_key(Qt::Key_Down, Qt::AltModifier);
+  EXPECT_EQ(commands[1].index, 0x6060);
+  press_key(Qt::Key_Delete);
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_NE(commands[0].index, 0x6060);
+  EXPECT_EQ(steps(), before + 6);
+  // A field's own.
+  auto& value = field<QLineEdit>("coeComment");
+  value.setFocus();
+  QTest::keyClick(&value, Qt::Key_Delete);
+  EXPECT_EQ(commands.size(), 1U);
 }
 
 TEST_F(Lists, WhatIsNoValueStaysAndIsMarked) {

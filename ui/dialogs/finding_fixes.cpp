@@ -37,7 +37,9 @@ FindingFixes::FindingFixes(Workspace& workspace, std::function<bool()> commit, Q
     : QObject(parent), workspace_(workspace), commit_(std::move(commit)) {}
 
 void FindingFixes::fill(QMenu& menu, const Message& message) {
-  auto* go = menu.addAction(message.key.isEmpty() ? tr("Show Its Slave") : tr("Go to the Setting"));
+  auto* go = menu.addAction(!message.key.isEmpty() ? tr("Go to the Setting")
+                            : message.slave < 0    ? tr("Show the Master")
+                                                   : tr("Show Its Slave"));
   go->setObjectName(QStringLiteral("messageGo"));
   connect(go, &QAction::triggered, this,
           [this, slave = message.slave, key = message.key] { Q_EMIT placeWanted(slave, key); });

@@ -77,6 +77,7 @@ RecordEditor::RecordEditor(Page& page, const char* name, const QString& title, R
   none_->setEnabled(false);
   none_->setVisible(false);
   left->addWidget(heading(title, none_, form_->makeButtons(prefix)));
+  form_->takeKeysOf(*table_);
   left->addWidget(table_, 1);
   layout->addLayout(left, 3);
   card_ = new Card(tr("Selected"));

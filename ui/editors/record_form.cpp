@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QShortcut>
 #include <QToolButton>
 #include <algorithm>
 #include <utility>
@@ -176,6 +177,21 @@ QWidget* RecordForm::makeButtons(const QString& prefix) {
   return area;
 }
 
+void RecordForm::takeKeysOf(QWidget& list) {
+  const std::pair<QAbstractButton*, QKeySequence> keys[] = {{add_, QKeySequence(Qt::Key_Insert)},
+                                                            {remove_, QKeySequence(Qt::Key_Delete)},
+                                                            {up_, QKeySequence(Qt::ALT | Qt::Key_Up)},
+                                                            {down_, QKeySequence(Qt::ALT | Qt::Key_Down)}};
+  for (const auto& [button, key] : keys) {
+    if (button == nullptr) continue;
+    auto* shortcut = new QShortcut(key, &list);
+    shortcut->setContext(Qt::WidgetShortcut);
+    connect(shortcut, &QShortcut::activated, button, &QAbstractButton::click);
+    button->setToolTip(QStringLiteral("%1 (%2)").arg(button->toolTip(), key.toString(QKeySequence::NativeText)));
+  }
+  add_tip_ = add_->toolTip();
+}
+
 void RecordForm::insert(const std::string& record) {
   const auto before = list_.read();
   auto after = before;
@@ -217,7 +233,7 @@ void RecordForm::refresh() {
   }
   if (add_ == nullptr) return;
   add_->setEnabled(free);
-  add_->setToolTip(free ? tr("Add: %1").arg(list_.item) : why);
+  add_->setToolTip(free ? add_tip_ : why);
   remove_->setEnabled(any && free);
   if (up_ == nullptr) return;
   up_->setEnabled(any && free && row > 0);

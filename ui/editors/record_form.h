@@ -27,6 +27,8 @@ class RecordForm final : public QObject {
   void addFields(Card& card);
   /// Add, Remove and, where the order means something, Up and Down. Named PREFIXAdd ...
   QWidget* makeButtons(const QString& prefix);
+  /// After makeButtons(): what these buttons do, by Ins, Del, Alt+Up and Alt+Down where the list has the focus.
+  void takeKeysOf(QWidget& list);
   /// Which buttons can do something, after the page has refreshed its fields.
   void refresh();
 
@@ -58,6 +60,7 @@ class RecordForm final : public QObject {
   RecordList list_;
   std::vector<RecordPart> parts_;
   std::function<int()> row_;
+  QString add_tip_;
   QAbstractButton *add_ = nullptr, *remove_ = nullptr, *up_ = nullptr, *down_ = nullptr;
   QList<QWidget*> fields_;
 };

@@ -137,9 +137,10 @@ int NetworkModel::columnCount(const QModelIndex&) const { return 1; }
 
 Qt::ItemFlags NetworkModel::flags(const QModelIndex& index) const {
   auto flags = QAbstractItemModel::flags(index);
-  if (!index.isValid() || fixed_ || networkIn(index) != network()) return flags;
+  // No row: the free room below them all.
+  if (fixed_ || (index.isValid() && networkIn(index) != network())) return flags;
   flags |= Qt::ItemIsDropEnabled;
-  return slaveIn(index) < 0 ? flags : flags | Qt::ItemIsDragEnabled;
+  return !index.isValid() || slaveIn(index) < 0 ? flags : flags | Qt::ItemIsDragEnabled;
 }
 
 QMimeData* NetworkModel::mimeData(const QModelIndexList& indexes) const {

@@ -123,6 +123,13 @@ SlaveRequests::Id OnlinePage::post(SlaveRequest request, SlaveRequests::Done don
   return workspace().requests().post(std::move(request), *this, std::move(done), urgency);
 }
 
+bool OnlinePage::speaksCoe(int slave) const {
+  const auto at = static_cast<std::size_t>(slave);
+  if (slave < 0 || at >= project().slaves.size()) return false;
+  const auto& mailbox = project().slaves[at].device.mailbox;
+  return mailbox && mailbox->coe;
+}
+
 bool OnlinePage::mayDisturb(const QString& what, const QString& more, const QString& on) {
   const auto slave = running();
   if (!slave) return false;

@@ -69,6 +69,8 @@ class OnlinePage : public Page {
   /// Whatever was asked ends unheard.
   void stopAsking();
   [[nodiscard]] const SlaveSettings* settings() const;
+  /// Of the project's slave: objects, and the history that is one of them, are asked for by CoE.
+  [[nodiscard]] bool speaksCoe(int slave) const;
   /// Asks before a slave that drives something gets `what`; true at once for others.
   [[nodiscard]] bool mayDisturb(const QString& what, const QString& more, const QString& on);
 

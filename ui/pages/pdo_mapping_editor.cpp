@@ -90,6 +90,7 @@ PdoMappingEditor::PdoMappingEditor(Page& page) : page_(page) {
   connect(model_, &PdoEntryModel::moveWanted, this, [this](int from, int to) {
     if (page_.fields().commit()) form_->moveTo(from, to);
   });
+  form_->takeKeysOf(*view_);
   layout->addWidget(view_, 1);
   refusal_ = new QLabel;
   refusal_->setObjectName(QStringLiteral("mappingRefusal"));

@@ -3,6 +3,7 @@
 
 #include <QLabel>
 
+#include "compile/task_plan.h"
 #include "config/sync0_cycle.h"
 #include "dc/sync_timeline.h"
 #include "protocol/dc_registers.h"
@@ -59,7 +60,8 @@ void SlaveDcPage::buildMode(Card& card) {
   assign_activate_ = card.addValue("assignActivate", tr("AssignActivate"),
                                    tr("ESI OpMode/AssignActivate, written to register 0x0980"));
   bus_cycle_ =
-      card.addValue("syncBusCycle", tr("Bus cycle"), tr("Cycle time of the master, base of the Sync Unit Cycle"));
+      card.addValue("syncBusCycle", tr("Bus cycle"),
+                    tr("Cycle of the task that exchanges the slave's process data, base of the Sync Unit Cycle"));
   fields().toggle(card, "potentialReference", "slave.N.dc.potential_reference_clock");
 }
 
@@ -94,6 +96,16 @@ void SlaveDcPage::buildLive(Card& card) {
   missed_ = card.addValue("slaveMissed", tr("Missed SM2 events"), tr("Counter of the device (object 0x1C32)"));
 }
 
+/// As it is compiled; a project that cannot be is taken to exchange both.
+Nanoseconds SlaveDcPage::syncUnitCycle(const Project& project, const SlaveSettings& slave) const {
+  const auto* config = workspace().configuration().config();
+  const auto at = static_cast<std::size_t>(node());
+  if (config == nullptr || at >= config->slaves.size())
+    return compiler::sync_unit_cycle(project.master, slave, true, true);
+  const auto& compiled = config->slaves[at];
+  return compiler::sync_unit_cycle(project.master, slave, compiled.send.has_value(), compiled.receive.has_value());
+}
+
 void SlaveDcPage::refresh() {
   const auto& project = workspace().document().project();
   const auto* slave = slaveAt(project, node());
@@ -102,9 +114,10 @@ void SlaveDcPage::refresh() {
   description_->setText(mode != nullptr && !mode->description.empty() ? QString::fromStdString(mode->description)
                                                                       : noText());
   assign_activate_->setText(mode != nullptr ? hexText(mode->assign_activate, 4) : noText());
-  bus_cycle_->setText(cycleText(project.master.cycle_time));
-  sync0_->showSlave(*slave, mode, project.master.cycle_time);
-  sync1_->showSlave(*slave, mode, project.master.cycle_time);
+  const auto cycle = syncUnitCycle(project, *slave);
+  bus_cycle_->setText(cycleText(cycle));
+  sync0_->showSlave(*slave, mode, cycle);
+  sync1_->showSlave(*slave, mode, cycle);
   fields().refresh();
   refreshRegisters();
   refreshTiming();

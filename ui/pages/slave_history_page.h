@@ -26,6 +26,8 @@ class SlaveHistoryPage final : public OnlinePage {
  public:
   explicit SlaveHistoryPage(Workspace& workspace);
 
+  /// Slaves with CoE.
+  [[nodiscard]] bool appliesTo(int slave) const override { return speaksCoe(slave); }
   [[nodiscard]] DiagnosisModel& model() { return *model_; }
 
  protected:

@@ -29,6 +29,8 @@ class SlaveObjectsPage final : public OnlinePage {
  public:
   explicit SlaveObjectsPage(Workspace& workspace);
 
+  /// Slaves with CoE.
+  [[nodiscard]] bool appliesTo(int slave) const override { return speaksCoe(slave); }
   [[nodiscard]] ObjectModel& model() { return *model_; }
   /// Selects it, as the ESI describes it where what is shown has it not; whatever hides it is taken away.
   void showObject(coe::ObjectAddress object);

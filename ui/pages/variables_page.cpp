@@ -203,8 +203,10 @@ void VariablesPage::showHint(const Snapshot& snapshot, const ImageContents* imag
   if (node() >= 0 && model_->rowCount() == 0 && snapshot.online)
     return hint_->setText(tr("No slave that runs has this station address and identity."));
   if (image == nullptr) {
-    return hint_->setText(tr("%1 inputs, %2 outputs. Values are shown while the machine runs.")
-                              .arg(bitsText(8 * shown->image.input_bytes), bitsText(8 * shown->image.output_bytes)));
+    return hint_->setText(
+        tr("The process image has %1 for inputs and %2 for outputs, with gaps and addresses that both use. "
+           "Values are shown while the machine runs.")
+            .arg(bitsText(8 * shown->image.input_bytes), bitsText(8 * shown->image.output_bytes)));
   }
   const auto cycle = tr("Cycle %1").arg(countText(image->cycle));
   const int unknown = model_->unknownInputs();

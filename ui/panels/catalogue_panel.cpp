@@ -125,9 +125,7 @@ void CataloguePanel::connectCatalogue() {
     showReading(true);
     bar_->setRange(0, files);
     bar_->setValue(done);
-    // A name has no place where its line could end.
-    const auto name = QFileInfo(file).fileName();
-    const auto shown = count_->fontMetrics().elidedText(name, Qt::ElideMiddle, count_->width());
+    const auto shown = fileShown(file), name = QFileInfo(file).fileName();
     count_->setText(tr("Reading %1 (%2 of %3)").arg(shown).arg(done + 1).arg(files));
     count_->setToolTip(shown == name ? QString() : name);
   });
@@ -207,6 +205,17 @@ void CataloguePanel::showCount(const CatalogueAnswer& answer) {
   }
 }
 
+/// A name has no place where its line could end.
+QString CataloguePanel::fileShown(const QString& path) const {
+  return fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, count_->width());
+}
+
+void CataloguePanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  showDevice();
+}
+
 void CataloguePanel::showDevice() {
   const auto* device = model_->entry(tree_->currentIndex());
   take_->setEnabled(device != nullptr && obstacle_.isEmpty());
@@ -219,7 +228,7 @@ void CataloguePanel::showDevice() {
                device->physics.empty() ? noText() : escaped(device->physics))};
   if (!device->revision_rule.empty()) lines << tr("Revision rule %1").arg(escaped(device->revision_rule));
   if (device->hidden) lines << tr("Hidden by its vendor");
-  lines << QFileInfo(QString::fromStdString(device->file)).fileName().toHtmlEscaped();
+  lines << fileShown(QString::fromStdString(device->file)).toHtmlEscaped();
   details_->setText(lines.join(QStringLiteral("<br>")));
   details_->setToolTip(QString::fromStdString(device->file));
 }

@@ -39,6 +39,7 @@ class CataloguePanel final : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
@@ -51,6 +52,7 @@ class CataloguePanel final : public QWidget {
   void selectIn(const CatalogueAnswer& answer, std::int64_t kept);
   void showCount(const CatalogueAnswer& answer);
   void showDevice();
+  [[nodiscard]] QString fileShown(const QString& path) const;
   void takeSelected();
   void addFiles();
   void addFolder();

@@ -19,10 +19,21 @@ struct Colors {
   QRgb window, base, alternate, button, text, muted, disabled, outline, mid, accent, on_accent, tip, tip_text, link;
 };
 
+struct ToneColors {
+  QRgb good, busy, warning, bad;
+  int fill;  // alpha of a quiet fill
+};
+
+constexpr ToneColors kLightTones{0xFF0B6E42, 0xFF14648C, 0xFF8F5600, 0xFFB3261E, 26};
+constexpr ToneColors kDarkTones{0xFF5FCF93, 0xFF6CB8E6, 0xFFE9B34E, 0xFFF4867C, 40};
+constexpr ToneColors kContrastTones{0xFF7CFFB2, 0xFF8FD8FF, 0xFFFFD75E, 0xFFFFA59C, 40};
+
 constexpr Colors kLight{0xFFF3F5F7, 0xFFFFFFFF, 0xFFF7F9FA, 0xFFFBFCFD, 0xFF1B2430, 0xFF5A6675, 0xFF98A2AE,
                         0xFFD3D9E0, 0xFFBCC4CD, 0xFF14648C, 0xFFFFFFFF, 0xFF1F2A37, 0xFFF2F5F8, 0xFF14648C};
 constexpr Colors kDark{0xFF1E242B, 0xFF171C22, 0xFF1B2128, 0xFF2A323B, 0xFFE4E9EE, 0xFF9BA7B4, 0xFF66717D,
                        0xFF38424D, 0xFF4A5662, 0xFF2F7FA8, 0xFFFFFFFF, 0xFFE4E9EE, 0xFF1B2430, 0xFF7CC0E6};
+constexpr Colors kContrast{0xFF000000, 0xFF000000, 0xFF141414, 0xFF000000, 0xFFFFFFFF, 0xFFDCDCDC, 0xFFA6A6A6,
+                           0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFE100, 0xFF000000, 0xFF000000, 0xFFFFFFFF, 0xFF8FD8FF};
 
 QPalette paletteOf(const Colors& c) {
   QPalette palette;
@@ -66,7 +77,16 @@ void setControlOutlines(const QPalette& palette, const Colors& colors) {
   }
 }
 
-const Colors& colorsOf(const QPalette& palette) { return isDark(palette) ? kDark : kLight; }
+/// Nothing but black is the ground of no other theme. Of a desktop's palette, too.
+bool isContrast(const QPalette& palette) { return isDark(palette) && palette.color(QPalette::Base) == Qt::black; }
+
+const Colors& colorsOf(const QPalette& palette) {
+  return isContrast(palette) ? kContrast : isDark(palette) ? kDark : kLight;
+}
+
+const ToneColors& tonesOf(const QPalette& palette) {
+  return isContrast(palette) ? kContrastTones : isDark(palette) ? kDarkTones : kLightTones;
+}
 
 }  // namespace
 
@@ -76,6 +96,8 @@ QString modeName(Mode mode) {
       return QStringLiteral("light");
     case Mode::kDark:
       return QStringLiteral("dark");
+    case Mode::kContrast:
+      return QStringLiteral("contrast");
     case Mode::kSystem:
       break;
   }
@@ -85,19 +107,22 @@ QString modeName(Mode mode) {
 Mode modeFromName(const QString& name) {
   if (name == QLatin1String("light")) return Mode::kLight;
   if (name == QLatin1String("dark")) return Mode::kDark;
+  if (name == QLatin1String("contrast")) return Mode::kContrast;
   return Mode::kSystem;
 }
 
 void apply(Mode mode) {
   // The desktop's palette must be asked before ours is set for the first time.
-  static const bool system_dark = isDark(QApplication::palette());
+  static const QPalette desktop = QApplication::palette();
   linkResources();
   g_mode = mode;
   if (QApplication::style()->name() != QLatin1String("fusion")) {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   }
-  const bool dark = mode == Mode::kDark || (mode == Mode::kSystem && system_dark);
-  const auto& colors = dark ? kDark : kLight;
+  const auto& colors = mode == Mode::kSystem     ? colorsOf(desktop)
+                       : mode == Mode::kContrast ? kContrast
+                       : mode == Mode::kDark     ? kDark
+                                                 : kLight;
   const auto palette = paletteOf(colors);
   QApplication::setPalette(palette);
   setControlOutlines(palette, colors);
@@ -107,23 +132,23 @@ Mode current() { return g_mode; }
 
 QPalette lightPalette() { return paletteOf(kLight); }
 
+/// By the ground of lists and fields: controls have another window colour, for their outlines.
 bool isDark(const QPalette& palette) {
-  return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+  return palette.color(QPalette::Base).lightness() < palette.color(QPalette::Text).lightness();
 }
 
 QColor toneColor(const QPalette& palette, Tone tone) {
-  const bool dark = isDark(palette);
+  const auto& tones = tonesOf(palette);
   switch (tone) {
     case Tone::kGood:
-      return dark ? QColor(0x5F, 0xCF, 0x93) : QColor(0x0B, 0x6E, 0x42);
+      return QColor::fromRgb(tones.good);
     case Tone::kBusy:
-      return dark ? QColor(0x6C, 0xB8, 0xE6) : QColor(0x14, 0x64, 0x8C);
-    case Tone::kWarning:
-      return dark ? QColor(0xE9, 0xB3, 0x4E) : QColor(0x8F, 0x56, 0x00);
-    case Tone::kBad:
-      return dark ? QColor(0xF4, 0x86, 0x7C) : QColor(0xB3, 0x26, 0x1E);
     case Tone::kAccent:
-      return dark ? QColor(0x6C, 0xB8, 0xE6) : QColor(0x14, 0x64, 0x8C);
+      return QColor::fromRgb(tones.busy);
+    case Tone::kWarning:
+      return QColor::fromRgb(tones.warning);
+    case Tone::kBad:
+      return QColor::fromRgb(tones.bad);
     case Tone::kNeutral:
       break;
   }
@@ -132,7 +157,7 @@ QColor toneColor(const QPalette& palette, Tone tone) {
 
 QColor toneFill(const QPalette& palette, Tone tone) {
   auto color = toneColor(palette, tone);
-  color.setAlpha(isDark(palette) ? 40 : 26);
+  color.setAlpha(tonesOf(palette).fill);
   return color;
 }
 

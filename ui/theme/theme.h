@@ -12,11 +12,12 @@
 /// the dark theme needs no second set of drawings.
 namespace syncline::ui::theme {
 
-enum class Mode : unsigned char { kSystem, kLight, kDark };
+enum class Mode : unsigned char { kSystem, kLight, kDark, kContrast };
 [[nodiscard]] QString modeName(Mode mode);             // "light", for settings and command line
 [[nodiscard]] Mode modeFromName(const QString& name);  // kSystem when unknown
 
-/// Fusion with our palette. kSystem takes dark or light from the desktop's own palette.
+/// Fusion with our palette. kSystem takes light, dark or high contrast (a ground of nothing but black) from the
+/// desktop's own palette.
 void apply(Mode mode);
 [[nodiscard]] Mode current();
 /// Ours for a light desktop, whatever is applied.
@@ -24,7 +25,7 @@ void apply(Mode mode);
 [[nodiscard]] bool isDark(const QPalette& palette);
 
 enum class Tone : unsigned char { kNeutral, kGood, kBusy, kWarning, kBad, kAccent };
-/// Text and line colour of a tone on the window and base colours, at least 4.5:1.
+/// Text and line colour of a tone on the window and base colours, at least 4.5:1; 7:1 in high contrast.
 [[nodiscard]] QColor toneColor(const QPalette& palette, Tone tone);
 /// Quiet fill behind text of that tone.
 [[nodiscard]] QColor toneFill(const QPalette& palette, Tone tone);

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "compile/task_plan.h"
 #include "config/project.h"
 #include "config/sync0_cycle.h"
 #include "findings/finding.h"
@@ -34,8 +35,12 @@ QString multipleText(int factor) {
   return factor > 0 ? QStringLiteral("\u00D7 %1").arg(factor) : QStringLiteral("/ %1").arg(-factor);
 }
 
+Nanoseconds unitCycleOf(const Project& project, const SlaveSettings& slave) {
+  return compiler::sync_unit_cycle(project.master, slave, !slave.device.rx_pdos.empty(), !slave.device.tx_pdos.empty());
+}
+
 Nanoseconds cycleOf(const Project& project, const SlaveSettings& slave) {
-  return compiler::sync_cycle(*compiler::selected_op_mode(slave), slave.dc, 0, project.master.cycle_time);
+  return compiler::sync_cycle(*compiler::selected_op_mode(slave), slave.dc, 0, unitCycleOf(project, slave));
 }
 
 }  // namespace
@@ -99,12 +104,12 @@ QVariantList DcModeModel::choices(int row, int column) const {
   }
   auto own = slave.dc;
   own.sync0 = {};
+  const auto unit_cycle = unitCycleOf(project_, slave);
   add(tr("As operation mode (%1)")
-          .arg(cycleText(compiler::sync_cycle(*compiler::selected_op_mode(slave), own, 0, project_.master.cycle_time))),
+          .arg(cycleText(compiler::sync_cycle(*compiler::selected_op_mode(slave), own, 0, unit_cycle))),
       0);
   for (const int factor : kMultiples)
-    add(QStringLiteral("%1  (%2)")
-            .arg(multipleText(factor), cycleText(compiler::scaled_cycle(project_.master.cycle_time, factor))),
+    add(QStringLiteral("%1  (%2)").arg(multipleText(factor), cycleText(compiler::scaled_cycle(unit_cycle, factor))),
         factor);
   return list;
 }

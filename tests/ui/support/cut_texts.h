@@ -77,7 +77,7 @@ class CutTexts {
       if (high > label.height()) say(label, label.text(), high, label.height());
       // A word that is longer than the line.
       const int wide = Qt::mightBeRichText(label.text())
-                           ? room.width()
+                           ? wrapped(label, room.width())
                            : label.fontMetrics().boundingRect(room, Qt::TextWordWrap, label.text()).width();
       if (wide > room.width()) say(label, label.text(), wide, room.width());
       return;
@@ -86,6 +86,15 @@ class CutTexts {
     const int wide = Qt::mightBeRichText(label.text()) ? label.sizeHint().width()
                                                        : label.fontMetrics().size(keys, label.text()).width();
     if (wide > room.width() || seen(label) < label.width()) say(label, label.text(), wide, seen(label));
+  }
+  /// How wide its longest line is, of at most so many px where its words allow it.
+  static int wrapped(const QLabel& label, int width) {
+    QTextDocument document;
+    document.setDocumentMargin(0);
+    document.setDefaultFont(label.font());
+    document.setHtml(label.text());
+    document.setTextWidth(width);
+    return static_cast<int>(document.idealWidth());
   }
   /// What ends in an ellipsis has its whole text in the tool tip that its user sees, and shows enough to be known by.
   void lookAt(const ui::ValueLabel& label) {
