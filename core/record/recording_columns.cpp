@@ -79,9 +79,16 @@ Result<bool> RecordingReader::is_whole(const Block& block) {
     whole = row->integer(kDataCheck) != 0 || column_writer(row->integer(kDataId) - first) == nullptr;
     return whole;
   });
-  if (status) return whole;
-  if (is_damaged(status.error())) return false;
-  return read_error(database_, status.error());
+  if (!status && is_damaged(status.error())) return false;
+  if (!status) return read_error(database_, status.error());
+  if (!whole || !salvaged_) return whole;
+  // Rows may have been on a page that is lost. Of a database that SQLite takes they are counted when they are read.
+  auto columns = database_.prepare("SELECT count(*) FROM data WHERE id >= ? AND id < ? AND codec > 0");
+  if (!columns) return read_error(database_, columns.error());
+  columns->bind(0, first).bind(1, first + kSeriesPerBlock);
+  const auto counted = columns->each([&] { whole = columns->integer(0) == block.columns; });
+  if (!counted) return read_error(database_, counted.error());
+  return whole;
 }
 
 Status RecordingReader::cells(const Block& block, Signal column, ColumnCells& out) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/recording_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
 #include <utility>
 
+#include "findings/recording_words.h"
+#include "findings/sentence.h"
 #include "reasons/because.h"
 #include "record/column_codec.h"
 #include "record/sample_columns.h"
@@ -307,12 +311,18 @@ Result<bool> RecordingReader::read_rows(const Block& block, std::vector<CycleSam
   const auto is = [](std::uint64_t cycle, std::int64_t said) { return static_cast<std::int64_t>(cycle) == said; };
   constexpr std::array kNeeded{Signal::kCycle, Signal::kSendTime, Signal::kFlags};
   const bool as_said =
-      status && missing_columns == 0 && missing_held == 0 &&
+      status && missing_columns == 0 && missing_held >= 0 &&
       std::ranges::all_of(kNeeded, [&there](Signal column) { return there[static_cast<std::size_t>(column)]; }) &&
       is(out.front().cycle, block.first_cycle) && is(out.back().cycle, block.last_cycle) &&
       out.front().send_time == block.begin && out.back().send_time == block.end;
   if (whole && !as_said) {
     note_block(block, std::max<std::int64_t>(missing_columns, 0) + std::max<std::int64_t>(missing_held, 0));
+  } else if (whole && missing_held > 0) {
+    // Counts and states alone, as where such a row is there and damaged.
+    note("data", fmt::format("of {}", block.number),
+         make_finding<words::kRecording>("recording-damaged/missing", {},
+                                         fig::count<"count">(static_cast<std::uint64_t>(missing_held)),
+                                         fig::text<"table">("data")));
   }
   return whole && as_said;
 }

@@ -149,8 +149,8 @@ Status count_blocks(SalvagedRecording& salvaged) {
   auto status = database.execute(empty.c_str());
   const auto blocks = database.number("SELECT count(*) FROM block");
   const auto cycles =
-      database.number(fmt::format("SELECT sum(cycles) FROM block WHERE columns + held = "
-                                  "(SELECT count(*) FROM data WHERE id >= number * {0} AND id < (number + 1) * {0})",
+      database.number(fmt::format("SELECT sum(cycles) FROM block WHERE columns = (SELECT count(*) FROM data "
+                                  "WHERE id >= number * {0} AND id < (number + 1) * {0} AND codec > 0)",
                                   kSeriesPerBlock));
   const auto counted = database.number("SELECT count FROM tally WHERE name = 'block'");
   for (const auto* number : {&before, &blocks, &cycles, &counted}) {

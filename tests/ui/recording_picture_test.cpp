@@ -334,7 +334,7 @@ TEST_F(PictureProgram, WritesAPictureWithoutADisplay) {
 TEST_F(PictureProgram, SaysWhatIsLostOfARecording) {
   const auto cut = path("cut.slrec");
   std::filesystem::copy_file(path("run.slrec"), cut);
-  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) * 3 / 4);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) * 19 / 20);
   EXPECT_EQ(start({cut, "--picture", path("a.svg")}), 0) << err;
   EXPECT_THAT(err, HasSubstr("cut.slrec: The file is cut off: "));
   EXPECT_EQ(start({path("run.slrec"), "--picture", path("b.svg"), "--overlay", cut}), 0) << err;

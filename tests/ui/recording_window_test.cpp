@@ -431,7 +431,7 @@ TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
 TEST_F(RecordingWindow, WhatIsLeftOfOneThatWasCutOffIsShown) {
   record("run.slrec");
   QFile file(path("run.slrec"));
-  ASSERT_TRUE(file.resize(file.size() * 3 / 4));
+  ASSERT_TRUE(file.resize(file.size() * 19 / 20));
   open("run.slrec");
   ASSERT_TRUE(workspace_.recording().isOpen());
   EXPECT_FALSE(workspace_.shownRecord()->samples().empty());

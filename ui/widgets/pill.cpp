@@ -17,7 +17,7 @@ constexpr int kMark = 8;
 constexpr int kPillGap = 6;
 constexpr int kLeastCharacters = 24;  // painted in the narrowest place: a state, and not why
 
-/// Full disc, ring, triangle, square: told apart without colour.
+/// Full disc, half a disc in its ring, ring, triangle, square: told apart without colour.
 void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
   switch (tone) {
     case theme::Tone::kWarning:
@@ -30,6 +30,14 @@ void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
       painter.setBrush(Qt::NoBrush);
       painter.drawEllipse(box.adjusted(1, 1, -1, -1));
       break;
+    case theme::Tone::kBusy: {
+      constexpr int kDegree = 16;  // a chord's angles are of sixteenths
+      painter.drawChord(box, 90 * kDegree, 180 * kDegree);
+      painter.setPen(QPen(painter.brush().color(), 1.0));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(box.adjusted(0.5, 0.5, -0.5, -0.5));
+      break;
+    }
     default:
       painter.drawEllipse(box);
   }

@@ -196,6 +196,20 @@ TEST_F(RecordingDamage, OfACellIsAGapThatNamesItsRow) {
   EXPECT_THAT(verified.error().detail.text(), HasSubstr("1048579"));
 }
 
+/// A count of a slave that is not there makes no gap of the cycles, as one that is damaged does not.
+TEST_F(RecordingDamage, OfAMissingCountIsToldAndTheCyclesStay) {
+  make();
+  const auto before = read(path());
+  harm("DELETE FROM data WHERE id = (SELECT min(id) FROM data WHERE id > 1048576 AND codec = 0)");
+  const auto after = read(path());
+  ASSERT_TRUE(before.content && after.content);
+  EXPECT_EQ(after.content->cycles, before.content->cycles);
+  EXPECT_NE(after.content->held, before.content->held);
+  ASSERT_EQ(after.damage.size(), 1U);
+  EXPECT_THAT(describe(after.damage[0]), HasSubstr("1 row of the table data is missing. "));
+  EXPECT_FALSE(RecordingReader::open(path())->verify());
+}
+
 TEST_F(RecordingDamage, OfSmallRowsLeavesThemOut) {
   make();
   harm("UPDATE event SET text = 'else' WHERE id = 2; UPDATE slave SET name = 'X' WHERE position = 1");

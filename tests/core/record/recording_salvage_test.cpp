@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <random>
 #include <string>
 
 #include "findings/error_text.h"
+#include "record/first_columns.h"
 #include "record/recorder.h"
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
@@ -187,6 +189,34 @@ TEST_F(RecordingSalvage, WhereverItIsCut) {
   EXPECT_GE(before, 4500U);
   std::mt19937 random(7);
   for (int i = 0; i < 40; ++i) look_at_cut(std::uniform_int_distribution<std::size_t>(0, whole_.size() - 1)(random));
+}
+
+/// The picture before the samples are read shows no block that is a gap when they are: one of which columns are lost.
+TEST_F(RecordingSalvage, WhatWillBeAGapIsNoneOfTheFirstPicture) {
+  make(6);
+  constexpr std::array kPictured{Signal::kDcmError};
+  constexpr Nanoseconds kWidth = kSecond / 10;
+  int gaps = 0;
+  for (std::size_t size = whole_.size() / 2; size < whole_.size(); size += 8192) {
+    ASSERT_TRUE(write_whole_file(path("cut"), whole_.substr(0, size)));
+    auto reader = RecordingReader::open(path("cut"));
+    const auto info = reader ? reader->info() : Result<RecordingInfo>(tl::unexpected(reader.error()));
+    if (!info) continue;
+    const auto blocks = reader->blocks();
+    const auto drawn = first_columns(*reader, kPictured, info->begin, info->end + 1, kWidth);
+    ASSERT_TRUE(blocks && drawn) << size;
+    for (const auto& block : *blocks) {
+      std::vector<CycleSample> samples;
+      ASSERT_TRUE(reader->samples(block, samples));
+      if (!samples.empty()) continue;
+      ++gaps;
+      for (const auto& column : drawn->front()) {
+        const bool inside = column.start > block.begin && column.start + kWidth < block.end;
+        EXPECT_FALSE(inside && column.valid) << size << ", block " << block.number;
+      }
+    }
+  }
+  EXPECT_GE(gaps, 1) << "of some a part is left";
 }
 
 /// A longer file's tree has inner pages at its end, and what they lead to is found all the same.
