@@ -3,13 +3,13 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QElapsedTimer>
 
 #include "ui/dialogs/bus_commands.h"
 #include "ui/main_window.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
 #include "ui/session/workspace.h"
+#include "ui/widgets/wait_until.h"
 
 namespace syncline {
 namespace {
@@ -18,12 +18,7 @@ constexpr qint64 kTimeoutMs = 60'000;
 
 }  // namespace
 
-bool waitUntil(const std::function<bool()>& done) {
-  QElapsedTimer waiting;
-  waiting.start();
-  while (!done() && waiting.elapsed() < kTimeoutMs) QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
-  return done();
-}
+bool waitUntil(const std::function<bool()>& done) { return ui::waitUntil(done, kTimeoutMs); }
 
 bool runForPictures(ui::MainWindow& window, ui::Workspace& workspace, const QString& link, Nanoseconds duration) {
   using Phase = ui::LiveSession::Phase;

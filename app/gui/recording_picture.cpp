@@ -17,12 +17,14 @@
 #include "app/cli/duration.h"
 #include "app/cli/record_range.h"
 #include "reasons/because.h"
+#include "record/recording.h"
 #include "ui/panels/picture_file.h"
 #include "ui/panels/recording_picture.h"
 #include "ui/panels/signal_chooser.h"
 #include "ui/session/opened_recording.h"
 #include "ui/session/recording_overlay.h"
 #include "ui/text/error_text.h"
+#include "ui/text/finding_text.h"
 
 namespace syncline {
 namespace {
@@ -36,6 +38,14 @@ int told(const QString& words, int code) {
 
 int told(const Error& error) {
   return told(ui::errorText(error), error.code == ErrorCode::kBadValue ? cli::kUsage : cli::kFailed);
+}
+
+/// What a file has lost is not in its picture either.
+void warnOf(const ReplayedRun& run, const QString& file) {
+  for (const auto& finding : run.record->findings()) {
+    if (!is_about_file(finding) || finding.severity < Severity::kWarning) continue;
+    std::fprintf(stderr, "syncline: %s: %s\n", qUtf8Printable(file), qUtf8Printable(ui::findingWhole(finding)));
+  }
 }
 
 std::optional<QSize> sizeOf(const QString& text) {
@@ -184,10 +194,12 @@ int writePictureOf(const PictureOptions& options) {
   reading.exec();
   if (error) return told(*error);
   recording.show();
+  warnOf(recording.run(), options.file);
   if (auto status = complete(options, recording.run(), wanted); !status) return told(status.error());
   ui::RecordingOverlay overlay(recording);
   if (!options.overlay.isEmpty()) {
     if (const int code = layOver(options, offset, overlay); code != cli::kDone) return code;
+    warnOf(overlay.run(), options.overlay);
     wanted.overlay = {overlay.run().record.get(), overlay.shift(), overlay.ownName(), overlay.name()};
   }
   if (auto status = ui::writeRecordingPicture(recording.run(), wanted, options.out); !status)

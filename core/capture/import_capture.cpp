@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "capture/capture_source.h"
 #include "capture/pcap_reader.h"
 #include "findings/recording_words.h"
 #include "findings/sentence.h"
@@ -382,6 +383,7 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   Pairing pairing;
+  CaptureSource source;
   ImportedRun run;
   std::uint64_t frames = 0, taken = 0, in_part = 0;
   Nanoseconds first = 0, last = 0;
@@ -405,7 +407,7 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
       break;
     ++taken;
     in_part += (*frame)->truncated ? 1U : 0U;
-    pairing.add(**frame);
+    if (source.add((*frame)->bytes, time)) pairing.add(**frame);
   }
   if (frames > 0 && taken == 0) {
     return fail(ErrorCode::kBadValue, "the range",
@@ -426,6 +428,7 @@ Result<ImportedRun> import_capture(const std::string& path, const ImportLimits& 
   }
   if (run.samples.empty()) return fail(ErrorCode::kBadValue, name, because("it holds no cyclic frame that came back"));
   tell_source(captured, main, run.findings);
+  source.tell(run.findings);
   count_cycles(run.samples);
   run.about.program = "import of a capture";
   run.about.link = name;

@@ -37,8 +37,7 @@ Reason reason_of(const Figure& figure) {
   }
 }
 
-/// A row's sentence, with its full stop.
-Reason filled(std::string_view words, const Finding& finding) {
+Reason filled_as_it_ends(std::string_view words, const Finding& finding) {
   std::vector<Reason> given;
   for (auto place = next_place(words); place.end > place.open;) {
     const auto figure = std::ranges::find(finding.figures, place.in(words).name, &Figure::name);
@@ -46,7 +45,12 @@ Reason filled(std::string_view words, const Finding& finding) {
     const auto next = next_place(words.substr(place.end));
     place = {place.end + next.open, place.end + next.end};
   }
-  auto sentence = Reason::of_words(words, std::move(given));
+  return Reason::of_words(words, std::move(given));
+}
+
+/// A row's sentence, with its full stop.
+Reason filled(std::string_view words, const Finding& finding) {
+  auto sentence = filled_as_it_ends(words, finding);
   const auto text = sentence.text();
   const bool ends = !text.empty() && std::string_view(".!?:").find(text.back()) != std::string_view::npos;
   return ends ? sentence : because("{sentence}.", std::move(sentence));
@@ -66,6 +70,8 @@ Reason reason_of(const Finding& finding) {
   if (row == nullptr || row->mend.empty()) return facts;
   return because("{sentence} {next}", std::move(facts), filled(row->mend, finding));
 }
+
+Reason facts_reason(const Finding& finding) { return filled_as_it_ends(facts_template(finding), finding); }
 
 std::optional<Reason> reason_of_any_words(std::string_view words, std::vector<Reason> given) {
   if (given.empty() || !is_row(words) || places_of_reason(words) != given.size())

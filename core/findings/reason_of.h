@@ -15,6 +15,9 @@ class Reason;
 /// writes otherwise (times, numbers) are English.
 [[nodiscard]] Reason reason_of(const Finding& finding);
 
+/// The facts alone, without a full stop where their row has none: what stands in another sentence, behind a colon.
+[[nodiscard]] Reason facts_reason(const Finding& finding);
+
 /// As reason_of_words(), of the rows of findings, too.
 [[nodiscard]] std::optional<Reason> reason_of_any_words(std::string_view words, std::vector<Reason> given);
 

@@ -14,13 +14,27 @@ inline constexpr FindingWords kRecording[] = {
      "was recorded, and nothing is known of it any more.",
      "Read it from another copy; what is shown beside it is as it was written.",
      "",
-     {{"", "Row {row} of the table {table} is damaged and left out."},
-      {"gap", "Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap."},
-      {"series", "Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}."},
-      {"missing", "{count:# row|# rows} of the table {table} {count:is|are} missing."},
+     {{"", "Row {row} of the table {table} is damaged and left out"},
+      {"gap", "Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap"},
+      {"series", "Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}"},
+      {"missing", "{count:# row|# rows} of the table {table} {count:is|are} missing"},
       {"missing-gap",
-       "{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap."},
-      {"block", "The rows of block {block} contradict each other: cycles {first} to {last} are a gap."}}},
+       "{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap"},
+      {"block", "The rows of block {block} contradict each other: cycles {first} to {last} are a gap"}}},
+    {"recording-cut-off",
+     Severity::kError,
+     "A recording is cut off",
+     "The file is shorter than it was: a copy, a transfer or a full disk ended within it. What is shown is as it was "
+     "written; of what is lost nothing is known any more.",
+     "Copy the whole file once more, from where it was written.",
+     "",
+     {{"",
+       "The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} "
+       "of values, about a second each, {count:is|are} lost"},
+      {"pages",
+       "SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; "
+       "{count:# block|# blocks} of values, about a second each, {count:is|are} lost"},
+      {"nothing", "no whole cycle of it is left"}}},
     {"recording-log-missing",
      Severity::kWarning,
      "The log of a recording is missing",
@@ -85,6 +99,27 @@ inline constexpr FindingWords kRecording[] = {
        "who "
        "captured."},
       {"back", "Only frames on their way back were captured: round trips and lost frames are not known."}}},
+    {"import-switch",
+     Severity::kWarning,
+     "An imported capture was taken through a switch",
+     "A switch holds frames back, one behind the other, and stamps none: distances, round trips and jitter are its own "
+     "as well, and what a mirror port cannot carry is missing.",
+     "Capture with a probe in the line, or on the master's own adapter.",
+     "",
+     {{"", "{count:# frame is|# frames are} of a switch itself (spanning tree, neighbour discovery)."},
+      {"tagged", "{count:# EtherCAT frame has|# EtherCAT frames have} a VLAN tag (802.1Q), which a switch has put on."},
+      {"twice",
+       "{count:# EtherCAT frame came|# EtherCAT frames came} twice, byte for byte, as a mirror port sends what enters "
+       "and leaves."}}},
+    {"import-virtual-machine",
+     Severity::kWarning,
+     "An imported capture was taken in a virtual machine",
+     "A hypervisor passes frames on when it gets to it, and its clock is not the host's: times are off by milliseconds "
+     "at any moment.",
+     "Capture on a machine of its own, whose adapter stands at the bus.",
+     "",
+     {{"",
+       "{count:# EtherCAT frame was|# EtherCAT frames were} sent by {address}, the adapter of a virtual machine."}}},
 };
 
 }  // namespace syncline::words

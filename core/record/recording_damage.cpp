@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "findings/reason_of.h"
 #include "findings/recording_words.h"
 #include "findings/sentence.h"
 #include "reasons/because.h"
@@ -84,6 +85,30 @@ void RecordingReader::note_block(const Block& block, std::int64_t missing) {
           block));
 }
 
+Status RecordingReader::salvage(Error otherwise) {
+  if (salvaged_) return tl::unexpected(std::move(otherwise));
+  auto salvaged = salvage_recording(path());
+  if (!salvaged) return tl::unexpected(std::move(otherwise));
+  if (salvaged->cycles == 0) return no_cycle_left(path());
+  database_ = std::move(salvaged->database);
+  damage_.clear();
+  damaged_rows_.clear();
+  note_cut(*salvaged);
+  return {};
+}
+
+void RecordingReader::note_cut(const SalvagedRecording& salvaged) {
+  salvaged_ = true;
+  const auto kib = [](std::uint64_t bytes) { return static_cast<std::int64_t>(bytes / 1024); };
+  const auto cycles = fig::count<"cycles">(salvaged.cycles);
+  const auto lost = fig::count<"count">(salvaged.blocks_lost);
+  if (salvaged.bytes_said == 0)
+    return note("file", "cut", make_finding<words::kRecording>("recording-cut-off/pages", {}, cycles, lost));
+  note("file", "cut",
+       make_finding<words::kRecording>("recording-cut-off", {}, fig::number<"there">(kib(salvaged.bytes)),
+                                       fig::number<"all">(kib(salvaged.bytes_said)), cycles, lost));
+}
+
 std::vector<Finding> RecordingReader::found() const {
   auto all = damage_;
   if (log_missing_ && !ended_) {
@@ -96,7 +121,7 @@ std::vector<Finding> RecordingReader::found() const {
 }
 
 Status RecordingReader::as_error(const Finding& damage) const {
-  return damaged_recording(database_, Reason::verbatim(facts_text(damage)));
+  return damaged_recording(database_, facts_reason(damage));
 }
 
 Status RecordingReader::read_tally() {

@@ -38,6 +38,14 @@ T number_of(std::string_view text, T otherwise) {
 Result<RecordingReader> RecordingReader::open(const std::string& path) {
   const bool log_missing = lacks_log(path);  // before SQLite makes an empty one
   auto database = open_recording(path);
+  if (!database && database.error().code == ErrorCode::kFileNotReadable) {
+    if (auto salvaged = salvage_recording(path)) {
+      if (salvaged->cycles == 0) return no_cycle_left(path);
+      RecordingReader reader(std::move(salvaged->database), kRecordingVersion, log_missing);
+      reader.note_cut(*salvaged);
+      return reader;
+    }
+  }
   if (!database) return tl::unexpected(database.error());
   const auto version = recording_version(*database);
   if (!version) return read_error(*database, version.error());
@@ -158,6 +166,13 @@ Status RecordingReader::read_told(RecordingInfo& info) {
 }
 
 Result<RecordingInfo> RecordingReader::info() {
+  auto info = read_info();
+  if (info || info.error().code != ErrorCode::kFileNotReadable) return info;
+  if (auto status = salvage(std::move(info.error())); !status) return tl::unexpected(std::move(status.error()));
+  return read_info();
+}
+
+Result<RecordingInfo> RecordingReader::read_info() {
   RecordingInfo info;
   Status status;
   {

@@ -20,6 +20,7 @@
 #include "record/column_codec.h"
 #include "record/recording.h"
 #include "record/recording_rows.h"
+#include "record/recording_salvage.h"
 #include "record/recording_schema.h"
 #include "record/run_note.h"
 #include "sqlite/sqlite_database.h"
@@ -47,7 +48,9 @@ struct BlockSummary {
 
 /// Reads a recording, also one that is being written. What is damaged is told, not guessed: rows that are not as they
 /// were written are left out, cycles that need one of them are a gap, and damage() names them. Without them nothing can
-/// be read (limits, lists of variables, SQLite's own pages) is kFileNotReadable. For one thread.
+/// be read (limits, lists of variables) is kFileNotReadable. Of a file that SQLite refuses, as it is cut off or a page
+/// of SQLite's own is damaged, whatever is whole is read (salvage_recording()), and found() says how much is lost;
+/// where that is no cycle it is kFileNotReadable. For one thread.
 class RecordingReader {
  public:
   /// As open_recording(), and kFileNotReadable.
@@ -162,6 +165,10 @@ class RecordingReader {
   Status read_watched(WatchLists& watched);
   /// Whose column a series is, as a variable's number; nothing: of none that is known.
   [[nodiscard]] std::optional<std::size_t> variable_of(std::int64_t series) const;
+  /// Reads the file page by page from now on; `otherwise` where it cannot be.
+  Status salvage(Error otherwise);
+  void note_cut(const SalvagedRecording& salvaged);
+  [[nodiscard]] Result<RecordingInfo> read_info();
   Status read_about(RecordingInfo& info);
   Status read_told(RecordingInfo& info);
   /// Calls `take(statement)` for each row; it may return a Status.
@@ -173,7 +180,7 @@ class RecordingReader {
 
   SqlDatabase database_;
   std::int64_t version_ = 0;
-  bool log_missing_ = false, ended_ = false;
+  bool log_missing_ = false, ended_ = false, salvaged_ = false;
   std::optional<Block> before_;                             // read last with its points
   std::map<std::string, std::int64_t, std::less<>> tally_;  // rows of each table that were there at least
   std::vector<Finding> damage_;

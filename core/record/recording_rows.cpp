@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "record/recording_schema.h"
@@ -47,6 +48,15 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
 }
 
 }  // namespace
+
+std::span<const std::string_view> recording_tables() {
+  static const auto kNames = [] {
+    std::array<std::string_view, std::size(kAllTables)> names;
+    std::ranges::transform(kAllTables, names.begin(), &Table::name);
+    return names;
+  }();
+  return kNames;
+}
 
 std::string_view columns_of(std::string_view table) {
   const auto* const found = std::ranges::find(kAllTables, table, &Table::name);

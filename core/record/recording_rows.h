@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,8 @@ namespace syncline {
 
 class SqlDatabase;
 
+/// Names of all tables.
+[[nodiscard]] std::span<const std::string_view> recording_tables();
 /// Names of the columns of a table, without its checks; of `data` without `levels`, which have a check of their own.
 [[nodiscard]] std::string_view columns_of(std::string_view table);
 [[nodiscard]] int column_count(std::string_view table);

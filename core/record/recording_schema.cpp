@@ -9,6 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "findings/reason_of.h"
+#include "findings/recording_words.h"
+#include "findings/sentence.h"
 #include "reasons/because.h"
 #include "sqlite/sqlite_database.h"
 
@@ -104,6 +107,13 @@ tl::unexpected<Error> damaged_recording(const SqlDatabase& database, Reason what
                     .file = database.path()});
 }
 
+tl::unexpected<Error> no_cycle_left(const std::string& path) {
+  return fail(Error{.code = ErrorCode::kFileNotReadable,
+                    .detail = because("it is damaged or cut off ({words})",
+                                      facts_reason(make_finding<words::kRecording>("recording-cut-off/nothing", {}))),
+                    .file = path});
+}
+
 Result<SqlDatabase> create_recording(const std::string& path) {
   std::error_code error;
   if (std::filesystem::exists(path, error)) {
@@ -120,6 +130,18 @@ Result<SqlDatabase> create_recording(const std::string& path) {
   // The tables before the log is begun: a file whose log is lost is a recording all the same.
   for (const char* const sql : {mark.c_str(), kTables, kConnection}) {
     if (auto status = database->execute(sql); !status) return write_error(*database, status.error());
+  }
+  return database;
+}
+
+Result<SqlDatabase> create_salvage(const std::string& path) {
+  auto database = SqlDatabase::open_temporary(path);
+  if (!database) return tl::unexpected(database.error());
+  const auto mark =
+      fmt::format("PRAGMA page_size=8192; PRAGMA journal_mode=OFF; PRAGMA application_id={}; PRAGMA user_version={};",
+                  kRecordingId, kRecordingVersion);
+  for (const char* const sql : {mark.c_str(), kTables}) {
+    if (auto status = database->execute(sql); !status) return read_error(*database, status.error());
   }
   return database;
 }

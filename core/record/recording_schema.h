@@ -34,6 +34,9 @@ inline constexpr std::int64_t kBusSeries = 256;
 [[nodiscard]] Result<SqlDatabase> create_recording(const std::string& path);
 /// To be read. kFileNotFound, kNotThatKindOfFile: no recording, or one of a newer version; kFileNotReadable: damaged.
 [[nodiscard]] Result<SqlDatabase> open_recording(const std::string& path);
+/// An empty one that goes with its object, for what is salvaged of the recording of this name. kFileNotReadable: there
+/// is no room for it.
+[[nodiscard]] Result<SqlDatabase> create_salvage(const std::string& path);
 /// Before it is opened: it is in WAL mode, and beside it is no log that holds anything. Where the recording was cut
 /// short, that log is lost, or another program has taken it over.
 [[nodiscard]] bool lacks_log(const std::string& path);
@@ -44,5 +47,7 @@ inline constexpr std::int64_t kBusSeries = 256;
 [[nodiscard]] tl::unexpected<Error> read_error(const SqlDatabase& database, const Error& error);
 [[nodiscard]] tl::unexpected<Error> write_error(const SqlDatabase& database, const Error& error);
 [[nodiscard]] tl::unexpected<Error> damaged_recording(const SqlDatabase& database, Reason what);
+/// kFileNotReadable: of what was recorded nothing can be shown.
+[[nodiscard]] tl::unexpected<Error> no_cycle_left(const std::string& path);
 
 }  // namespace syncline

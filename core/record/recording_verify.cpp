@@ -103,6 +103,7 @@ Status RecordingReader::check_rows(const Block& block) {
 }
 
 Result<std::uint64_t> RecordingReader::verify() {
+  if (salvaged_) return tl::unexpected(damaged_row().error());
   std::string found;
   auto status = each("PRAGMA integrity_check(1)", [&](const SqlStatement& row) { found = row.text(0); });
   if (status && found != "ok") status = damaged_recording(database_, Reason::verbatim(found));

@@ -151,6 +151,7 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   }
   for (; next < events.size(); ++next) record.add(events[next]);
   if (auto status = ahead.finish(); !status) return tl::unexpected(status.error());
+  if (done == 0 && run.info.cycles > 0) return no_cycle_left(reader.path());
   for (auto& told : recorded(std::span(reader.damage()).subspan(known))) run.info.findings.push_back(std::move(told));
   restore_held(held, of_run(events), record);
   record.restore(findings_of(run.info, run.only_words));

@@ -31,19 +31,21 @@ Held held(const LastingMagnitude& lasting, std::int64_t limit) {
   return {largest ? std::optional(largest->magnitude) : std::nullopt, lasting.margin(limit), limit};
 }
 
-/// One of the two verdicts: in sync at the end, never lost since, and as far from its limit as wanted.
+/// One of the two verdicts: in sync at the end, never lost since, and as far from its limit as wanted. A slave that
+/// went while it followed the reference clock is a loss, too, as in the overview: the verdict itself speaks of the
+/// others.
 Criterion judge_sync(Kind kind, const SyncLamp& lamp, const Held& held, const SyncOverview& overview,
                      double least_margin) {
   const auto limit = held.limit;
   Criterion criterion{.kind = kind, .required = limit};
   criterion.state = lamp.state;
-  criterion.state_for = overview.end - lamp.since;
-  criterion.times_lost = lamp.times_lost;
+  criterion.state_for = overview.end - lamp.of_all_since();
+  criterion.times_lost = lamp.times_any_lost();
   criterion.least_margin = least_margin;
   if (!is_watched(lamp.state) || limit <= 0) return criterion;
   criterion.found = held.magnitude;
   criterion.margin = held.margin;
-  criterion.verdict = kept_if(overview.armed && lamp.state == SyncState::kInSync && lamp.times_lost == 0 &&
+  criterion.verdict = kept_if(overview.armed && lamp.state == SyncState::kInSync && lamp.times_any_lost() == 0 &&
                               criterion.margin && *criterion.margin >= least_margin);
   return criterion;
 }

@@ -94,16 +94,22 @@ void SqlDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(
 void SqlDatabase::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
-  return open_with(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  return open_with(path, path.empty() ? ":memory:" : path.c_str(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
 }
 
-Result<SqlDatabase> SqlDatabase::open_to_read(const std::string& path) { return open_with(path, SQLITE_OPEN_READONLY); }
+Result<SqlDatabase> SqlDatabase::open_to_read(const std::string& path) {
+  return open_with(path, path.empty() ? ":memory:" : path.c_str(), SQLITE_OPEN_READONLY);
+}
 
-Result<SqlDatabase> SqlDatabase::open_with(const std::string& path, int flags) {
+Result<SqlDatabase> SqlDatabase::open_temporary(const std::string& path) {
+  return open_with(path, "", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+}
+
+Result<SqlDatabase> SqlDatabase::open_with(const std::string& path, const char* file, int flags) {
   SqlDatabase opened;
   opened.path_ = path;
   sqlite3* database = nullptr;
-  int code = sqlite3_open_v2(path.empty() ? ":memory:" : path.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  int code = sqlite3_open_v2(file, &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   opened.database_.reset(database);
   if (code == SQLITE_OK) code = add_row_crc(database);
   if (code != SQLITE_OK) {

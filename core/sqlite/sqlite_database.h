@@ -70,6 +70,9 @@ class SqlDatabase {
   /// One that exists, to be looked at: what a killed program left in its log is read too.
   [[nodiscard]] static Result<SqlDatabase> open_to_read(const std::string& path);
 
+  /// An empty one on the disk, where temporary files lie, that ends with this object; `path`: what it calls itself.
+  [[nodiscard]] static Result<SqlDatabase> open_temporary(const std::string& path);
+
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Statements without parameters and rows, several separated by ";".
   [[nodiscard]] Status execute(const char* sql);
@@ -81,7 +84,7 @@ class SqlDatabase {
   [[nodiscard]] std::int64_t last_row() const;
 
  private:
-  static Result<SqlDatabase> open_with(const std::string& path, int flags);
+  static Result<SqlDatabase> open_with(const std::string& path, const char* file, int flags);
   struct Close {
     void operator()(sqlite3* database) const;
   };

@@ -148,7 +148,9 @@ class DictionaryReader {
       has_array = static_cast<bool>(find(item.child("Type").trimmed()).child("ArrayInfo")) || has_array;
       add_item(object, item, flags);
     }
-    std::ranges::stable_sort(object.entries, {}, &ObjectEntry::sub_index);
+    // Nearly every file has them in order; entries are large.
+    if (!std::ranges::is_sorted(object.entries, {}, &ObjectEntry::sub_index))
+      std::ranges::stable_sort(object.entries, {}, &ObjectEntry::sub_index);
     object.code = has_array && is_uniform_array(object) ? ObjectCode::kArray : ObjectCode::kRecord;
   }
 

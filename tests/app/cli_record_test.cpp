@@ -399,10 +399,20 @@ TEST_F(CliRecord, FiguresWithoutARangeAreSinceItWasArmed) {
 TEST_F(CliRecord, VerifiesAndExplains) {
   ASSERT_EQ(run().code, cli::kDone);
   EXPECT_EQ(cli_run({"record", "verify", recording}).code, cli::kDone);
-  std::filesystem::resize_file(recording, std::filesystem::file_size(recording) / 2);
+  const auto size = std::filesystem::file_size(recording);
+  std::filesystem::resize_file(recording, size * 3 / 4);
   const auto cut = cli_run({"record", "verify", recording});
   EXPECT_EQ(cut.code, cli::kAnswerIsNo);
-  EXPECT_THAT(cut.err, HasSubstr("damaged or cut off"));
+  EXPECT_THAT(cut.err, AllOf(HasSubstr("The file is cut off: "), Not(HasSubstr(".."))));
+  const auto left = cli_run({"record", "info", recording});
+  EXPECT_EQ(left.code, cli::kDone) << left.err;
+  EXPECT_THAT(left.out + left.err, HasSubstr("is cut off"));
+  std::filesystem::resize_file(recording, size / 20);
+  for (const auto* const command : {"verify", "info"}) {
+    const auto none = cli_run({"record", command, recording});
+    EXPECT_EQ(none.code, command == std::string("verify") ? cli::kAnswerIsNo : cli::kFailed) << none.out;
+    EXPECT_THAT(none.err, AllOf(HasSubstr("damaged or cut off"), HasSubstr("no whole cycle"), HasSubstr(recording)));
+  }
   const auto other = cli_run({"record", "verify", project});
   EXPECT_EQ(other.code, cli::kFailed);
   EXPECT_THAT(other.err, HasSubstr("another kind of file"));

@@ -137,9 +137,9 @@ void look(SpikePicture& picture, const SpikedSeries& data, std::size_t first, st
 
 void tell(RatioReport& report, const std::string& of, const Seen& seen) {
   const auto windows = " in " + std::to_string(seen.windows) + " windows";
-  report.add_count(of + ": spikes not drawn", static_cast<double>(seen.missed), "of", static_cast<double>(seen.spikes),
-                   "spikes" + windows, kNone);
-  report.add_count(of + ": spikes that are none", static_cast<double>(seen.invented), "of",
+  report.add_count("G12 " + of + ": spikes not drawn", static_cast<double>(seen.missed), "of",
+                   static_cast<double>(seen.spikes), "spikes" + windows, kNone);
+  report.add_count("G12 " + of + ": spikes that are none", static_cast<double>(seen.invented), "of",
                    static_cast<double>(seen.spikes), "spikes" + windows, kNone);
 }
 
@@ -233,7 +233,7 @@ void columns_stay(RatioReport& report) {
       if (after != fresh) ++changed;
     }
   }
-  report.add_count("columns that change as a window slides", static_cast<double>(changed), "of",
+  report.add_count("G13 columns that change as a window slides", static_cast<double>(changed), "of",
                    static_cast<double>(compared), "inner columns, 10000 slides", kNone);
 }
 
@@ -337,21 +337,21 @@ void nobody_paints_what_nobody_sees(RatioReport& report) {
   const double usual_ns = shown.ns();
   const auto plots = static_cast<double>(shown.plots_painted());
   shown.window().hide();
-  report.add_count("paints while hidden", static_cast<double>(shown.run(kTicks).painted()), "of", usual,
+  report.add_count("G18 paints while hidden", static_cast<double>(shown.run(kTicks).painted()), "of", usual,
                    "while shown, 300 ticks", kNone);
   report.add("a tick while hidden", shown.ns(), "while shown", usual_ns, 0.5);
   shown.window().show();
   shown.window().showMinimized();
   shown.run(10);  // what was wanted before
-  report.add_count("paints while minimised", static_cast<double>(shown.run(kTicks).painted()), "of", usual,
+  report.add_count("G18 paints while minimised", static_cast<double>(shown.run(kTicks).painted()), "of", usual,
                    "while shown, 300 ticks", kNone);
   shown.window().showNormal();
   shown.run(30);
   // Words say by how much the picture is behind; the plots stand.
   shown.strip().timeView()->freeze();
   shown.run(30);
-  report.add_count("plots painted while frozen", static_cast<double>(shown.run(kTicks).plots_painted()), "of", plots,
-                   "while shown, 300 ticks", kNone);
+  report.add_count("G18 plots painted while frozen", static_cast<double>(shown.run(kTicks).plots_painted()), "of",
+                   plots, "while shown, 300 ticks", kNone);
 }
 
 }  // namespace

@@ -224,13 +224,14 @@ void bench_dashboard(RatioReport& report) {
     ticked += (processor_seconds() - begin) * 1e9;
   }
   const double tick = ticked / kTicks;
-  report.add("six plots and overview, 200 slaves: a tick", tick, "how long it lasts", static_cast<double>(kTick), 0.25);
-  report.add("the same", tick, "six Qwt curves, aggressive filter", plain, 0.25);
+  report.add("G17 six plots and overview, 200 slaves: a tick", tick, "how long it lasts", static_cast<double>(kTick),
+             0.25);
+  report.add("G17 the same", tick, "six Qwt curves, aggressive filter", plain, 0.25);
   report.add_count("samples lost in a quarter of an hour", static_cast<double>(ring.overruns()), "of",
                    static_cast<double>(produced), "samples", 1e-12);
   // A MiB a minute at most.
   constexpr int kMeasured = kMinutes - kFilled;
-  report.add_count("memory after a quarter of an hour", resident_mib(), "MiB", memory, "MiB after ten minutes",
+  report.add_count("G19 memory after a quarter of an hour", resident_mib(), "MiB", memory, "MiB after ten minutes",
                    1.0 + kMeasured / memory);
 }
 
@@ -244,7 +245,7 @@ void bench_blocked(RatioReport& report) {
     std::vector<CycleSample> samples;
     ring.pop(samples);
     const auto missing = cycles - samples.size();
-    report.add_count(fmt::format("window blocked for {} s: samples missing", seconds), static_cast<double>(missing),
+    report.add_count(fmt::format("G15 window blocked for {} s: samples missing", seconds), static_cast<double>(missing),
                      "of", static_cast<double>(cycles), "samples", seconds == 5 ? 1e-12 : 0);
     if (missing != ring.overruns()) report.add_failure("samples missing", "the ring counts others than are missing");
   }
@@ -304,7 +305,7 @@ void bench_push(RatioReport& report) {
   };
   const auto read = slow([&] { (void)now(); });
   const auto push = slow([&] { (void)ring.push(sample); });
-  report.add("sample through the ring, p99.9", push, "reading the clock, p99.9", read, 10);
+  report.add("G14 sample through the ring, p99.9", push, "reading the clock, p99.9", read, 10);
   // Of a recording the cyclic thread knows nothing: what is written is what comes out of the ring.
   report.add("the same, all that a recording asks of the cyclic thread", push, "a microsecond", kMicrosecond, 1);
 }
@@ -379,7 +380,7 @@ void bench_producer(RatioReport& report) {
     return of[kPairs / 2];
   };
   const auto without = median(headless);
-  report.add("cyclic thread late with six plots, p99.9", median(shown), "without a window, p99.9", without, 2);
+  report.add("G16 cyclic thread late with six plots, p99.9", median(shown), "without a window, p99.9", without, 2);
 }
 
 }  // namespace

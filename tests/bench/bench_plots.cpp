@@ -161,12 +161,13 @@ void compare_rivals(RatioReport& report, const std::string& what, double ours, c
   const auto qcustomplot = qcustomplot_picture(data.points, -900, 900);
   switch (data.size) {
     case 100'000:
-      return compare_rival(report, what, ours, "QCustomPlot, adaptive", qcustomplot, 1);
+      return compare_rival(report, "G5 " + what, ours, "QCustomPlot, adaptive", qcustomplot, 1);
     case 1'000'000:
-      compare_rival(report, what, ours, "QCustomPlot, adaptive", qcustomplot, 1.0 / 3);
-      return compare_rival(report, what, ours, "Qt Charts", qtcharts_picture(data.points, -900, 900), 1.0 / 150);
+      compare_rival(report, "G4 " + what, ours, "QCustomPlot, adaptive", qcustomplot, 1.0 / 3);
+      return compare_rival(report, "G4 " + what, ours, "Qt Charts", qtcharts_picture(data.points, -900, 900),
+                           1.0 / 150);
     case 10'000'000:
-      return compare_rival(report, what, ours, "QCustomPlot, adaptive", qcustomplot, 1.0 / 12);
+      return compare_rival(report, "G3 " + what, ours, "QCustomPlot, adaptive", qcustomplot, 1.0 / 12);
     default:
       return;
   }
@@ -178,22 +179,24 @@ void compare_sizes(RatioReport& report) {
     int count;
     const char* name;
     double gate, aggressive_gate;
+    const char *number = "", *aggressive_number = "";  // of the gate
   };
   std::map<int, double> ours;
-  for (const auto& size : {Size{1'000, "1 k", 2, 0}, Size{10'000, "10 k", 1, 0}, Size{100'000, "100 k", 1.0 / 8, 1},
-                           Size{1'000'000, "1 M", 1.0 / 60, 1.0 / 10}, Size{10'000'000, "10 M", 1.0 / 300, 1.0 / 60}}) {
+  for (const auto& size :
+       {Size{1'000, "1 k", 2, 0, "G6 "}, Size{10'000, "10 k", 1, 0}, Size{100'000, "100 k", 1.0 / 8, 1},
+        Size{1'000'000, "1 M", 1.0 / 60, 1.0 / 10}, Size{10'000'000, "10 M", 1.0 / 300, 1.0 / 60, "G1 ", "G2 "}}) {
     Data data(size.count);
     ours[size.count] = item_time(data, canvas);
     const std::string what = std::string("draw ") + size.name + " points";
-    report.add(what, ours[size.count], "Qwt curve", curve_time(data, canvas, false), size.gate);
-    report.add(what, ours[size.count], "Qwt curve, aggressive filter", curve_time(data, canvas, true),
-               size.aggressive_gate);
+    report.add(size.number + what, ours[size.count], "Qwt curve", curve_time(data, canvas, false), size.gate);
+    report.add(size.aggressive_number + what, ours[size.count], "Qwt curve, aggressive filter",
+               curve_time(data, canvas, true), size.aggressive_gate);
     compare_rivals(report, what, ours[size.count], data);
     if (size.count == 10'000'000) {
-      report.add("draw 1 % of 10 M points", item_time(data, canvas, 0.01), "all of them", ours[size.count], 1.5);
+      report.add("G8 draw 1 % of 10 M points", item_time(data, canvas, 0.01), "all of them", ours[size.count], 1.5);
     }
   }
-  report.add("draw 10 M points", ours[10'000'000], "1 k points", ours[1'000], 4);
+  report.add("G7 draw 10 M points", ours[10'000'000], "1 k points", ours[1'000], 4);
 }
 
 void compare_scales(RatioReport& report) {
@@ -203,7 +206,7 @@ void compare_scales(RatioReport& report) {
   const double curve_at_one = curve_time(data, plain, true);
   for (const double scale : {1.25, 2.0}) {
     Canvas canvas(scale);
-    const auto name = "draw 100 k points, display scale " + std::string(scale == 2.0 ? "2" : "1.25");
+    const auto name = "G9 draw 100 k points, display scale " + std::string(scale == 2.0 ? "2" : "1.25");
     report.add(name, item_time(data, canvas), "scale 1", at_one, scale == 2.0 ? 6 : 2);
     report.add("Qwt curve, the same", curve_time(data, canvas, true), "scale 1", curve_at_one, 0);
   }
@@ -235,7 +238,7 @@ void compare_live(RatioReport& report) {
     data.curve.drawSeries(&painter, map(points.first().x(), points.last().x(), 0, kCanvas.width()),
                           map(-900, 900, kCanvas.height(), 0), QRectF(QPointF(), kCanvas), 0, -1);
   });
-  report.add("133 new samples and redraw, 10 M history", ours, "Qwt curve, aggressive filter", theirs, 1.0 / 100);
+  report.add("G11 133 new samples and redraw, 10 M history", ours, "Qwt curve, aggressive filter", theirs, 1.0 / 100);
 }
 
 /// The live strip as it runs: 8 kHz, 20 slaves, a minute shown, 30 redraws a second.
@@ -383,7 +386,8 @@ void compare_slaves(RatioReport& report) {
   report.add("the same", frame - append, "300 Qwt curves, aggressive filter", curves, 1.0 / 40);
   const auto map = map_time(
       record, kMinutes * 60 * kSecond, [&] { produce(kPerTick); }, append);
-  report.add("heat map alone: a frame", map, "300 Qwt curves, aggressive filter", curves, 1.0 / 50);
+  report.add("G10 heat map alone: a frame", map, "8 ms", 8e6, 1);
+  report.add("G10 the same", map, "300 Qwt curves, aggressive filter", curves, 1.0 / 50);
 }
 
 int run() {

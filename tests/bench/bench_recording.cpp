@@ -96,6 +96,26 @@ Taken measure(const std::function<bool()>& work) {
   return taken;
 }
 
+/// A gigabyte, as its user waits for it: who reads it from a disk waits for the disk, too.
+void bench_gigabyte(RatioReport& report, double bytes_a_cycle) {
+  constexpr double kGigabyte = 1e9, kTwoSeconds = 2e9;
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("long.slrec");
+  const auto cycles = static_cast<std::size_t>(1.01 * kGigabyte / bytes_a_cycle);
+  if (const auto status = write_recording(path, cycles); !status)
+    return report.add_failure("write a gigabyte", describe(status.error()));
+  const auto size = static_cast<double>(std::filesystem::file_size(path));
+  if (size < kGigabyte) return report.add_failure("write a gigabyte", fmt::format("it has {:.0f} MiB", size / kMiB));
+  const auto bytes = measure([&] {
+    read_bytes(path);
+    return true;
+  });
+  const auto drawn = measure([&] { return draw_first(path); });
+  if (!bytes.done || !drawn.done) return report.add_failure("open a gigabyte", "it could not be read");
+  report.add(fmt::format("first picture of {:.0f} MiB", size / kMiB), drawn.ns, "two seconds", kTwoSeconds, 1);
+  report.add("the same", drawn.ns, "reading its bytes", bytes.ns, 0);
+}
+
 void bench_open(RatioReport& report) {
   const test::TemporaryFolder folder;
   const auto path = folder.file("run.slrec");
@@ -115,6 +135,8 @@ void bench_open(RatioReport& report) {
   if (!moment) return report.add_failure("a moment", "it could not be shown");
   report.add("any moment of it, the slowest", *moment, "a picture, 30 a second", 33e6, 1);
   report.add_count("memory of it, open", opened.mib, "MiB", mib, "MiB of the file", 3);
+  std::filesystem::remove(path);
+  bench_gigabyte(report, mib * kMiB / static_cast<double>(kCycles));
 }
 
 }  // namespace

@@ -22,12 +22,12 @@ inline NetworkConfig three_slaves() {
   return config;
 }
 
-/// A recording of kCycles cycles that meets everything.
-inline Status write_recording(const std::string& path) {
+/// A recording that meets everything.
+inline Status write_recording(const std::string& path, std::size_t cycles = kCycles) {
   auto writer = RecordingWriter::create(path, about_run(three_slaves()));
   if (!writer) return tl::unexpected(writer.error());
   test::MadeSamples made(1);
-  for (std::size_t done = 0; done < kCycles; done += kBatch) {
+  for (std::size_t done = 0; done < cycles; done += kBatch) {
     RecordingBatch batch;
     batch.samples = made.next(kBatch);
     if (auto status = writer->write(batch); !status) return status;

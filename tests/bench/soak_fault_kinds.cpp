@@ -4,6 +4,33 @@
 namespace syncline::bench {
 namespace {
 
+std::vector<Signal> of_ports(std::vector<PortSignal> kinds) {
+  std::vector<Signal> all;
+  for (std::size_t port = 0; port < kPorts; ++port) {
+    for (const auto kind : kinds) all.push_back(port_signal(port, kind));
+  }
+  return all;
+}
+
+std::vector<Signal> operator+(std::vector<Signal> some, const std::vector<Signal>& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  return some;
+}
+
+/// Who gets no outputs for a few cycles counts it, and a drive falls by it.
+const std::vector<Signal> kWithoutOutputs{Signal::kSm2Missed, Signal::kSetpointSlips, Signal::kAlState};
+const std::vector<Signal> kDeviations{Signal::kDeviation, Signal::kSlaveDeviation};
+/// Who is away, and who is behind it; their clocks settle anew when they are back.
+std::vector<Signal> away() {
+  return std::vector{Signal::kWkcErrors, Signal::kAlState, Signal::kProcessDataWatchdog} + kDeviations +
+         of_ports({PortSignal::kLostLinks});
+}
+/// The machine that was never in OP.
+const std::vector<Signal> kStayedDown{Signal::kAlState};
+/// What the firmware tells by its mailbox.
+const std::vector<Signal> kToldByMailbox{Signal::kOutputsExceeded, Signal::kInputsExceeded,
+                                         Signal::kOutputsShiftTooShort, Signal::kInputsShiftTooShort};
+
 std::vector<SoakFaultKind> line_kinds() {
   return {
       {.name = "lost frames",
@@ -12,43 +39,61 @@ std::vector<SoakFaultKind> line_kinds() {
        .most_count = 4,
        .events = {kind_of<events::FramesLost>},
        .findings = {code::kFramesLost},
-       .also = {code::kMissedByLostFrames, code::kSlaveFellByMisses}},
+       .also = {code::kMissedByLostFrames, code::kSlaveFellByMisses, code::kFramesLostInFront},
+       .shows = {Signal::kLostFrames},
+       .may_show = kWithoutOutputs},
       {.name = "lost on a cable",
        .kind = FaultKind::kLoseFrames,
        .victims = {1, 2, 3, 4, 5},
        .most_count = 4,
        .events = {kind_of<events::FramesLost>},
        .findings = {code::kFramesLost},
-       .also = {code::kMissedByLostFrames, code::kSlaveFellByMisses}},
+       .also = {code::kMissedByLostFrames, code::kSlaveFellByMisses, code::kFramesLostInFront, code::kFramesLostBehind},
+       .shows = {Signal::kLostFrames},
+       .may_show = kWithoutOutputs},
       {.name = "damaged frames",
        .kind = FaultKind::kBitErrors,
        .victims = {0, 1, 2, 3, 4, 5},
        .most_count = 4,
        .events = {kind_of<events::PortErrors>},
        .findings = {code::kPortErrors, code::kFramesLostByNoise},
-       .also = {code::kMissedByLostFrames, code::kSlaveFellByMisses}},
+       .also = {code::kMissedByLostFrames, code::kSlaveFellByMisses},
+       .shows = of_ports({PortSignal::kInvalidFrames, PortSignal::kReceiveErrors}),
+       .may_show = kWithoutOutputs + std::vector{Signal::kLostFrames} + of_ports({PortSignal::kForwardedErrors})},
       {.name = "cable break",
        .kind = FaultKind::kCableBreak,
        .victims = {1, 2, 3, 4, 5},
        .shortest = 2 * kSecond,
        .longest = 20 * kSecond,
        .findings = {code::kSlaveWasAbsent},
-       .also = {code::kSlaveWasAbsent, code::kLinkLost}},
+       .also = {code::kSlaveWasAbsent, code::kLinkLost, code::kFramesWayChanged},
+       .shows = {Signal::kAlState},
+       .may_show = away()},
       {.name = "power off",
        .kind = FaultKind::kSlaveOff,
        .victims = {1, 2, 3, 4, 5},
        .shortest = 2 * kSecond,
        .longest = 20 * kSecond,
        .findings = {code::kSlaveWasAbsent},
-       .also = {code::kSlaveWasAbsent, code::kLinkLost}},
-      {.name = "foreign frames", .kind = FaultKind::kForeignFrames, .victims = {}, .most_count = 200, .harmless = true},
+       .also = {code::kSlaveWasAbsent, code::kLinkLost, code::kFramesWayChanged},
+       .shows = {Signal::kAlState},
+       .may_show = away()},
+      {.name = "foreign frames",
+       .kind = FaultKind::kForeignFrames,
+       .victims = {},
+       .most_count = 25,  // eight of them: nobody clears 0x030C, which ends at 255
+       .findings = {code::kForeignFrames},
+       .shows = {Signal::kProcessingUnitErrors},
+       .may_show = of_ports({PortSignal::kForwardedErrors})},
       {.name = "reversed cable",
        .kind = FaultKind::kReversedCable,
        .victims = {2, 3},
        .port = 1,
        .while_down = true,
        .events = {kind_of<events::DelayFinding>, kind_of<events::Failure>},
-       .also = {code::kSlaveAbsent}},
+       .also = {code::kSlaveAbsent},
+       .shows = kStayedDown,
+       .may_show = kStayedDown},
       {.name = "closed ring",
        .kind = FaultKind::kClosedRing,
        .victims = {5},
@@ -68,7 +113,9 @@ std::vector<SoakFaultKind> host_kinds() {
        .least = 3 * kMillisecond,
        .most = 30 * kMillisecond,
        .findings = {code::kHostStalled},
-       .also = {code::kMissedByHost, code::kSlaveFellByMisses, code::kMasterLostLock}},
+       .also = {code::kMissedByHost, code::kSlaveFellByMisses, code::kMasterLostLock},
+       .shows = {Signal::kLeftOutCycles},
+       .may_show = kWithoutOutputs},
       {.name = "clock slew",
        .kind = FaultKind::kClockSlew,
        .victims = {},
@@ -77,7 +124,9 @@ std::vector<SoakFaultKind> host_kinds() {
        .ppm = 50,
        .events = {kind_of<events::DcmError>, kind_of<events::MasterOutOfSync>},
        .findings = {code::kMasterLostLock, code::kDcmError},
-       .also = {code::kSlaveLeftWindow, code::kWindowLeft}},
+       .also = {code::kSlaveLeftWindow, code::kWindowLeft},
+       .shows = {Signal::kDcmErrorFiltered},
+       .may_show = kDeviations},
       {.name = "host warms up",
        .kind = FaultKind::kTemperatureRamp,
        .victims = {},
@@ -106,7 +155,9 @@ std::vector<SoakFaultKind> clock_kinds() {
        .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>},
        .findings = {code::kSlaveLeftWindow},
        .also = {code::kWindowLeft, code::kShiftTooShort, code::kSlaveFellByMisses, code::kMissedUnexplained,
-                code::kSlaveFell}},
+                code::kSlaveFell},
+       .shows = kDeviations,
+       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort}},
       {.name = "offset step",
        .kind = FaultKind::kOffsetStep,
        .victims = {1, 2, 3, 4},
@@ -116,7 +167,9 @@ std::vector<SoakFaultKind> clock_kinds() {
        .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>},
        .findings = {code::kSlaveLeftWindow},
        .also = {code::kWindowLeft, code::kShiftTooShort, code::kSlaveFellByMisses, code::kMissedUnexplained,
-                code::kSlaveFell}},
+                code::kSlaveFell},
+       .shows = kDeviations,
+       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort}},
       {.name = "noisy delay",
        .kind = FaultKind::kNoisyDelay,
        .victims = {1, 2, 3, 4},
@@ -127,7 +180,8 @@ std::vector<SoakFaultKind> clock_kinds() {
        .period = 10 * kMillisecond,
        .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>},
        .findings = {code::kSlaveLeftWindow},
-       .also = {code::kWindowLeft}},
+       .also = {code::kWindowLeft},
+       .shows = kDeviations},
       {.name = "ignored clock writes",
        .kind = FaultKind::kIgnoredClockWrites,
        .victims = {1, 2, 3},
@@ -135,21 +189,27 @@ std::vector<SoakFaultKind> clock_kinds() {
        .switched_on_anew = true,
        .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>, kind_of<events::Failure>},
        .findings = {code::kSlaveLeftWindow, code::kSlavesOutOfSync, code::kSlavesSyncUnknown},
-       .also = {code::kSlaveBehind, code::kMasterNotLocked}},
+       .also = {code::kSlaveBehind, code::kMasterNotLocked},
+       .shows = kStayedDown + kDeviations,
+       .may_show = kStayedDown},
       {.name = "stuck port time",
        .kind = FaultKind::kStuckPortTime,
        .victims = {1, 2, 3},
        .port = 1,
        .while_down = true,
-       .events = {kind_of<events::DelayFinding>, kind_of<events::Failure>}},
+       .events = {kind_of<events::DelayFinding>, kind_of<events::Failure>},
+       .findings = {code::kDelayNotMeasured},
+       .also = {code::kDelayNotMeasured}},
       {.name = "wrong start time",
        .kind = FaultKind::kWrongStartTime,
        .victims = {1, 2},
        .least = 200 * kMicrosecond,
        .most = 800 * kMicrosecond,
        .while_down = true,
-       .harmless = true,
-       .also = {code::kShiftTooShort, code::kMissedUnexplained, code::kSlaveFellByItself, code::kSlaveFell}},
+       .findings = {code::kSync0Misplaced},
+       .also = {code::kSync0TooTight, code::kShiftTooShort, code::kMissedUnexplained, code::kSlaveFellByItself,
+                code::kSlaveFell},
+       .may_show = {Signal::kOutputsShiftTooShort, Signal::kSm2Missed, Signal::kAlState}},
       {.name = "SYNC0 left running",
        .kind = FaultKind::kSyncLeftRunning,
        .victims = {1, 2, 3},
@@ -163,7 +223,8 @@ std::vector<SoakFaultKind> clock_kinds() {
        .shortest = kSecond,
        .longest = 5 * kSecond,
        .events = {kind_of<events::AlStatusError>},
-       .findings = {code::kSlaveFellByItself}},
+       .findings = {code::kSlaveFellByItself},
+       .shows = {Signal::kAlState}},
   };
 }
 
@@ -176,13 +237,16 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .code = 0x001E,
        .while_down = true,
        .events = {kind_of<events::AlStatusError>, kind_of<events::Failure>},
-       .findings = {code::kSlaveBehind, code::kSlaveFell}},
+       .findings = {code::kSlaveBehind, code::kSlaveFell, code::kSlaveRefused},
+       .shows = kStayedDown,
+       .may_show = kStayedDown},
       {.name = "mailbox silent",
        .kind = FaultKind::kMailboxSilence,
        .victims = {1, 2, 3, 4},
        .shortest = 20 * kSecond,
        .longest = 40 * kSecond,
-       .findings = {code::kMailboxSilent}},
+       .findings = {code::kMailboxSilent},
+       .gaps = kToldByMailbox},
       {.name = "mailbox slow",
        .kind = FaultKind::kSlowMailbox,
        .victims = {1, 2, 3, 4},
@@ -190,7 +254,8 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .longest = 60 * kSecond,
        .least = 2'200 * kMillisecond,
        .most = 4 * kSecond,
-       .findings = {code::kMailboxSilent}},
+       .findings = {code::kMailboxSilent},
+       .gaps = kToldByMailbox},
       {.name = "firmware slow",
        .kind = FaultKind::kSlowApplication,
        .victims = {1, 2, 3},
@@ -198,7 +263,8 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .longest = 5 * kSecond,
        .least = 1'500 * kMicrosecond,
        .most = 8 * kMillisecond,
-       .findings = {code::kFirmwareSlow}},
+       .findings = {code::kFirmwareSlow},
+       .shows = {Signal::kOutputsExceeded}},
       {.name = "firmware hangs",
        .kind = FaultKind::kStopApplication,
        .victims = {1, 2, 3, 4},
@@ -206,7 +272,8 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .longest = 3 * kSecond,
        .events = {kind_of<events::WatchdogExpired>},
        .findings = {code::kFirmwareHung},
-       .also = {code::kMailboxSilent}},
+       .also = {code::kMailboxSilent},
+       .shows = {Signal::kPdiWatchdog}},
   };
 }
 

@@ -8,6 +8,7 @@
 #include "config/sim_config.h"
 #include "findings/finding.h"
 #include "findings/run_codes.h"
+#include "trace/signals.h"
 
 namespace syncline::bench {
 
@@ -31,6 +32,9 @@ struct SoakFaultKind {
   std::vector<EventKind> events{};           // any of them tells it,
   std::vector<std::string_view> findings{};  // or any of these, of the victim where it names a slave
   std::vector<std::string_view> also{};      // what it brings with it, of anybody
+  std::vector<Signal> shows{};               // any of these shows it in the plots, of the victim or of the bus,
+  std::vector<Signal> gaps{};  // or that any of these is not known for a while, of the victim; neither: events alone
+  std::vector<Signal> may_show{};  // what it brings with it there, of anybody
 };
 
 /// Positions as in soak_faults: 0 terminal, 1 and 2 servos, 3 drive, 4 gateway, 5 terminal.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // soak_faults [HOURS [FAULTS [SEED]]]: one master on one simulated machine for so many virtual hours (24), brought up
-// anew for each of so many faults (200) of every kind at random times. Each must be told by its kind, nothing else
-// accused, and the memory stay what it was. Exit code 1 when a promise is missed.
+// anew for each of so many faults (200) of every kind at random times. Each must be told by its kind and be seen in the
+// plots, nothing else accused or seen there, and the memory stay what it was. Exit code 1 when a promise is missed.
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@
 #include "app/cli/cli.h"
 #include "app/cli/event_text.h"
 #include "bench/soak_fault_kinds.h"
+#include "bench/soak_plots.h"
+#include "config/sync_grid.h"
 #include "eni/esi/esi_reader.h"
 #include "link/simulated_host.h"
 #include "support/random.h"
@@ -48,7 +51,9 @@ test::SimulatedNetwork machine(Random& random) {
   return network;
 }
 
+/// Without what the allocator keeps for later: the store of a segment comes and goes.
 double resident_mb() {
+  ::malloc_trim(0);
   std::ifstream in("/proc/self/statm");
   std::size_t size = 0, resident = 0;
   in >> size >> resident;
@@ -57,8 +62,8 @@ double resident_mb() {
 
 /// What came out of one fault.
 struct Outcome {
-  bool told = false;
-  std::vector<std::string> accused;  // beyond what the kind brings with it
+  bool told = false, shown = true;
+  std::vector<std::string> accused, strange;  // beyond what the kind brings with it: findings, signals in the plots
   std::string log;
 };
 
@@ -131,14 +136,18 @@ class Soak {
            !event.is<events::MasterInSync>();
   }
 
-  void drain(RunRecorder& recorder, std::vector<Event>& events, Snapshot& snapshot) {
+  void drain(RunRecorder& recorder, SampleStore& store, std::vector<Event>& events, Snapshot& snapshot) {
     auto& channels = service_->channels();
     const bool news = channels.snapshot.read(snapshot);
     samples_.clear();
     channels.samples.pop(samples_);
     recorder.add(samples_);
+    store.append(samples_);
+    auto drained = channels.events.drain();
+    for (const auto& event : drained) store.append(event);
     if (news) recorder.add(snapshot);
-    for (auto& event : channels.events.drain()) {
+    if (news) store.append(snapshot);
+    for (auto& event : drained) {
       recorder.add(event);
       events.push_back(std::move(event));
     }
@@ -150,6 +159,12 @@ class Soak {
     const auto config = network_.compiled();
     clock_.advance_to(start + 2 * kSecond);
     RunRecorder recorder(config);
+    const auto limits = limits_of(config);
+    SampleStore store({.slaves = config.slaves.size(),
+                       .cycle_time = limits.cycle_time,
+                       .cycle_capacity = static_cast<std::size_t>(length_ / limits.cycle_time),
+                       .sync0 = sync0_slaves(config),
+                       .sync_grid = sync_grid(config).value_or(0)});
     std::vector<Event> events;
     Snapshot snapshot;
     service_->channels().commands.push(GoOnlineCommand{config, AlState::kOp});
@@ -157,13 +172,33 @@ class Soak {
       const auto before = clock_.now();
       service_->run_for(std::min<Nanoseconds>(100 * kMillisecond, end - clock_.now()));
       if (clock_.now() == before) clock_.advance_to(before + 100 * kMillisecond);
-      drain(recorder, events, snapshot);
+      drain(recorder, store, events, snapshot);
     }
     const auto report = recorder.finish(snapshot);
     service_->channels().commands.push(GoOfflineCommand{});
     service_->run_for(kSecond / 2);
     (void)service_->channels().events.drain();
-    return outcome_of(segment, report, events);
+    auto outcome = outcome_of(segment, report, events);
+    look_at_plots(segment, store, limits, outcome);
+    return outcome;
+  }
+
+  /// From where the machine is up: what is thrown in before shows in the bring-up, which is judged by its events.
+  void look_at_plots(std::size_t segment, const SampleStore& store, const RunLimits& limits, Outcome& outcome) const {
+    const auto& fault = thrown_in_[segment];
+    const auto& kind = soak_fault_kinds()[segment % soak_fault_kinds().size()];
+    const auto from = begin_ + start_of(segment) + kBringUp;
+    outcome.shown = (kind.shows.empty() && kind.gaps.empty()) || std::ranges::any_of(kind.gaps, [&](Signal signal) {
+                      return has_gap(store, signal, static_cast<std::size_t>(fault.slave), from);
+                    });
+    for (const auto& shown : shown_out_of_order(store, limits, from)) {
+      outcome.log += "plots: " + text_of(shown) + "\n";
+      const bool concerns = fault.slave < 0 || shown.slave < 0 || shown.slave == fault.slave;
+      const bool shows = concerns && std::ranges::find(kind.shows, shown.signal) != kind.shows.end();
+      const bool follows = std::ranges::find(kind.may_show, shown.signal) != kind.may_show.end();
+      outcome.shown = outcome.shown || shows;
+      if (!shows && !follows) outcome.strange.push_back(text_of(shown));
+    }
   }
 
   Outcome outcome_of(std::size_t segment, const RunReport& report, const std::vector<Event>& events) const {
@@ -199,34 +234,44 @@ class Soak {
     ++count.faults;
     count.told += outcome.told ? 1 : 0;
     count.accused += outcome.accused.empty() ? 0 : 1;
-    if (outcome.told && outcome.accused.empty() && !loud) return;
+    count.shown += outcome.shown ? 1 : 0;
+    count.strange += outcome.strange.empty() ? 0 : 1;
+    const bool kept = outcome.told && outcome.shown && outcome.accused.empty() && outcome.strange.empty();
+    if (kept && !loud) return;
     fmt::print("{} fault {} ({}, slave {}, at {:.3f} s, value {} ns, count {}){}\n", loud ? "-" : "MISSED", segment,
                kind.name, fault.slave, static_cast<double>(fault.at - start_of(segment)) / 1e9, fault.value_ns,
-               fault.count, outcome.told ? "" : ": not told");
+               fault.count,
+               !outcome.told   ? ": not told"
+               : outcome.shown ? ""
+                               : ": not in the plots");
     for (const auto& words : outcome.accused) fmt::print("  accused: {}\n", words);
+    for (const auto& signal : outcome.strange) fmt::print("  in the plots, too: {}\n", signal);
     fmt::print("{}\n", outcome.log);
     std::fflush(stdout);
   }
 
   int report(double at_first, double most) const {
-    int faults = 0, told = 0, accused = 0;
+    Count all;
     for (const auto& [name, count] : counts_) {
-      fmt::print("{:24} {:4} faults {:4} told {:4} with a false finding\n", name, count.faults, count.told,
-                 count.accused);
-      faults += count.faults;
-      told += count.told;
-      accused += count.accused;
+      fmt::print("{:24} {:4} faults {:4} told {:4} with a false finding {:4} in the plots {:4} with something else\n",
+                 name, count.faults, count.told, count.accused, count.shown, count.strange);
+      all.faults += count.faults;
+      all.told += count.told;
+      all.accused += count.accused;
+      all.shown += count.shown;
+      all.strange += count.strange;
     }
     const double hours = static_cast<double>(clock_.now() - begin_) / 3.6e12;
     const bool flat = most - at_first <= 4.0;
     fmt::print(
-        "{:.1f} virtual hours, {} faults: {} told, {} with a false finding; {:.1f} MB at first, {:.1f} MB at most\n",
-        hours, faults, told, accused, at_first, most);
-    return told == faults && accused == 0 && flat ? 0 : 1;
+        "{:.1f} virtual hours, {} faults: {} told, {} with a false finding, {} in the plots, {} with something else "
+        "there; {:.1f} MB at first, {:.1f} MB at most\n",
+        hours, all.faults, all.told, all.accused, all.shown, all.strange, at_first, most);
+    return all.told == all.faults && all.shown == all.faults && all.accused == 0 && all.strange == 0 && flat ? 0 : 1;
   }
 
   struct Count {
-    int faults = 0, told = 0, accused = 0;
+    int faults = 0, told = 0, accused = 0, shown = 0, strange = 0;
   };
   Random random_;
   VirtualClock clock_;

@@ -330,6 +330,18 @@ TEST_F(PictureProgram, WritesAPictureWithoutADisplay) {
   EXPECT_FALSE(QImage(QString::fromStdString(path("c.png"))).isNull());
 }
 
+/// Its picture is made of what is left, and what is lost is told; of two, by the name of which.
+TEST_F(PictureProgram, SaysWhatIsLostOfARecording) {
+  const auto cut = path("cut.slrec");
+  std::filesystem::copy_file(path("run.slrec"), cut);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) * 3 / 4);
+  EXPECT_EQ(start({cut, "--picture", path("a.svg")}), 0) << err;
+  EXPECT_THAT(err, HasSubstr("cut.slrec: The file is cut off: "));
+  EXPECT_EQ(start({path("run.slrec"), "--picture", path("b.svg"), "--overlay", cut}), 0) << err;
+  EXPECT_THAT(err, HasSubstr("cut.slrec: The file is cut off: "));
+  EXPECT_THAT(err, testing::Not(HasSubstr("run.slrec")));
+}
+
 TEST_F(PictureProgram, SaysWhatItCannotDo) {
   const auto refused = [this](const std::vector<std::string>& arguments, int code, const char* words) {
     EXPECT_EQ(start(arguments), code) << words;
@@ -356,8 +368,9 @@ TEST_F(PictureProgram, SaysWhatItCannotDo) {
   refused({file, "--picture", path("none/out.png")}, 3, "none");
   const auto cut = path("damaged.slrec");
   std::filesystem::copy_file(file, cut);
-  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) / 2);
-  refused({cut, "--picture", out}, 3, "damaged");
+  const auto size = std::filesystem::file_size(cut);
+  std::filesystem::resize_file(cut, size / 20);
+  refused({cut, "--picture", out}, 3, "damaged or cut off (no whole cycle of it is left)");
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

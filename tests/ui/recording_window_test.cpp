@@ -427,6 +427,24 @@ TEST_F(RecordingWindow, TheWindowSaysThatItIsARecordingAndOfWhat) {
   EXPECT_EQ(window_.liveStrip().store(), &workspace_.live().record()->samples());
 }
 
+/// Of a file that was cut off what is whole is shown, and how much is lost is a finding.
+TEST_F(RecordingWindow, WhatIsLeftOfOneThatWasCutOffIsShown) {
+  record("run.slrec");
+  QFile file(path("run.slrec"));
+  ASSERT_TRUE(file.resize(file.size() * 3 / 4));
+  open("run.slrec");
+  ASSERT_TRUE(workspace_.recording().isOpen());
+  EXPECT_FALSE(workspace_.shownRecord()->samples().empty());
+  const auto& findings = workspace_.findings();
+  QStringList told;
+  for (int row = 0; row < findings.rowCount({}); ++row) {
+    if (findings.index(row, 0).data(FindingModel::kCodeRole) == QLatin1String("recording-cut-off"))
+      told << findings.index(row, FindingModel::kFinding).data().toString();
+  }
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_TRUE(told[0].startsWith(QStringLiteral("The file is cut off: "))) << told[0].toStdString();
+}
+
 /// Truncated, foreign, of the future, no file at all: explained, and everything stays as it is.
 TEST_F(RecordingWindow, WhatCannotBeReadLeavesEverythingAsItWas) {
   record("run.slrec");
@@ -438,7 +456,7 @@ TEST_F(RecordingWindow, WhatCannotBeReadLeavesEverythingAsItWas) {
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(content);
   };
-  put("cut.slrec", bytes.left(bytes.size() / 3));
+  put("cut.slrec", bytes.left(bytes.size() / 20));
   put("text.slrec", "these are words");
   put("empty.slrec", "");
   auto future = bytes;
@@ -459,6 +477,10 @@ TEST_F(RecordingWindow, WhatCannotBeReadLeavesEverythingAsItWas) {
         workspace_.messages().index(1, MessageModel::kText).data(Qt::DisplayRole).toString().toStdString();
     if (std::string_view(name) == "future.slrec") {
       EXPECT_THAT(why, testing::HasSubstr("version 99"));
+    }
+    if (std::string_view(name) == "cut.slrec") {
+      EXPECT_THAT(why, testing::AllOf(testing::HasSubstr("damaged or cut off (no whole cycle of it is left)"),
+                                      testing::HasSubstr("cut.slrec")));
     }
     for (auto* box : window_.findChildren<QDialog*>()) box->close();
   }

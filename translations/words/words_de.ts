@@ -2153,16 +2153,16 @@
         <translation>In einer importierten Aufzeichnung fehlen Antworten</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged and left out.</source>
-        <translation>Zeile {row} der Tabelle {table} ist beschädigt und fehlt.</translation>
+        <source>Row {row} of the table {table} is damaged and left out</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt und fehlt</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
-        <translation>Zeile {row} der Tabelle {table} ist beschädigt: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: Die Zyklen {first} bis {last} sind eine Lücke</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
-        <translation>Zeile {row} der Tabelle {table} ist beschädigt: {signal} ist in den Zyklen {first} bis {last} nicht bekannt.</translation>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}</source>
+        <translation>Zeile {row} der Tabelle {table} ist beschädigt: {signal} ist in den Zyklen {first} bis {last} nicht bekannt</translation>
     </message>
     <message>
         <source>SM2 events were missed because a clock had moved</source>
@@ -2277,6 +2277,70 @@
         <translation>{slave} ging oder kam bei {since}, und die dahinter waren bis zu {deviation} daneben, bis die Verzögerungen (0x0928) bei {renewed} neu gemessen wurden.</translation>
     </message>
     <message>
+        <source>A recording is cut off</source>
+        <translation>Eine Aufzeichnung ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>The file is shorter than it was: a copy, a transfer or a full disk ended within it. What is shown is as it was written; of what is lost nothing is known any more.</source>
+        <translation>Die Datei ist kürzer, als sie war: Eine Kopie, eine Übertragung oder ein voller Datenträger endete mitten in ihr. Was gezeigt wird, ist so, wie es geschrieben wurde; vom Verlorenen ist nichts mehr bekannt.</translation>
+    </message>
+    <message>
+        <source>Copy the whole file once more, from where it was written.</source>
+        <translation>Kopieren Sie die ganze Datei noch einmal von dort, wo sie geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>An imported capture was taken through a switch</source>
+        <translation>Ein importierter Mitschnitt lief über einen Switch</translation>
+    </message>
+    <message>
+        <source>A switch holds frames back, one behind the other, and stamps none: distances, round trips and jitter are its own as well, and what a mirror port cannot carry is missing.</source>
+        <translation>Ein Switch hält Frames zurück, einen hinter dem anderen, und stempelt keinen: Abstände, Umlaufzeiten und Jitter sind auch seine, und was ein Spiegelport nicht fasst, fehlt.</translation>
+    </message>
+    <message>
+        <source>Capture with a probe in the line, or on the master's own adapter.</source>
+        <translation>Schneiden Sie mit einer Sonde in der Leitung mit oder auf dem Adapter des Masters.</translation>
+    </message>
+    <message>
+        <source>{count:# frame is|# frames are} of a switch itself (spanning tree, neighbour discovery).</source>
+        <translation>{count:# Frame ist|# Frames sind} von einem Switch selbst (Spanning Tree, Nachbarsuche).</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame has|# EtherCAT frames have} a VLAN tag (802.1Q), which a switch has put on.</source>
+        <translation>{count:# EtherCAT-Frame hat|# EtherCAT-Frames haben} ein VLAN-Tag (802.1Q), das ein Switch angebracht hat.</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame came|# EtherCAT frames came} twice, byte for byte, as a mirror port sends what enters and leaves.</source>
+        <translation>{count:# EtherCAT-Frame kam|# EtherCAT-Frames kamen} Byte für Byte zweimal, wie ein Spiegelport sendet, was hinein- und hinausgeht.</translation>
+    </message>
+    <message>
+        <source>An imported capture was taken in a virtual machine</source>
+        <translation>Ein importierter Mitschnitt stammt aus einer virtuellen Maschine</translation>
+    </message>
+    <message>
+        <source>A hypervisor passes frames on when it gets to it, and its clock is not the host's: times are off by milliseconds at any moment.</source>
+        <translation>Ein Hypervisor reicht Frames weiter, wenn er dazu kommt, und seine Uhr ist nicht die des Rechners: Zeiten liegen jederzeit um Millisekunden daneben.</translation>
+    </message>
+    <message>
+        <source>Capture on a machine of its own, whose adapter stands at the bus.</source>
+        <translation>Schneiden Sie auf einem eigenen Rechner mit, dessen Adapter am Bus hängt.</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame was|# EtherCAT frames were} sent by {address}, the adapter of a virtual machine.</source>
+        <translation>{count:# EtherCAT-Frame wurde|# EtherCAT-Frames wurden} von {address} gesendet, dem Adapter einer virtuellen Maschine.</translation>
+    </message>
+    <message>
+        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>Die Datei ist abgeschnitten: {there} von {all} KiB sind da, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren</translation>
+    </message>
+    <message>
+        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>SQLite weist die Datei ab: Was gezeigt wird, wurde Seite für Seite gefunden, mit {cycles:# Zyklus|# Zyklen}; {count:# Block|# Blöcke} Werte von je etwa einer Sekunde {count:ist|sind} verloren</translation>
+    </message>
+    <message>
+        <source>no whole cycle of it is left</source>
+        <translation>kein ganzer Zyklus von ihr ist übrig</translation>
+    </message>
+    <message>
         <source>The log of a recording is missing</source>
         <translation>Das Protokoll einer Aufzeichnung fehlt</translation>
     </message>
@@ -2293,8 +2357,8 @@
         <translation>Die Zeilen einer Aufzeichnung tragen keine Prüfsummen</translation>
     </message>
     <message>
-        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
-        <translation>Die Zeilen des Blocks {block} widersprechen einander: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap</source>
+        <translation>Die Zeilen des Blocks {block} widersprechen einander: Die Zyklen {first} bis {last} sind eine Lücke</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4373,12 +4437,12 @@
         <translation>{count:# Frame|# Frames} kamen nicht zurück (bis zu {most} dicht beieinander, zuerst bei {since}), und {slave} hatte seine Ausgänge trotzdem: sie waren bei ihm vorbei, und kein Slave zählte einen Fehler an seinen Ports.</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
-        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}.</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
-        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}: Die Zyklen {first} bis {last} sind eine Lücke.</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap</source>
+        <translation>{count:# Zeile|# Zeilen} der Tabelle {table} {count:fehlt|fehlen}: Die Zyklen {first} bis {last} sind eine Lücke</translation>
     </message>
     <message>
         <source>{file} is an ENI, which holds one alone: leave the network out</source>

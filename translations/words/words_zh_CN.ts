@@ -2153,16 +2153,16 @@
         <translation>导入的抓包中缺少应答</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged and left out.</source>
-        <translation>表 {table} 的行 {row} 已损坏，已略去。</translation>
+        <source>Row {row} of the table {table} is damaged and left out</source>
+        <translation>表 {table} 的行 {row} 已损坏，已略去</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap.</source>
-        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 为空缺。</translation>
+        <source>Row {row} of the table {table} is damaged: cycles {first} to {last} are a gap</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 为空缺</translation>
     </message>
     <message>
-        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}.</source>
-        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 中的 {signal} 未知。</translation>
+        <source>Row {row} of the table {table} is damaged: {signal} is not known in cycles {first} to {last}</source>
+        <translation>表 {table} 的行 {row} 已损坏：周期 {first} 至 {last} 中的 {signal} 未知</translation>
     </message>
     <message>
         <source>SM2 events were missed because a clock had moved</source>
@@ -2277,6 +2277,70 @@
         <translation>{slave} 在 {since} 离开或到来，其后的从站偏差最大 {deviation}，直到 {renewed} 重新测量了延迟（0x0928）。</translation>
     </message>
     <message>
+        <source>A recording is cut off</source>
+        <translation>录制文件被截断</translation>
+    </message>
+    <message>
+        <source>The file is shorter than it was: a copy, a transfer or a full disk ended within it. What is shown is as it was written; of what is lost nothing is known any more.</source>
+        <translation>文件比原来短：复制、传输或磁盘写满时在其中间中断。所显示的与写入时一致；丢失的部分已无从得知。</translation>
+    </message>
+    <message>
+        <source>Copy the whole file once more, from where it was written.</source>
+        <translation>请从写入处重新复制整个文件。</translation>
+    </message>
+    <message>
+        <source>An imported capture was taken through a switch</source>
+        <translation>导入的抓包经过了交换机</translation>
+    </message>
+    <message>
+        <source>A switch holds frames back, one behind the other, and stamps none: distances, round trips and jitter are its own as well, and what a mirror port cannot carry is missing.</source>
+        <translation>交换机会逐个滞留报文，且不打时间戳：间隔、往返时间和抖动中也含有它自身的影响，镜像端口承载不下的报文会缺失。</translation>
+    </message>
+    <message>
+        <source>Capture with a probe in the line, or on the master's own adapter.</source>
+        <translation>请用串接在线路中的探头抓包，或在主站自己的网卡上抓包。</translation>
+    </message>
+    <message>
+        <source>{count:# frame is|# frames are} of a switch itself (spanning tree, neighbour discovery).</source>
+        <translation>有 {count} 个报文来自交换机自身（生成树、邻居发现）。</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame has|# EtherCAT frames have} a VLAN tag (802.1Q), which a switch has put on.</source>
+        <translation>有 {count} 个 EtherCAT 报文带有交换机加上的 VLAN 标签（802.1Q）。</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame came|# EtherCAT frames came} twice, byte for byte, as a mirror port sends what enters and leaves.</source>
+        <translation>有 {count} 个 EtherCAT 报文逐字节重复出现两次，正如镜像端口同时转发进出报文的情形。</translation>
+    </message>
+    <message>
+        <source>An imported capture was taken in a virtual machine</source>
+        <translation>导入的抓包来自虚拟机</translation>
+    </message>
+    <message>
+        <source>A hypervisor passes frames on when it gets to it, and its clock is not the host's: times are off by milliseconds at any moment.</source>
+        <translation>虚拟机管理程序在有空时才转发报文，且其时钟不是主机的时钟：时间随时可能偏差数毫秒。</translation>
+    </message>
+    <message>
+        <source>Capture on a machine of its own, whose adapter stands at the bus.</source>
+        <translation>请在网卡直接连接总线的独立计算机上抓包。</translation>
+    </message>
+    <message>
+        <source>{count:# EtherCAT frame was|# EtherCAT frames were} sent by {address}, the adapter of a virtual machine.</source>
+        <translation>有 {count} 个 EtherCAT 报文由虚拟机网卡 {address} 发出。</translation>
+    </message>
+    <message>
+        <source>The file is cut off: {there} of {all} KiB are there, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>文件被截断：{all} KiB 中有 {there} KiB，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失</translation>
+    </message>
+    <message>
+        <source>SQLite refuses the file: what is shown was found page by page, with {cycles:# cycle|# cycles}; {count:# block|# blocks} of values, about a second each, {count:is|are} lost</source>
+        <translation>SQLite 拒绝该文件：所显示的内容是逐页找到的，含 {cycles} 个周期；{count} 个数据块（每块约一秒）丢失</translation>
+    </message>
+    <message>
+        <source>no whole cycle of it is left</source>
+        <translation>没有剩下任何完整的周期</translation>
+    </message>
+    <message>
         <source>The log of a recording is missing</source>
         <translation>记录的日志缺失</translation>
     </message>
@@ -2293,8 +2357,8 @@
         <translation>记录的各行没有校验值</translation>
     </message>
     <message>
-        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap.</source>
-        <translation>块 {block} 的各行相互矛盾：周期 {first} 至 {last} 为空缺。</translation>
+        <source>The rows of block {block} contradict each other: cycles {first} to {last} are a gap</source>
+        <translation>块 {block} 的各行相互矛盾：周期 {first} 至 {last} 为空缺</translation>
     </message>
     <message>
         <source>Their own readings (0x092C) do not show it. Go online anew without the slave, or bring it back, before positions are compared across it.</source>
@@ -4373,12 +4437,12 @@
         <translation>{count:# 个帧|# 个帧}未返回（密集时最多 {most} 个，首次在 {since}），而 {slave} 仍收到了输出：这些帧已经过它，且没有从站在端口上计到错误。</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing.</source>
-        <translation>表 {table} 缺少 {count:# 行|# 行}。</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}</translation>
     </message>
     <message>
-        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap.</source>
-        <translation>表 {table} 缺少 {count:# 行|# 行}：周期 {first} 至 {last} 为空缺。</translation>
+        <source>{count:# row|# rows} of the table {table} {count:is|are} missing: cycles {first} to {last} are a gap</source>
+        <translation>表 {table} 缺少 {count:# 行|# 行}：周期 {first} 至 {last} 为空缺</translation>
     </message>
     <message>
         <source>{file} is an ENI, which holds one alone: leave the network out</source>

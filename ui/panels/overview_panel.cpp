@@ -201,9 +201,9 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, S
 void OverviewPanel::showMargin(FigureCard& card, const std::optional<double>& margin, std::int64_t limit,
                                const SyncLamp& lamp, bool lasting) {
   if (limit <= 0) return card.setNote(theme::Tone::kNeutral, tr("no limit is set"));
-  const bool lost = lamp.times_lost > 0;
+  const bool lost = lamp.times_any_lost() > 0;
   const auto note = [&](theme::Tone tone, const QString& words) {
-    const auto times = static_cast<int>(std::min<std::uint64_t>(lamp.times_lost, INT32_MAX));
+    const auto times = static_cast<int>(std::min<std::uint64_t>(lamp.times_any_lost(), INT32_MAX));
     card.setNote(lost ? theme::Tone::kBad : tone,
                  lost ? joinedParts({tr("lost %n time(s)", nullptr, times), words}) : words);
   };

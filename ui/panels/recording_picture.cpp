@@ -3,12 +3,9 @@
 #include "support/whole_file.h"
 
 #include <QCoreApplication>
-#include <QElapsedTimer>
-#include <QEventLoop>
 #include <QLayout>
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <utility>
 
 #include "reasons/because.h"
@@ -29,6 +26,7 @@
 #include "ui/plots/histogram_plot.h"
 #include "ui/session/recorded_views.h"
 #include "ui/text/signal_text.h"
+#include "ui/widgets/wait_until.h"
 
 namespace syncline::ui {
 namespace {
@@ -81,16 +79,6 @@ void fit(Widget& widget, const QSize& wanted) {
     widget.resize(widget.size() + wanted - widget.picture().size);
     QCoreApplication::processEvents();
   }
-}
-
-bool waitUntil(const std::function<bool()>& done) {
-  QElapsedTimer waiting;
-  waiting.start();
-  while (!done()) {
-    if (waiting.elapsed() > kTimeoutMs) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-  }
-  return true;
 }
 
 /// What the picture is of.
@@ -262,10 +250,12 @@ Status writeRecordingPicture(const ReplayedRun& run, const RecordingPicture& wan
     return fail(ErrorCode::kBadValue, "--size",
                 because("the view needs more room; leave the size out to have what suits it"));
   }
-  const bool complete = waitUntil([&] {
-    strip.refresh();
-    return isComplete(strip, wanted.view);
-  });
+  const bool complete = waitUntil(
+      [&] {
+        strip.refresh();
+        return isComplete(strip, wanted.view);
+      },
+      kTimeoutMs);
   if (!complete) return fail(ErrorCode::kTimeout, "picture");
   if (table) return write_whole_file(path.toStdString(), strip.csv());
   for (auto* panel : strip.panels()) panel->refreshText(true);

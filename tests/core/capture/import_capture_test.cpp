@@ -135,6 +135,57 @@ TEST(ImportCapture, SaysHowManyRepliesAreMissing) {
       << facts_text(run->findings.back());
 }
 
+/// Through a switch or in a virtual machine times are not those of the wire: what proves it is named.
+TEST(ImportCapture, WarnsOfSwitchesAndVirtualMachines) {
+  const auto with = [](const auto& change, const std::string& codes, const std::string& words) {
+    const test::TemporaryFolder folder;
+    PlainCapture file;
+    for (int i = 0; i < 20; ++i) {
+      const auto sent = kCaptureBegin + i * kMillisecond;
+      auto frame = cyclic_frame(static_cast<std::uint8_t>(i), 1002);
+      change(file, sent, frame);
+      file.add(sent + 28'000, answered(frame, static_cast<std::uint64_t>(sent), 5));
+    }
+    const auto run = import_capture(file.write(folder));
+    ASSERT_TRUE(run.has_value()) << run.error().detail.text();
+    EXPECT_EQ(codes_of(*run), codes);
+    EXPECT_EQ(run->samples.size(), 20U) << codes;
+    EXPECT_NE(facts_text(run->findings.back()).find(words), std::string::npos) << facts_text(run->findings.back());
+  };
+  using Frame = std::vector<std::uint8_t>;
+  with(
+      [](PlainCapture& file, Nanoseconds time, const Frame& frame) {
+        Frame tree(60, 0);
+        const std::array<std::uint8_t, 6> bridges{0x01, 0x80, 0xC2, 0x00, 0x00, 0x00};
+        std::ranges::copy(bridges, tree.begin());
+        file.add(time - 1000, tree);
+        file.add(time, frame);
+      },
+      "import-times import-switch", "20 frames are of a switch itself");
+  with(
+      [](PlainCapture& file, Nanoseconds time, Frame& frame) {
+        const std::array<std::uint8_t, 4> tag{0x81, 0x00, 0x00, 0x05};
+        frame.insert(frame.begin() + 12, tag.begin(), tag.end());
+        file.add(time, frame);
+      },
+      "import-times import-switch", "40 EtherCAT frames have a VLAN tag");
+  with(
+      [](PlainCapture& file, Nanoseconds time, const Frame& frame) {
+        file.add(time, frame);
+        if (time == kCaptureBegin + 7 * kMillisecond) file.add(time + 1000, frame);
+      },
+      "import-times import-switch", "1 EtherCAT frame came twice");
+  with(
+      [](PlainCapture& file, Nanoseconds time, Frame& frame) {
+        const std::array<std::uint8_t, 6> adapter{0x00, 0x0C, 0x29, 0x12, 0x34, 0x56};
+        std::ranges::copy(adapter, frame.begin() + 6);
+        file.add(time, frame);
+      },
+      "import-times import-virtual-machine", "sent by 00:0c:29:12:34:56, the adapter of a virtual machine");
+  with([](PlainCapture& file, Nanoseconds time, const Frame& frame) { file.add(time, frame); }, "import-times",
+       "software stamps");
+}
+
 TEST(ImportCapture, SaysWhatIsMissing) {
   const test::TemporaryFolder folder;
   PlainCapture file;

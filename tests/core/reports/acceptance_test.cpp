@@ -123,7 +123,8 @@ TEST(Acceptance, EachCriterionAloneCanRefuse) {
                               },
                               {.most_lost_frames = 2}},
                          Case{"faults", [](MadeRun& run) {
-                                run.record.add(Event{kSecond + 500 * kMillisecond, 1, events::SlaveLost{}});
+                                // It follows no clock.
+                                run.record.add(Event{kSecond + 500 * kMillisecond, 0, events::SlaveLost{}});
                                 run.go(10);
                               }}};
   for (const auto& one : cases) {
@@ -143,6 +144,24 @@ TEST(Acceptance, EachCriterionAloneCanRefuse) {
   const auto acceptance = run.judged({}, warnings);
   EXPECT_EQ(acceptance.verdict, Verdict::kNotKept);
   EXPECT_EQ(found(acceptance, "findings"), "0 errors, 1 warning");
+}
+
+/// The verdict speaks of those who answer: who follows the reference clock and went is a loss on the page, as it is in
+/// the overview, and synchronisation counts from when all were back.
+TEST(Acceptance, AFollowerThatWasAwayIsALossOfSynchronisation) {
+  MadeRun run;
+  run.go(2000);
+  run.record.add(Event{kSecond + 1500 * kMillisecond, 1, events::SlaveLost{}});
+  run.go(1000);
+  run.record.add(Event{kSecond + 2500 * kMillisecond, 1, events::SlavesInSync{}});
+  run.go(1000);
+  const auto acceptance = run.judged();
+  EXPECT_EQ(acceptance.verdict, Verdict::kNotKept);
+  EXPECT_EQ(criterion(acceptance, "slaves_in_sync").verdict, Verdict::kNotKept);
+  EXPECT_THAT(found(acceptance, "slaves_in_sync"), HasSubstr("in sync for 1.500 s, lost 1 time; largest 40 ns"));
+  EXPECT_EQ(criterion(acceptance, "master_in_sync").verdict, Verdict::kKept);
+  const auto& lamp = run.record.overview().slaves;
+  EXPECT_EQ(lamp.times_any_lost(), criterion(acceptance, "slaves_in_sync").times_lost);
 }
 
 TEST(Acceptance, WhatNobodyWatchedIsNotProven) {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QString>
 #include <QTest>
 #include <QWidget>
@@ -12,6 +11,7 @@
 
 #include "app/gui/bus_functions.h"
 #include "config/project.h"
+#include "ui/widgets/wait_until.h"
 
 namespace syncline::test {
 
@@ -31,15 +31,7 @@ inline constexpr qint64 kPatienceMs = 10'000;
 #endif
 
 /// Runs the event loop until `done`; false when that takes too long.
-inline bool waitFor(const std::function<bool()>& done) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!done()) {
-    if (timer.elapsed() > kPatienceMs) return false;
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
-  }
-  return true;
-}
+inline bool waitFor(const std::function<bool()>& done) { return ui::waitUntil(done, kPatienceMs); }
 
 /// Finds a control by its object name; fails the test when there is none.
 template <class Widget>
