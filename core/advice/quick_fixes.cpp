@@ -10,6 +10,8 @@
 
 #include "check/check_network.h"
 #include "compile/incremental.h"
+#include "findings/run_bus_words.h"
+#include "findings/run_slaves_words.h"
 #include "settings/settings_table.h"
 
 namespace syncline {
@@ -24,6 +26,19 @@ constexpr std::size_t kMostTried = 24;
 bool is_rule(std::string_view code) {
   const auto rules = check_rules();
   return std::ranges::find(rules, code, &FindingWords::code) != rules.end();
+}
+
+bool is_of_run(std::string_view code) {
+  const auto is_it = [code](const FindingWords& row) { return row.code == code; };
+  return std::ranges::any_of(words::kRunSlaves, is_it) || std::ranges::any_of(words::kRunBus, is_it);
+}
+
+/// No compilation shows whether it is gone: the switch that its row names, where that is off.
+std::vector<QuickFix> fixes_of_run(const Project& project, const Finding& finding) {
+  const auto found =
+      settings::find(project, setting_at(find_finding_words(finding.code)->setting, finding.place.slave), false);
+  if (!found || found->setting->read(project, found->place) != Value{false}) return {};
+  return {{found->setting, {found->place}, true}};
 }
 
 /// What the compiler says, and for a finding of the checker what that says of the configuration, with its settings.
@@ -81,10 +96,14 @@ class Candidates {
     const auto effective = settings::effective_value(setting_, project_, place_);
     const auto* number = std::get_if<std::int64_t>(&effective);
     const bool high_first = number != nullptr && *number > range.high;
+    const auto add_free = [&] {
+      if (const auto free = free_number(setting_, project_, place_, range); setting_.of_slave() && free) add(*free);
+    };
+    // One that the setting takes is wrong beside those of others: no end of the range is nearer than what they leave.
+    const bool beside_others = number != nullptr && range.contains(*number);
+    if (beside_others) add_free();
     add(high_first ? range.high : range.low);
-    if (setting_.of_slave()) {
-      if (const auto free = free_number(setting_, project_, place_, range)) add(*free);
-    }
+    if (!beside_others) add_free();
     add(high_first ? range.low : range.high);
   }
   void add_of(const settings::Choice& choice) {
@@ -137,6 +156,7 @@ void restore(Project& changed, const Project& project, const QuickFix& fix) {
 
 std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding, std::span<const int> slaves,
                                   std::size_t most) {
+  if (is_of_run(finding.code)) return fixes_of_run(project, finding);
   const auto found = settings::find(project, finding.place.key, false);
   if (!found) return {};
   const bool with_rules = is_rule(finding.code);

@@ -17,6 +17,7 @@
 #include "compile/task_plan.h"
 #include "compile/variables.h"
 #include "config/project.h"
+#include "config/sync_unit_cycle.h"
 #include "config/task_settings.h"
 #include "reasons/because.h"
 #include "settings/predicates.h"

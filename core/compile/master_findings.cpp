@@ -10,11 +10,11 @@
 #include "compile/dcm_check.h"
 #include "compile/finding_list.h"
 #include "compile/slave_plan.h"
-#include "compile/task_plan.h"
 #include "config/entry_ports.h"
 #include "config/frame_time.h"
 #include "config/master_settings.h"
 #include "config/project.h"
+#include "config/sync_unit_cycle.h"
 
 namespace syncline::compiler {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "compile/slave_plan.h"
+#include "config/pdo_sync_manager.h"
 #include "config/slave_config.h"
 #include "config/slave_settings.h"
 
@@ -28,26 +29,12 @@ const std::vector<std::uint16_t>& assigned(const SlaveSettings& slave, PdoDirect
   return direction == PdoDirection::kRx ? slave.assigned_rx_pdos : slave.assigned_tx_pdos;
 }
 
-std::optional<std::uint8_t> channel_of(const SlaveSettings& slave, PdoDirection direction, const Pdo& pdo) {
-  const auto type = direction == PdoDirection::kRx ? SyncManagerType::kOutputs : SyncManagerType::kInputs;
-  const auto& managers = slave.device.sync_managers;
-  if (pdo.sync_manager && *pdo.sync_manager < managers.size() && managers[*pdo.sync_manager].type == type) {
-    return pdo.sync_manager;
-  }
-  for (std::size_t n = 0; n < managers.size(); ++n) {
-    if (managers[n].type == type && !managers[n].is_virtual) {
-      return static_cast<std::uint8_t>(n);
-    }
-  }
-  return std::nullopt;
-}
-
 void append(std::vector<ConfiguredPdo>& out, const SlaveSettings& slave, PdoDirection direction) {
   const auto& chosen = assigned(slave, direction);
   for (const Pdo& of_device : slave.device.pdos(direction)) {
     Pdo pdo = effective(slave, of_device);
     const bool is_assigned = std::ranges::find(chosen, pdo.index) != chosen.end();
-    pdo.sync_manager = is_assigned ? channel_of(slave, direction, of_device) : std::nullopt;
+    pdo.sync_manager = is_assigned ? sync_manager_of(slave, direction, of_device) : std::nullopt;
     out.push_back({direction, std::move(pdo)});
   }
 }
@@ -74,7 +61,7 @@ std::vector<ProcessDataChannel> process_data_channels(const SlaveSettings& slave
   for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
     for (const std::uint16_t index : assigned(slave, direction)) {
       const Pdo* of_device = find(slave.device.pdos(direction), index);
-      const auto number = of_device ? channel_of(slave, direction, *of_device) : std::nullopt;
+      const auto number = of_device ? sync_manager_of(slave, direction, *of_device) : std::nullopt;
       const auto channel = std::ranges::find_if(channels, [&](const auto& c) { return number && c.number == *number; });
       if (channel != channels.end() && std::ranges::find(channel->pdos, index) == channel->pdos.end()) {
         channel->pdos.push_back(index);

@@ -126,7 +126,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "Nobody watches the slaves' deviation",
      "",
      "Switch sync-window monitoring on to prove that they are in sync.",
-     "",
+     "master.dc.sync_window",
      {{"", "The slaves' deviation is not monitored."}}},
     {"nothing-to-monitor",
      Severity::kNote,

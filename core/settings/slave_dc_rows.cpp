@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config/sync0_cycle.h"
+#include "config/sync_unit_cycle.h"
 #include "protocol/dc_registers.h"
 #include "reasons/because.h"
 #include "settings/field.h"
@@ -85,8 +86,8 @@ Value shift_of_mode(const Project& project, const Place& place, int unit) {
   const auto& slave = at_slave(project, place);
   const auto* mode = compiler::selected_op_mode(slave);
   if (mode == nullptr || !generates(*mode, unit)) return {};
-  return Value{
-      compiler::shift_of_mode(unit == 0 ? mode->shift_time_sync0 : mode->shift_time_sync1, project.master.cycle_time)};
+  return Value{compiler::shift_of_mode(unit == 0 ? mode->shift_time_sync0 : mode->shift_time_sync1,
+                                       compiler::sync_unit_cycle(project.master, slave))};
 }
 
 /// With the factor that the user chose, or as the mode says.
@@ -94,7 +95,7 @@ Value cycle_of_mode(const Project& project, const Place& place, int unit) {
   const auto& slave = at_slave(project, place);
   const auto* mode = compiler::selected_op_mode(slave);
   if (mode == nullptr || !generates(*mode, unit)) return {};
-  return Value{compiler::sync_cycle(*mode, slave.dc, unit, project.master.cycle_time)};
+  return Value{compiler::sync_cycle(*mode, slave.dc, unit, compiler::sync_unit_cycle(project.master, slave))};
 }
 
 std::vector<Setting> unit_rows(int unit, const char* register_text, const char* shift_register,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QScrollBar>
 #include <QTemporaryDir>
 
 #include "eni/project/project_file.h"
@@ -45,6 +46,49 @@ TEST_F(Building, ShowsTheTreeByWiringAndByPosition) {
   EXPECT_EQ(network.rowCount(network.indexOf(-1)), 5);
   EXPECT_EQ(selected(), 2);
   EXPECT_TRUE(network.indexOf(2).data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("position 2")));
+}
+
+/// What the mouse takes stays below it; a cable that is let go of elsewhere selects nothing and hides nothing.
+TEST_F(Building, TheMouseMovesNoPaperAndNoSelection) {
+  QTest::keyClick(&window_, Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
+  window_.selectNode(0);
+  auto* paper = topology().viewport();
+  auto box = topology().visualRect(workspace_.network().indexOf(1));
+  auto* bar = topology().horizontalScrollBar();
+  bar->setValue(bar->value() + box.left() - paper->width() + 20);
+  box = topology().visualRect(workspace_.network().indexOf(1));
+  ASSERT_TRUE(box.right() > paper->width() && box.left() < paper->width()) << "one half is seen";
+  const int before = bar->value();
+  const QPoint from(box.left() + 10, box.center().y()), to(from.x() - 8, paper->height() - 4);
+  ASSERT_FALSE(topology().indexAt(to).isValid());
+  QTest::mousePress(paper, Qt::LeftButton, {}, from);
+  topology().scrollTo(topology().currentIndex());  // as views do when the time for a second click is over
+  EXPECT_EQ(selected(), 1);
+  EXPECT_EQ(bar->value(), before);
+  QMouseEvent move(QEvent::MouseMove, to, paper->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(paper, &move);
+  QTest::mouseRelease(paper, Qt::LeftButton, {}, to);
+  EXPECT_EQ(bar->value(), before);
+  EXPECT_TRUE(topology().selectionModel()->isSelected(workspace_.network().indexOf(1)));
+  topology().setFocus();
+  QTest::keyClick(&topology(), Qt::Key_Down);
+  EXPECT_EQ(selected(), 2);
+  EXPECT_NE(bar->value(), before) << "by keys it comes into sight";
+}
+
+/// The slave whose pages are shown is the one that is marked.
+TEST_F(Building, AClickIntoTheFreeRoomSelectsNobodyElse) {
+  window_.resize(1400, 900);
+  for (const auto view : {ExplorerPanel::View::kClassic, ExplorerPanel::View::kFlat, ExplorerPanel::View::kTopology}) {
+    window_.explorer().setView(view);
+    window_.selectNode(2);
+    auto& shown = view == ExplorerPanel::View::kTopology ? static_cast<QAbstractItemView&>(topology()) : tree();
+    const QPoint free(shown.viewport()->width() / 2, shown.viewport()->height() - 5);
+    ASSERT_FALSE(shown.indexAt(free).isValid());
+    QTest::mouseClick(shown.viewport(), Qt::LeftButton, {}, free);
+    EXPECT_EQ(selected(), 2);
+    EXPECT_TRUE(shown.selectionModel()->isSelected(workspace_.network().indexOf(2))) << static_cast<int>(view);
+  }
 }
 
 TEST_F(Building, RewiresByDraggingACableToAFreePort) {

@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <set>
 
@@ -86,6 +87,38 @@ TEST_F(Fields, AnEmptiedFieldIsLeftToWhoeverDecidesOtherwise) {
   QTest::keyClick(&alias, Qt::Key_Return);
   EXPECT_FALSE(alias.accessibleDescription().isEmpty()) << "an alias always has a value";
   EXPECT_EQ(project().slaves[1].alias, 0);
+}
+
+/// Whoever types looks at the field, not for a tip of the pointer.
+TEST_F(Fields, WhyATextIsNotTakenIsToldBesideTheField) {
+  const auto told = [](QWidget& widget, Qt::Key leave) {
+    QToolTip::hideText();
+    widget.setFocus();
+    QTest::keyClick(&widget, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&widget, QStringLiteral("99999999"));
+    QTest::keyClick(&widget, leave);
+    QApplication::processEvents();
+    const auto why = widget.accessibleDescription();
+    return !why.isEmpty() && QToolTip::isVisible() && QToolTip::text() == why;
+  };
+  for (const auto leave : {Qt::Key_Return, Qt::Key_Tab}) {
+    show(-1, "masterGeneralPage");
+    EXPECT_TRUE(told(field("masterCycle"), leave)) << leave;
+    window_.editor().revertFields();
+    show(1, "slaveGeneralPage");
+    EXPECT_TRUE(told(field("slaveAlias"), leave)) << leave;
+    window_.editor().revertFields();
+    EXPECT_TRUE(told(field("slavePrevious"), leave)) << leave;
+    window_.editor().revertFields();
+  }
+  EXPECT_EQ(project(), editableProject());
+  QToolTip::hideText();
+  show(-1, "masterDcPage");
+  test::type(field<NumberEdit>("setValue"), QStringLiteral("800"));
+  show(-1, "masterGeneralPage");
+  test::type(field("masterCycle"), QStringLiteral("500"));
+  QApplication::processEvents();
+  EXPECT_FALSE(QToolTip::isVisible()) << "what others made wrong is marked where it stands, and no more";
 }
 
 TEST_F(Fields, WhatIsTypedIsNotCompleted) {

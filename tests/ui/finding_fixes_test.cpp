@@ -75,6 +75,25 @@ TEST_F(FixesOfFindings, LeadToTheMasterOrToASlave) {
   EXPECT_EQ(way(1), QStringLiteral("Show Its Slave"));
 }
 
+/// No compilation has it: a run that nobody watched leads to the switch, and switches it on.
+TEST_F(FixesOfFindings, OfARunAreOneStepToo) {
+  FindingFixes fixes(
+      workspace_, [] { return true; }, nullptr);
+  QString key;
+  QObject::connect(&fixes, &FindingFixes::placeWanted, &fixes, [&key](int, const QString& place) { key = place; });
+  QMenu menu;
+  fixes.fillFor(menu, {.code = "not-monitored", .severity = Severity::kNote});
+  menu.findChild<QAction*>(QStringLiteral("messageGo"))->trigger();
+  EXPECT_EQ(key, QStringLiteral("master.dc.sync_window"));
+  auto* fix = menu.findChild<QAction*>(QStringLiteral("messageFix"));
+  ASSERT_NE(fix, nullptr);
+  const int steps = workspace_.document().undoStack().count();
+  ASSERT_FALSE(project().master.dc.sync_window.enabled);
+  fix->trigger();
+  EXPECT_TRUE(project().master.dc.sync_window.enabled);
+  EXPECT_EQ(workspace_.document().undoStack().count(), steps + 1);
+}
+
 /// The panel of findings has what the messages have of the project: live, with the way to the field and the fixes.
 TEST_F(FixesOfFindings, StandInTheirPanelToo) {
   const auto key = QStringLiteral("slave.2.station_address");

@@ -13,6 +13,7 @@
 #include "ui/dialogs/found_dialog.h"
 #include "ui/main_window.h"
 #include "ui/models/found_model.h"
+#include "ui/models/message_model.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
@@ -69,6 +70,14 @@ TEST_F(ScanBesideProject, NothingIsReplacedUnasked) {
   auto* dialog = scan();
   ASSERT_NE(dialog, nullptr);
   EXPECT_EQ(workspace_.document().project(), ours);
+  const auto name = QStringLiteral("Demonstration machine (simulated)");
+  EXPECT_TRUE(test::find<QLabel>(*dialog, "foundSummary")->text().contains(name)) << "the bus as everywhere else";
+  bool told = false;
+  const auto& messages = workspace_.messages();
+  for (int row = 0; row < messages.rowCount(); ++row)
+    told =
+        told || (messages.message(row).source == QStringLiteral("Scan") && messages.message(row).text.contains(name));
+  EXPECT_TRUE(told);
   test::find<QPushButton>(*dialog, "foundKeep")->click();
   EXPECT_EQ(workspace_.document().project(), ours);
   EXPECT_EQ(workspace_.document().undoStack().index(), steps);

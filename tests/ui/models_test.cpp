@@ -273,6 +273,23 @@ TEST_F(PdoAssignment, OneTickExchangesWhatExcludesEachOther) {
   EXPECT_EQ(wanted_, (std::vector<std::uint16_t>{0x1600, 0x1602}));
 }
 
+/// As the ENI says it: of those that are assigned, also where the ESI names none.
+TEST_F(PdoAssignment, SaysWhichSyncManagerExchangesIt) {
+  auto& slave = project_.slaves[1];
+  slave.device.sync_managers.resize(4);
+  slave.device.sync_managers[2].type = SyncManagerType::kOutputs;
+  slave.device.sync_managers[3].type = SyncManagerType::kInputs;
+  slave.device.rx_pdos[1].sync_manager.reset();
+  const auto said = [this](int row) { return model_.index(row, PdoModel::kSyncManager).data().toString(); };
+  model_.setSlave(slave);
+  EXPECT_EQ(said(0), QStringLiteral("SM2"));
+  EXPECT_EQ(said(1), QStringLiteral("\u2013"));
+  slave.assigned_rx_pdos = {0x1601};
+  model_.setSlave(slave);
+  EXPECT_EQ(said(0), QStringLiteral("\u2013"));
+  EXPECT_EQ(said(1), QStringLiteral("SM2"));
+}
+
 TEST(PdoEntryModel, CountsBitOffsetsOverPadding) {
   PdoEntryModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Warning);

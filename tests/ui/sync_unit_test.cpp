@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QToolButton>
@@ -25,6 +27,39 @@ Project machineWithUnits() {
     break;
   }
   return project;
+}
+
+/// All of the first drive in a task of every fourth bus cycle.
+Project machineWithASlowDrive() {
+  auto project = machineWithUnits();
+  project.master.tasks = {{"Slow", 4}};
+  project.master.sync_units[0].task = "Slow";
+  for (auto& slave : project.slaves) {
+    if (slave.input_unit == "Heating") slave.output_unit = "Heating";
+    if (!slave.device.dc) continue;
+    slave.device.sync_managers.resize(4);
+    constexpr SyncManagerType kTypes[] = {SyncManagerType::kMailboxOut, SyncManagerType::kMailboxIn,
+                                          SyncManagerType::kOutputs, SyncManagerType::kInputs};
+    for (std::size_t i = 0; i < 4; ++i) slave.device.sync_managers[i].type = kTypes[i];
+  }
+  return project;
+}
+
+class SlowDrive : public test::ProjectWindow {
+ protected:
+  SlowDrive() : ProjectWindow(machineWithASlowDrive()) {}
+};
+
+/// What the page says of the cycle is what is written to 0x09A0.
+TEST_F(SlowDrive, HasTheCycleOfItsTask) {
+  const auto& compiled = workspace_.configuration().current();
+  ASSERT_TRUE(compiled);
+  ASSERT_EQ(workspace_.configuration().config()->slaves[1].dc->cycle_time0, 4 * kMillisecond);
+  show(1, "slaveDcPage");
+  EXPECT_EQ(field<QLabel>("syncBusCycle").text(), QStringLiteral("4\u00A0ms"));
+  EXPECT_EQ(field<QComboBox>("sync0Factor").currentText(), QStringLiteral("As operation mode (4\u00A0ms)"));
+  show(2, "slaveDcPage");
+  EXPECT_EQ(field<QLabel>("syncBusCycle").text(), QStringLiteral("1\u00A0ms")) << "the other drive is not in it";
 }
 
 QStringList linesOf(const QAbstractItemModel& model) {

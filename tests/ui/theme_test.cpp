@@ -6,7 +6,13 @@
 #include <QApplication>
 #include <QDir>
 #include <QImage>
+#include <QPainter>
+#include <QStyle>
+#include <QStyleOptionTab>
+#include <QTabBar>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace syncline::ui::theme {
 namespace {
@@ -65,6 +71,37 @@ TEST_P(Themes, TextAndTonesCanBeRead) {
       EXPECT_GE(contrast(toneColor(palette, tone), fill), quiet) << static_cast<int>(tone);
       EXPECT_GE(contrast(palette.color(QPalette::Link), fill), quiet) << "a link, " << static_cast<int>(tone);
     }
+  }
+}
+
+/// By more than the shade of its ground: whole lines of pixels stand out from a tab that is not chosen.
+TEST_P(Themes, TheChosenTabCanBeTold) {
+  for (const auto shape : {QTabBar::RoundedNorth, QTabBar::RoundedSouth, QTabBar::RoundedWest, QTabBar::RoundedEast}) {
+    const auto picture = [shape](QStyle::State state) {
+      QStyleOptionTab tab;
+      tab.rect = QRect(0, 0, 80, 80);
+      tab.shape = shape;
+      tab.position = QStyleOptionTab::Middle;
+      tab.palette = QApplication::palette();
+      tab.state = QStyle::State_Enabled | state;
+      QImage image(tab.rect.size(), QImage::Format_RGB32);
+      image.fill(tab.palette.color(QPalette::Window));
+      QPainter painter(&image);
+      QApplication::style()->drawControl(QStyle::CE_TabBarTabShape, &tab, &painter);
+      return image;
+    };
+    const auto other = picture(QStyle::State_None), chosen = picture(QStyle::State_Selected);
+    std::vector<int> rows(static_cast<std::size_t>(chosen.height())), columns(static_cast<std::size_t>(chosen.width()));
+    for (int y = 0; y < chosen.height(); ++y) {
+      for (int x = 0; x < chosen.width(); ++x) {
+        if (contrast(chosen.pixelColor(x, y), other.pixelColor(x, y)) < 3.0) continue;
+        ++rows[static_cast<std::size_t>(y)];
+        ++columns[static_cast<std::size_t>(x)];
+      }
+    }
+    const auto lines = std::ranges::count_if(rows, [&](int n) { return 10 * n >= 9 * chosen.width(); }) +
+                       std::ranges::count_if(columns, [&](int n) { return 10 * n >= 9 * chosen.height(); });
+    EXPECT_GE(lines, 2) << static_cast<int>(shape);
   }
 }
 

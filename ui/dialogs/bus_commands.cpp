@@ -11,6 +11,7 @@
 #include "ui/dialogs/link_chooser.h"
 #include "ui/dialogs/questions.h"
 #include "ui/session/workspace.h"
+#include "ui/text/link_text.h"
 
 namespace syncline::ui {
 
@@ -58,7 +59,8 @@ void BusCommands::onFound(const QString& link, const ScanOutcome& outcome) {
 }
 
 void BusCommands::showFound(const QString& link, const ScanOutcome& outcome) {
-  auto* dialog = new FoundDialog(workspace_.document().project(), outcome, link, &window_);
+  auto* dialog = new FoundDialog(workspace_.document().project(), outcome,
+                                 linkName(link, workspace_.environment().demo_link), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &FoundDialog::wanted, this, [this](const Project& project, const QStringList& lost) {
     workspace_.document().replace(tr("Scan"), project);

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <memory>
 #include <utility>
 
 #include "advice/quick_fixes.h"
@@ -43,14 +44,16 @@ void FindingFixes::fill(QMenu& menu, const Message& message) {
   go->setObjectName(QStringLiteral("messageGo"));
   connect(go, &QAction::triggered, this,
           [this, slave = message.slave, key = message.key] { Q_EMIT placeWanted(slave, key); });
-  if (message.finding != nullptr && !message.finding->place.key.empty()) addFixes(menu, message);
+  if (message.finding != nullptr && !message.key.isEmpty()) addFixes(menu, message);
 }
 
 void FindingFixes::fillFor(QMenu& menu, const Finding& finding) {
   if (const auto* line = workspace_.messages().lineOf(finding)) return fill(menu, *line);
   const int slave =
       workspace_.recording().isOpen() ? finding.place.slave : workspace_.runningSlaves().slaveOf(finding.place.slave);
-  fill(menu, {{}, finding.severity, {}, {}, slave, findingKey(finding)});
+  Message line{{}, finding.severity, {}, {}, slave, findingKey(finding)};
+  if (!workspace_.recording().isOpen()) line.finding = std::make_shared<const Finding>(finding);
+  fill(menu, line);
 }
 
 void FindingFixes::addFixes(QMenu& menu, const Message& message) {

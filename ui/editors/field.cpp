@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QKeySequence>
+#include <QToolTip>
 #include <algorithm>
 
 #include "ui/theme/theme.h"
@@ -35,6 +36,15 @@ void markField(QWidget& field, const QString& reason) {
   auto palette = QPalette();
   if (!reason.isEmpty()) palette.setColor(QPalette::Text, theme::toneColor(field.palette(), theme::Tone::kBad));
   field.setPalette(palette);
+}
+
+void refuseText(QWidget& field, const QString& reason) {
+  markField(field, reason);
+  // Afterwards: the focus that goes on now takes every tip away.
+  const auto tell = [&field, reason] {
+    if (field.isVisible()) QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), reason, &field);
+  };
+  QMetaObject::invokeMethod(&field, tell, Qt::QueuedConnection);
 }
 
 }  // namespace syncline::ui

@@ -31,5 +31,7 @@ class Field {
 
 /// Marks the control and says why; empty: unmarks it.
 void markField(QWidget& field, const QString& reason);
+/// Marks the control whose text was not taken and tells why below it at once, without the pointer being there.
+void refuseText(QWidget& field, const QString& reason);
 
 }  // namespace syncline::ui

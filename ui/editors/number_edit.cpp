@@ -57,7 +57,7 @@ void NumberEdit::display() {
 
 bool NumberEdit::taken(const QString& refusal) {
   if (!refusal.isEmpty()) {
-    markField(*this, refusal);
+    refuseText(*this, refusal);
     return false;
   }
   pending_ = false;
@@ -71,9 +71,9 @@ bool NumberEdit::commit() {
   if (clear_ && (typed.isEmpty() || typed == clear_word_)) return unset_ ? (revert(), true) : taken(clear_());
   const auto value = parseNumber(number_, lineEdit()->text());
   if (!value) {
-    markField(*this,
-              tr("\"%1\" is no such number: %2")
-                  .arg(lineEdit()->text(), QString::fromStdString(settings::range_text(number_, number_.range))));
+    refuseText(*this,
+               tr("\"%1\" is no such number: %2")
+                   .arg(lineEdit()->text(), QString::fromStdString(settings::range_text(number_, number_.range))));
     return false;
   }
   if (!unset_ && *value == value_) return revert(), true;

@@ -36,7 +36,7 @@ bool PresetEdit::commit() {
       : *value != value_ ? take_(*value)
                          : QString();
   if (!reason.isEmpty()) {
-    markField(*this, reason);
+    refuseText(*this, reason);
     return false;
   }
   revert();

@@ -17,7 +17,7 @@ bool TextEdit::commit() {
   const auto typed = text();
   if (typed != shown_) {
     if (const auto reason = take_(typed); !reason.isEmpty()) {
-      markField(*this, reason);
+      refuseText(*this, reason);
       return false;
     }
   }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "config/module_slots.h"
+#include "config/pdo_sync_manager.h"
 #include "config/slave_settings.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
@@ -33,7 +34,9 @@ void PdoModel::setSlave(const SlaveSettings& slave) {
   chosen_ = assigned(slave, direction_);
   std::vector<Row> rows;
   for (const auto& pdo : pdos_of(slave, direction_)) {  // those of its modules, too
-    rows.push_back({effective(slave, pdo), std::ranges::find(chosen_, pdo.index) != chosen_.end(), {}});
+    const bool chosen = std::ranges::find(chosen_, pdo.index) != chosen_.end();
+    auto& row = rows.emplace_back(Row{effective(slave, pdo), chosen, {}});
+    row.pdo.sync_manager = chosen ? sync_manager_of(slave, direction_, pdo) : std::nullopt;  // as the ENI says it
   }
   const bool same_rows = std::ranges::equal(
       rows, rows_, {}, [](const Row& row) { return row.pdo.index; }, [](const Row& row) { return row.pdo.index; });

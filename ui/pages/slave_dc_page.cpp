@@ -3,8 +3,8 @@
 
 #include <QLabel>
 
-#include "compile/task_plan.h"
 #include "config/sync0_cycle.h"
+#include "config/sync_unit_cycle.h"
 #include "dc/sync_timeline.h"
 #include "protocol/dc_registers.h"
 #include "ui/editors/choice_edit.h"
@@ -96,16 +96,6 @@ void SlaveDcPage::buildLive(Card& card) {
   missed_ = card.addValue("slaveMissed", tr("Missed SM2 events"), tr("Counter of the device (object 0x1C32)"));
 }
 
-/// As it is compiled; a project that cannot be is taken to exchange both.
-Nanoseconds SlaveDcPage::syncUnitCycle(const Project& project, const SlaveSettings& slave) const {
-  const auto* config = workspace().configuration().config();
-  const auto at = static_cast<std::size_t>(node());
-  if (config == nullptr || at >= config->slaves.size())
-    return compiler::sync_unit_cycle(project.master, slave, true, true);
-  const auto& compiled = config->slaves[at];
-  return compiler::sync_unit_cycle(project.master, slave, compiled.send.has_value(), compiled.receive.has_value());
-}
-
 void SlaveDcPage::refresh() {
   const auto& project = workspace().document().project();
   const auto* slave = slaveAt(project, node());
@@ -114,7 +104,7 @@ void SlaveDcPage::refresh() {
   description_->setText(mode != nullptr && !mode->description.empty() ? QString::fromStdString(mode->description)
                                                                       : noText());
   assign_activate_->setText(mode != nullptr ? hexText(mode->assign_activate, 4) : noText());
-  const auto cycle = syncUnitCycle(project, *slave);
+  const auto cycle = compiler::sync_unit_cycle(project.master, *slave);
   bus_cycle_->setText(cycleText(cycle));
   sync0_->showSlave(*slave, mode, cycle);
   sync1_->showSlave(*slave, mode, cycle);

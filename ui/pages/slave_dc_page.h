@@ -37,7 +37,6 @@ class SlaveDcPage final : public Page {
   void buildRegisters(Card& card);
   void buildLive(Card& card);
   void buildTiming(Card& card);
-  [[nodiscard]] Nanoseconds syncUnitCycle(const Project& project, const SlaveSettings& slave) const;
   void refreshRegisters();
   void refreshTiming();
   [[nodiscard]] static QString missedText(const Sm2MissedStatus& missed);

@@ -73,6 +73,12 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
     QMetaObject::invokeMethod(
         this, [this] { takeNode(tree_->currentIndex()); }, Qt::QueuedConnection);
   });
+  // A click into the free room means nobody: the slave whose pages are shown stays marked.
+  connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    auto& selection = *tree_->selectionModel();
+    if (!selection.hasSelection() && selection.currentIndex().isValid())
+      selection.select(selection.currentIndex(), QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  });
   // Also one that is selected already, and whose pages are not what is shown.
   for (auto* view : std::initializer_list<QAbstractItemView*>{tree_, topology_})
     connect(view, &QAbstractItemView::clicked, this, &ExplorerPanel::nodeClicked);

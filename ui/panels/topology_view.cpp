@@ -183,8 +183,9 @@ QModelIndex TopologyView::indexAt(const QPoint& point) const {
   return {};
 }
 
+/// Not while the mouse has a slave: it stays below it, and the port that it is dragged to where it was seen.
 void TopologyView::scrollTo(const QModelIndex& index, ScrollHint) {
-  if (!index.isValid()) return;
+  if (!index.isValid() || grabbed_ >= 0) return;
   const auto box = visualRect(index).adjusted(-12, -12, 12, 12);
   const auto bring = [](QScrollBar* bar, int first, int last, int size) {
     if (first < 0) bar->setValue(bar->value() + first);
@@ -388,15 +389,16 @@ void TopologyView::mouseReleaseEvent(QMouseEvent* event) {
     if (badgeAt(event->position().toPoint()) == badge) Q_EMIT countersWanted(counted.slave);
     return;
   }
-  const bool plugged = dragging_ && aim_.slave >= 0;
+  if (!dragging_) {
+    endDrag();
+    return QAbstractItemView::mouseReleaseEvent(event);
+  }
+  // No click: where it ends nothing is selected, nor does what is selected go.
   const int slave = grabbed_;
   const auto at = aim_;
   endDrag();
-  if (plugged) {
-    Q_EMIT rewireWanted(slave, at.slave, at.port);
-  } else {
-    QAbstractItemView::mouseReleaseEvent(event);
-  }
+  setState(NoState);
+  if (at.slave >= 0) Q_EMIT rewireWanted(slave, at.slave, at.port);
 }
 
 void TopologyView::endDrag() {

@@ -11,6 +11,7 @@
 #include "reasons/because.h"
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/link_text.h"
 #include "ui/text/recorded_text.h"
 
 namespace syncline::ui {
@@ -390,7 +391,7 @@ void Workspace::tellOfScan(const QString& link, const ScanOutcome& outcome) {
     messages_.append(std::move(line));
   }
   const auto count = static_cast<int>(outcome.built.project.slaves.size());
-  inform(tr("Scan"), tr("%n slave(s) found on %1", nullptr, count).arg(link));
+  inform(tr("Scan"), tr("%n slave(s) found on %1", nullptr, count).arg(linkName(link, environment().demo_link)));
 }
 
 }  // namespace syncline::ui

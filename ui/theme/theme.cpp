@@ -2,10 +2,9 @@
 #include "ui/theme/theme.h"
 
 #include <QApplication>
-#include <QStyle>
-#include <QStyleFactory>
 
 #include "ui/theme/line_icon.h"
+#include "ui/theme/window_style.h"
 
 /// A static library's resources are linked in by this call; the macro must stand outside of any namespace.
 static void linkResources() { Q_INIT_RESOURCE(syncline); }
@@ -116,9 +115,7 @@ void apply(Mode mode) {
   static const QPalette desktop = QApplication::palette();
   linkResources();
   g_mode = mode;
-  if (QApplication::style()->name() != QLatin1String("fusion")) {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  }
+  if (dynamic_cast<const WindowStyle*>(QApplication::style()) == nullptr) QApplication::setStyle(new WindowStyle);
   const auto& colors = mode == Mode::kSystem     ? colorsOf(desktop)
                        : mode == Mode::kContrast ? kContrast
                        : mode == Mode::kDark     ? kDark

@@ -16,8 +16,8 @@ enum class Mode : unsigned char { kSystem, kLight, kDark, kContrast };
 [[nodiscard]] QString modeName(Mode mode);             // "light", for settings and command line
 [[nodiscard]] Mode modeFromName(const QString& name);  // kSystem when unknown
 
-/// Fusion with our palette. kSystem takes light, dark or high contrast (a ground of nothing but black) from the
-/// desktop's own palette.
+/// Fusion (window_style.h) with our palette. kSystem takes light, dark or high contrast (a ground of nothing but black)
+/// from the desktop's own palette.
 void apply(Mode mode);
 [[nodiscard]] Mode current();
 /// Ours for a light desktop, whatever is applied.

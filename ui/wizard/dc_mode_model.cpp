@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "compile/task_plan.h"
 #include "config/project.h"
 #include "config/sync0_cycle.h"
+#include "config/sync_unit_cycle.h"
 #include "findings/finding.h"
 #include "protocol/dc_registers.h"
 #include "settings/settings_table.h"
@@ -35,12 +35,9 @@ QString multipleText(int factor) {
   return factor > 0 ? QStringLiteral("\u00D7 %1").arg(factor) : QStringLiteral("/ %1").arg(-factor);
 }
 
-Nanoseconds unitCycleOf(const Project& project, const SlaveSettings& slave) {
-  return compiler::sync_unit_cycle(project.master, slave, !slave.device.rx_pdos.empty(), !slave.device.tx_pdos.empty());
-}
-
 Nanoseconds cycleOf(const Project& project, const SlaveSettings& slave) {
-  return compiler::sync_cycle(*compiler::selected_op_mode(slave), slave.dc, 0, unitCycleOf(project, slave));
+  return compiler::sync_cycle(*compiler::selected_op_mode(slave), slave.dc, 0,
+                              compiler::sync_unit_cycle(project.master, slave));
 }
 
 }  // namespace
@@ -104,7 +101,7 @@ QVariantList DcModeModel::choices(int row, int column) const {
   }
   auto own = slave.dc;
   own.sync0 = {};
-  const auto unit_cycle = unitCycleOf(project_, slave);
+  const auto unit_cycle = compiler::sync_unit_cycle(project_.master, slave);
   add(tr("As operation mode (%1)")
           .arg(cycleText(compiler::sync_cycle(*compiler::selected_op_mode(slave), own, 0, unit_cycle))),
       0);

@@ -9,6 +9,7 @@
 #include "ui/dialogs/slave_commands.h"
 #include "ui/session/eni_machine.h"
 #include "ui/text/error_text.h"
+#include "ui/text/link_text.h"
 
 namespace syncline::ui {
 namespace {
@@ -33,7 +34,9 @@ MachineDraft::MachineDraft(Workspace& window, QObject* parent)
     scanning_ = false;
     looked_at_ = outcome.looked_only ? static_cast<int>(outcome.running) : 0;
     take(outcome.built.project);
-    Q_EMIT told(tr("%n slave(s) found on %1", nullptr, static_cast<int>(project().slaves.size())).arg(link), false);
+    Q_EMIT told(tr("%n slave(s) found on %1", nullptr, static_cast<int>(project().slaves.size()))
+                    .arg(linkName(link, draft_.environment().demo_link)),
+                false);
     Q_EMIT scanChanged();
   });
   connect(&scan, &ScanController::failed, this, [this](const QString&, const Error& error) {

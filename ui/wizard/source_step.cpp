@@ -17,6 +17,7 @@
 #include "ui/dialogs/questions.h"
 #include "ui/dialogs/template_commands.h"
 #include "ui/panels/catalogue_panel.h"
+#include "ui/text/link_text.h"
 #include "ui/text/menu_key.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
@@ -238,7 +239,7 @@ void SourceStep::showScan() {
          "of what they are may not be known.",
          nullptr, draft().lookedAt()));
   bus_->setVisible(!draft().link().isEmpty());
-  bus_->setText(tr("Scanned: %1").arg(draft().link()));
+  bus_->setText(tr("Scanned: %1").arg(linkName(draft().link(), workspace().environment().demo_link)));
 }
 
 void SourceStep::chooseBus() {

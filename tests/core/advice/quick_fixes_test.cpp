@@ -59,6 +59,11 @@ TEST(QuickFixes, TakeAwayAnAddressThatIsUsedTwice) {
   auto project = two_axes();
   project.slaves[2].station_address = project.slaves[1].station_address;
   expect_cures(project, "station-address-twice");
+  const auto findings = findings_of(project);
+  const auto fixes = quick_fixes(project, *find(findings, "station-address-twice"));
+  ASSERT_FALSE(fixes.empty());
+  const std::int64_t next = project.slaves[1].station_address + 1;
+  EXPECT_EQ(fixes.front().value, settings::Value{next}) << "the one behind those of the others comes first";
 }
 
 TEST(QuickFixes, ShortenOrFreeASetValueThatDoesNotFit) {
@@ -155,6 +160,19 @@ TEST(QuickFixes, TryEachValueOnTheProjectAsItIs) {
     EXPECT_EQ(find(findings_of(changed), "operation-mode-missing"), nullptr);
   }
   EXPECT_FALSE(quick_fixes(project, *finding, {}, 24).empty());
+}
+
+/// A run that nobody watched: no compilation shows it, its row names what to switch on.
+TEST(QuickFixes, SwitchOnWhatARunMissed) {
+  auto project = two_axes();
+  project.master.dc.sync_window.enabled = false;
+  const Finding finding{.code = "not-monitored", .severity = Severity::kNote};
+  const auto fixes = quick_fixes(project, finding);
+  ASSERT_EQ(fixes.size(), 1U);
+  apply(project, fixes.front());
+  EXPECT_TRUE(project.master.dc.sync_window.enabled);
+  EXPECT_TRUE(quick_fixes(project, finding).empty()) << "it is on already";
+  EXPECT_TRUE(quick_fixes(project, {.code = "frames-lost", .severity = Severity::kError}).empty());
 }
 
 TEST(QuickFixes, AreNoMoreThanWanted) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compile/compile.h"
+#include "settings/settings_table.h"
 #include "tests/support/sample_devices.h"
 
 namespace syncline {
@@ -69,6 +70,27 @@ TEST_P(Tasks, TheSyncUnitCycleOfASlaveIsThatOfItsTask) {
   EXPECT_EQ(compile(project, {GetParam()}).value().config.slaves[0].dc->cycle_time0, 4 * kMillisecond);
   project.slaves[0].input_unit.clear();  // now its inputs come faster than its outputs
   EXPECT_EQ(compile(project, {GetParam()}).value().config.slaves[0].dc->cycle_time0, kMillisecond);
+}
+
+/// A field that is left to the operation mode shows what is written.
+TEST_P(Tasks, TheCycleThatASettingStandsForIsThatOfTheTask) {
+  Project project = two_tasks();
+  const auto stands_for = [&project](const char* key) {
+    settings::Place place;
+    place.slave = 0;
+    return settings::effective_value(settings::row(key), project, place);
+  };
+  const settings::Value base{kMillisecond}, slow{4 * kMillisecond};
+  EXPECT_EQ(stands_for("slave.N.dc.sync0.cycle_us"), base);
+  project.slaves[0].output_unit = project.slaves[0].input_unit = "Terminals";
+  EXPECT_EQ(stands_for("slave.N.dc.sync0.cycle_us"), slow);
+  project.slaves[0].device.dc->op_modes.front().shift_time_sync0.factor = 1;
+  const auto shift = compile(project, {GetParam()}).value().config.slaves[0].dc->shift_time;
+  EXPECT_EQ(stands_for("slave.N.dc.sync0.shift_us"), settings::Value{shift});
+  EXPECT_EQ(shift, 4 * kMillisecond);
+  project.slaves[0].assigned_tx_pdos.clear();
+  project.slaves[0].output_unit.clear();
+  EXPECT_EQ(stands_for("slave.N.dc.sync0.cycle_us"), base) << "its inputs' unit says nothing without inputs";
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, Tasks, testing::Values(EniDialect::kEcEngineer, EniDialect::kTwinCat));
