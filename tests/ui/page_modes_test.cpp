@@ -19,7 +19,13 @@ using PagesMode = DeviceEditor::Mode;
 
 class PageModes : public test::ProjectWindow {
  protected:
-  PageModes() : ProjectWindow(test::smallProject()) {}
+  PageModes() : ProjectWindow(machine()) {}
+  /// A coupler, and a drive that has objects.
+  static Project machine() {
+    auto project = test::smallProject();
+    project.slaves[1].device.mailbox.emplace().coe.emplace();
+    return project;
+  }
   void choose(const char* mode) { window_.findChild<QAction*>(QLatin1String(mode))->trigger(); }
   int pages() { return window_.editor().tabs()->count(); }
 };
@@ -36,6 +42,8 @@ TEST_F(PageModes, ShowThePagesOfTheirPurpose) {
   choose("pagesDiagnosis");
   const int diagnosing = pages();
   EXPECT_TRUE(has(1, "slaveObjectsPage"));
+  EXPECT_FALSE(has(0, "slaveObjectsPage")) << "it does not speak CoE";
+  EXPECT_FALSE(has(0, "slaveHistoryPage")) << "it does not speak CoE";
   EXPECT_TRUE(has(1, "slaveCountersPage"));
   EXPECT_TRUE(has(1, "slaveDcPage")) << "shows both";
   EXPECT_FALSE(has(1, "processDataPage"));

@@ -24,7 +24,7 @@ void drawMark(QPainter& painter, const QRectF& box, theme::Tone tone) {
       painter.drawPolygon(QPolygonF({{box.center().x(), box.top()}, box.bottomRight(), box.bottomLeft()}));
       break;
     case theme::Tone::kBad:
-      painter.drawRect(box.adjusted(0.5, 0.5, -0.5, -0.5));
+      painter.drawRect(box);
       break;
     case theme::Tone::kNeutral:
       painter.setBrush(Qt::NoBrush);
