@@ -32,6 +32,8 @@ class AcyclicRequests {
 
   AcyclicRequests(const NetworkConfig& config, const Snapshot& snapshot, std::span<SlaveMailbox> mailboxes,
                   RequestDesk& desk);
+  // What could throw there would be a fault of this class, with which no run may go on.
+  // NOLINTNEXTLINE(bugprone-exception-escape)
   ~AcyclicRequests() { end_all({.code = ErrorCode::kCancelled}, snapshot_.time); }
   AcyclicRequests(const AcyclicRequests&) = delete;
   AcyclicRequests& operator=(const AcyclicRequests&) = delete;
