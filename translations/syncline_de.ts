@@ -7702,10 +7702,6 @@ Einstellung %2</translation>
             <translation>Die ESI beschreibt keine Objekte: Wählen Sie online „Aus dem Slave“.</translation>
         </message>
         <message>
-            <source>This slave does not speak CoE: it has no objects.</source>
-            <translation>Dieser Slave spricht kein CoE: Er hat keine Objekte.</translation>
-        </message>
-        <message>
             <source>The slave is asked for its objects.</source>
             <translation>Der Slave wird nach seinen Objekten gefragt.</translation>
         </message>

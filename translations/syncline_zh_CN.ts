@@ -7668,10 +7668,6 @@ Setting %2</source>
             <translation>ESI 没有描述对象：请在上线后选择“来自从站”。</translation>
         </message>
         <message>
-            <source>This slave does not speak CoE: it has no objects.</source>
-            <translation>此从站不支持 CoE：没有对象。</translation>
-        </message>
-        <message>
             <source>The slave is asked for its objects.</source>
             <translation>正在查询从站的对象。</translation>
         </message>

@@ -41,6 +41,7 @@
 #include "ui/plots/cycle_plot.h"
 #include "ui/session/first_pictures.h"
 #include "ui/session/workspace.h"
+#include "ui/text/link_text.h"
 #include "ui/theme/theme.h"
 #include "ui/wizard/machine_draft.h"
 #include "ui/wizard/new_machine_wizard.h"
@@ -141,8 +142,8 @@ ui::ScanOutcome otherBus(const Project& project) {
 
 /// What asks and compares, with the bar above the pages.
 void takeQuestions(Camera& camera, ui::MainWindow& window, ui::Workspace& workspace, const QString& theme) {
-  ui::FoundDialog found(workspace.document().project(), otherBus(workspace.document().project()), workspace.link(),
-                        &window);
+  const auto bus = ui::linkName(workspace.link(), workspace.environment().demo_link);
+  ui::FoundDialog found(workspace.document().project(), otherBus(workspace.document().project()), bus, &window);
   found.show();
   camera.take(found, theme + QStringLiteral("-scan-result"));
   const ui::KeptWork work{QStringLiteral("/home/user/press.syncline"), QDateTime::currentDateTime(),

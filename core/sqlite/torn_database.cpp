@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kHeader = 100;  // of the file, in its first page
 constexpr unsigned char kTableLeaf = 0x0D;
 constexpr std::size_t kLogHeader = 32, kFrameHeader = 24;
+/// A page is of one long row, and perhaps of some that lay there before; where bytes are damaged any row may lead
+/// anywhere.
+constexpr std::uint64_t kMostRowsOfAPage = 4;
 /// More columns has no table; what says so is no row.
 constexpr std::size_t kMostColumns = 64;
 
@@ -153,6 +156,7 @@ void TornDatabase::find_free_pages() {
 void TornDatabase::rows(const std::function<bool(std::int64_t id, std::span<const TornValue> row)>& take) {
   Page page;
   std::vector<TornValue> row;
+  chained_ = 0;
   for (std::uint32_t number = 1; number <= pages_ && number != 0; ++number) {
     if (free_.contains(number) || !read_page(number, page)) continue;
     const std::size_t begin = number == 1 ? kHeader : 0;
@@ -199,7 +203,7 @@ bool TornDatabase::read_payload(const Page& page, std::size_t at, std::uint64_t 
   payload_.assign(reinterpret_cast<const char*>(&page[at]), here);
   auto next = here < size ? word(&page[at + here]) : 0;
   while (payload_.size() < size) {
-    if (!read_page(next, overflow_)) return false;
+    if (++chained_ > kMostRowsOfAPage * pages_ || !read_page(next, overflow_)) return false;
     const auto rest = std::min<std::uint64_t>(size - payload_.size(), usable_ - 4);
     payload_.append(reinterpret_cast<const char*>(&overflow_[4]), rest);
     next = word(overflow_.data());

@@ -39,7 +39,9 @@ class TornDatabase {
   [[nodiscard]] std::uint32_t user_version() const { return user_version_; }
 
   /// Each row of any table whose bytes are all there, by its page; what they are worth, who knows the tables must say.
-  /// A column that is the table's INTEGER PRIMARY KEY is kNull, its value is `id`. Until `take` returns false.
+  /// A column that is the table's INTEGER PRIMARY KEY is kNull, its value is `id`. Until `take` returns false. Time
+  /// grows with the file, whatever is in it: when as many pages of long rows were read as no file of this size has, the
+  /// other long rows are taken for none.
   void rows(const std::function<bool(std::int64_t id, std::span<const TornValue> row)>& take);
 
  private:
@@ -61,6 +63,7 @@ class TornDatabase {
   std::uint32_t application_id_ = 0, user_version_ = 0, first_free_ = 0;
   Places in_log_;
   std::set<std::uint32_t> free_;
+  std::uint64_t chained_ = 0;  // pages that were read for long rows
   std::string payload_;
   Page overflow_;
 };

@@ -37,7 +37,7 @@ class KindDelegate final : public QStyledItemDelegate {
   }
 };
 
-QString summary(const FoundModel& model, const QString& link) {
+QString summary(const FoundModel& model, const QString& bus) {
   QStringList parts{FoundDialog::tr("%n match(es)", nullptr, model.count(FoundKind::kMatched))};
   const auto add = [&](FoundKind kind, const QString& text) {
     if (model.count(kind) > 0) parts << text;
@@ -48,7 +48,7 @@ QString summary(const FoundModel& model, const QString& link) {
   add(FoundKind::kRewired, FoundDialog::tr("%n wired otherwise", nullptr, model.count(FoundKind::kRewired)));
   add(FoundKind::kRevision, FoundDialog::tr("%n in another revision", nullptr, model.count(FoundKind::kRevision)));
   add(FoundKind::kOtherDevice, FoundDialog::tr("%n other device(s)", nullptr, model.count(FoundKind::kOtherDevice)));
-  return FoundDialog::tr("The bus on %1 beside the project: %2.").arg(link, joinedParts(parts));
+  return FoundDialog::tr("The bus on %1 beside the project: %2.").arg(bus, joinedParts(parts));
 }
 
 QLabel* paragraph(const char* object_name, const QString& text) {
@@ -62,7 +62,7 @@ QLabel* paragraph(const char* object_name, const QString& text) {
 
 }  // namespace
 
-FoundDialog::FoundDialog(const Project& ours, ScanOutcome outcome, const QString& link, QWidget* parent)
+FoundDialog::FoundDialog(const Project& ours, ScanOutcome outcome, const QString& bus, QWidget* parent)
     : QDialog(parent), ours_(ours), outcome_(std::move(outcome)) {
   setObjectName(QStringLiteral("foundDialog"));
   setWindowTitle(tr("Scan Result"));
@@ -70,7 +70,7 @@ FoundDialog::FoundDialog(const Project& ours, ScanOutcome outcome, const QString
   model_ = new FoundModel(ours_, outcome_.built.project, this);
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(10);
-  layout->addWidget(paragraph("foundSummary", summary(*model_, link)));
+  layout->addWidget(paragraph("foundSummary", summary(*model_, bus)));
   auto* buttons = new QDialogButtonBox;
   if (outcome_.looked_only) {
     layout->addWidget(paragraph(

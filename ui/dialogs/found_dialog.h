@@ -17,7 +17,8 @@ class FoundDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  FoundDialog(const Project& ours, ScanOutcome outcome, const QString& link, QWidget* parent);
+  /// `bus`: in words (text/link_text.h).
+  FoundDialog(const Project& ours, ScanOutcome outcome, const QString& bus, QWidget* parent);
 
  Q_SIGNALS:
   /// The project that the user wants; `lost`: settings of it that another revision does not take.

@@ -196,10 +196,7 @@ void SlaveObjectsPage::showDictionary() {
   reader_->cancel();
   if (list == kFromEsi) {
     model_->setDictionary(esi_);
-    const bool coe = settings()->device.mailbox && settings()->device.mailbox->coe;
-    say(!esi_.empty() ? QString()
-        : coe         ? tr("The ESI describes no objects: choose \"From the slave\" when online.")
-                      : tr("This slave does not speak CoE: it has no objects."));
+    say(esi_.empty() ? tr("The ESI describes no objects: choose \"From the slave\" when online.") : QString());
   } else if (const auto known = online_.find({position(), list}); known != online_.end()) {
     model_->setDictionary(known->second);
   } else {
