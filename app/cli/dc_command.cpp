@@ -15,7 +15,7 @@
 #include "master/clocks/clock_survey.h"
 #include "master/clocks/dc_setup.h"
 #include "master/scan/bus_scanner.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 
 namespace syncline::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include "families/device_family.h"
 #include "families/families.h"
 #include "families/family_problems.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "reasons/because.h"
 #include "settings/limits.h"
 #include "settings/predicates.h"

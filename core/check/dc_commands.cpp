@@ -7,7 +7,7 @@
 #include "check/network_view.h"
 #include "config/command_text.h"
 #include "config/network_config.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "protocol/registers.h"
 
 namespace syncline::checker {

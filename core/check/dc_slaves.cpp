@@ -8,7 +8,7 @@
 #include "config/init_cmd.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "protocol/registers.h"
 #include "settings/predicates.h"
 

@@ -20,7 +20,8 @@
 #include "config/sync_unit_cycle.h"
 #include "config/task_settings.h"
 #include "reasons/because.h"
-#include "settings/predicates.h"
+#include "settings/setting.h"
+#include "settings/settings_table.h"
 
 namespace syncline::compiler {
 namespace {
@@ -177,12 +178,7 @@ Status check_buildable(const Project& project) {
   if (project.slaves.size() > kMaxSlaves) {
     return fail(ErrorCode::kConfiguration, "project", because("more slaves than addresses"));
   }
-  const Nanoseconds cycle = project.master.cycle_time;
-  if (!settings::is_bus_cycle(cycle)) {
-    return fail(ErrorCode::kBadValue, "master.cycle_time_us",
-                because("{cycle} ns is outside 31.25 us to 100 ms", cycle));
-  }
-  return {};
+  return settings::check_number(settings::row("master.cycle_time_us"), project, {});
 }
 
 }  // namespace syncline::compiler

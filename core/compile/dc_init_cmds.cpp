@@ -4,7 +4,7 @@
 #include "compile/init_cmd_builder.h"
 #include "compile/slave_plan.h"
 #include "config/slave_config.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

@@ -3,8 +3,8 @@
 
 #include "config/init_cmd.h"
 #include "protocol/command.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "protocol/speed_counter.h"
 #include "support/byte_order.h"
 
 namespace syncline::compiler {

@@ -18,7 +18,7 @@
 #include "config/startup_messages.h"
 #include "config/startup_origin.h"
 #include "config/sync0_cycle.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "protocol/frame.h"
 #include "protocol/mailbox.h"
 #include "settings/limits.h"

@@ -10,7 +10,7 @@
 #include "config/slave_settings.h"
 #include "families/device_family.h"
 #include "families/families.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "settings/sync_settings.h"
 #include "support/byte_order.h"
 

@@ -6,7 +6,7 @@
 #include "config/dc_description.h"
 #include "config/dc_settings.h"
 #include "config/slave_settings.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 
 namespace syncline::compiler {
 namespace {

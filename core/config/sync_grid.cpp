@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "config/network_config.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 
 namespace syncline {
 namespace {

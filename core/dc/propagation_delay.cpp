@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "protocol/dc_registers.h"
+#include "protocol/delay_difference.h"
 #include "protocol/dl_status.h"
 
 namespace syncline::dc {

@@ -5,8 +5,8 @@
 
 #include "config/frame_time.h"
 #include "config/network_config.h"
+#include "protocol/assign_activate.h"
 #include "protocol/command.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 
 namespace syncline::dc {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "config/dc_settings.h"
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 
 namespace syncline::dc {
 namespace {

@@ -12,7 +12,7 @@
 #include "exports/html_table.h"
 #include "exports/report_sections.h"
 #include "findings/finding.h"
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 
 namespace syncline::exports {
 namespace {

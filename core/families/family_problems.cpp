@@ -10,7 +10,7 @@
 #include "families/device_family.h"
 #include "findings/eni_devices_words.h"
 #include "findings/sentence.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "reasons/because.h"
 
 namespace syncline::families {

@@ -183,7 +183,6 @@ inline constexpr std::string_view kCommonReasons[] = {
     "link-layer-ref-clock: this link cannot put its send time into frames",
     "it is not in sync after {time} s: {reason}",
     "messages without end, but no answer",
-    "{cycle} ns is outside 31.25 us to 100 ms",
     "an EEPROM is written in words of two bytes",
     "the device has {count} places for modules, counted from 0",
     "module 0x{module} does not fit into place {place}; these do: {modules}",

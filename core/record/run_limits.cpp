@@ -5,7 +5,7 @@
 
 #include "config/network_config.h"
 #include "dc/clock_registers.h"
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 #include "trace/signals.h"
 
 namespace syncline {

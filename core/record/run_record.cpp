@@ -10,7 +10,7 @@
 #include "config/sync_grid.h"
 #include "dc/clock_registers.h"
 #include "diagnosis/run_diagnosis.h"
-#include "protocol/dc_registers.h"
+#include "trace/sync_overview.h"
 
 namespace syncline {
 namespace {
@@ -45,12 +45,28 @@ RunRecord::RunRecord(NetworkConfig config, std::size_t cycle_capacity, const Run
       limits_(limits),
       samples_(layout_of(config_, cycle_capacity, limits_, speed_counter_start)),
       recorder_(config_),
-      overview_(config_) {}
+      overview_(std::make_unique<OverviewRecorder>(config_)) {}
+
+RunRecord::~RunRecord() = default;
+RunRecord::RunRecord(RunRecord&&) noexcept = default;
+RunRecord& RunRecord::operator=(RunRecord&&) noexcept = default;
+
+void RunRecord::arm() { overview_->arm(); }
+
+void RunRecord::arm_from(Nanoseconds time) { overview_->arm_from(time); }
+
+RunStanding RunRecord::standing() const { return {limits_, overview().armed}; }
+
+const SyncOverview& RunRecord::overview() const {
+  return shown_overview_ == nullptr ? overview_->overview() : *shown_overview_;
+}
+
+std::vector<Finding> RunRecord::findings() const { return findings(overview().begin); }
 
 void RunRecord::add(std::span<const CycleSample> samples) {
   samples_.append(samples);
   recorder_.add(samples);
-  overview_.add(samples);
+  overview_->add(samples);
   reference_times_.add(samples);
 }
 
@@ -63,7 +79,7 @@ void RunRecord::add(const Snapshot& snapshot) {
   if (!configured) return;
   // What was measured before says nothing about the controller as it is now, and nothing was lost by the change.
   if (limits_.dcm_error_ns != 0) limits_.dcm_error_ns = snapshot_.dcm.in_sync_limit;
-  overview_.disarm(snapshot_.time);
+  overview_->disarm(snapshot_.time);
 }
 
 void RunRecord::add(RunNote note) {
@@ -90,7 +106,7 @@ void RunRecord::keep(KeptTrigger found) {
 void RunRecord::add(const Event& event) {
   samples_.append(event);
   recorder_.add(event);
-  overview_.add(event);
+  overview_->add(event);
   if (events_.size() == kMostEvents) {
     events_.pop_front();
     ++forgotten_events_;

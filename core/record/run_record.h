@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,11 +19,12 @@
 #include "trace/reference_times.h"
 #include "trace/run_report.h"
 #include "trace/sample_store.h"
-#include "trace/sync_overview.h"
 
 namespace syncline {
 
 struct CycleSample;
+struct SyncOverview;
+class OverviewRecorder;
 
 /// One run: the configuration that runs and whatever came of it, for as long as somebody looks. Owned by who runs it;
 /// plots, tables, exports and recordings read here. Not thread-safe: lives where the channels are drained.
@@ -36,6 +38,9 @@ class RunRecord {
   /// The same with the limits of a recording, which its configuration does not hold.
   RunRecord(NetworkConfig config, std::size_t cycle_capacity, const RunLimits& limits,
             std::uint16_t speed_counter_start);
+  ~RunRecord();
+  RunRecord(RunRecord&&) noexcept;
+  RunRecord& operator=(RunRecord&&) noexcept;
 
   /// Everything that is drained; the samples before the snapshot that came with them.
   void add(std::span<const CycleSample> samples);
@@ -66,14 +71,14 @@ class RunRecord {
   /// The moment; nothing: all is shown.
   [[nodiscard]] std::optional<Nanoseconds> shown_at() const { return shown_at_; }
   /// Figures and faults of the overview begin anew.
-  void arm() { overview_.arm(); }
+  void arm();
   /// Of a recording: see OverviewRecorder::arm_from().
-  void arm_from(Nanoseconds time) { overview_.arm_from(time); }
+  void arm_from(Nanoseconds time);
 
   [[nodiscard]] const NetworkConfig& config() const { return config_; }
   /// Those in force: the running master may be given other parameters.
   [[nodiscard]] const RunLimits& limits() const { return limits_; }
-  [[nodiscard]] RunStanding standing() const { return {limits_, overview().armed}; }
+  [[nodiscard]] RunStanding standing() const;
   /// As the configuration names it; its number where there is none.
   [[nodiscard]] std::string slave_name(std::size_t position) const;
   [[nodiscard]] const SampleStore& samples() const { return samples_; }
@@ -89,15 +94,13 @@ class RunRecord {
   /// Another number when they have changed.
   [[nodiscard]] std::uint64_t notes_changed() const { return notes_changed_; }
   [[nodiscard]] RunReport report() const { return recorder_.finish(snapshot_); }
-  [[nodiscard]] const SyncOverview& overview() const {
-    return shown_overview_ == nullptr ? overview_.overview() : *shown_overview_;
-  }
+  [[nodiscard]] const SyncOverview& overview() const;
   /// What makes the overview, as far as it has come.
-  [[nodiscard]] const OverviewRecorder& overview_recorder() const { return overview_; }
+  [[nodiscard]] const OverviewRecorder& overview_recorder() const { return *overview_; }
   /// What the figures mean. Judged is what was in OP: on the way there everything is unfinished. Of a recording: what
   /// was found while it ran, which is known of its end. Moments count from the first sample on, as the axis of the
   /// plots does.
-  [[nodiscard]] std::vector<Finding> findings() const { return findings(overview().begin); }
+  [[nodiscard]] std::vector<Finding> findings() const;
   /// The same with moments that count from `told_from` on (host clock): for a recording that began later.
   [[nodiscard]] std::vector<Finding> findings(Nanoseconds told_from) const;
 
@@ -109,7 +112,7 @@ class RunRecord {
   SampleStore samples_;
   ReferenceTimes reference_times_;
   RunRecorder recorder_;
-  OverviewRecorder overview_;
+  std::unique_ptr<OverviewRecorder> overview_;
   std::optional<std::vector<Finding>> restored_findings_;
   Snapshot snapshot_;
   std::deque<Event> events_;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "config/port_kind.h"
-#include "protocol/dc_registers.h"
+#include "protocol/delay_difference.h"
 #include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"

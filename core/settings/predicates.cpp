@@ -48,6 +48,4 @@ bool has_process_data(const SlaveSettings& slave) {
 
 bool is_position(std::size_t slaves, std::int64_t position) { return position >= 0 && std::cmp_less(position, slaves); }
 
-bool is_bus_cycle(Nanoseconds cycle) { return cycle >= limits::kShortestCycle && cycle <= limits::kLongestCycle; }
-
 }  // namespace syncline::settings

@@ -39,7 +39,4 @@ struct Range;
 [[nodiscard]] bool is_gateway(const SlaveSettings& slave);        // a CAN gateway of a family that is known
 [[nodiscard]] bool has_process_data(const SlaveSettings& slave);  // of its own or of modules
 
-/// Whether our master can run with this bus cycle.
-[[nodiscard]] bool is_bus_cycle(Nanoseconds cycle);
-
 }  // namespace syncline::settings

@@ -5,7 +5,7 @@
 
 #include "config/sync0_cycle.h"
 #include "config/sync_unit_cycle.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "reasons/because.h"
 #include "settings/field.h"
 #include "settings/limits.h"

@@ -13,7 +13,7 @@
 #include "config/network_config.h"
 #include "dc/clock_registers.h"
 #include "dc/sync0_arrival.h"
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 
 namespace syncline {
 namespace {

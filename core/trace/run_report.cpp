@@ -10,7 +10,7 @@
 #include "config/hot_connect_groups.h"
 #include "config/network_config.h"
 #include "dc/sync0_arrival.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 
 namespace syncline {
 

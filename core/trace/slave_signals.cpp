@@ -6,7 +6,7 @@
 #include "channels/slave_evidence.h"
 #include "channels/slave_status.h"
 #include "channels/snapshot.h"
-#include "protocol/dc_registers.h"
+#include "protocol/speed_counter.h"
 #include "trace/counted_at_least.h"
 
 namespace syncline {

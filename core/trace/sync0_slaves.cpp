@@ -4,7 +4,7 @@
 #include "config/frame_time.h"
 #include "config/network_config.h"
 #include "config/sync_grid.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 
 namespace syncline {
 namespace {

@@ -15,7 +15,7 @@
 #include "eni/project/project_builder.h"
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
 

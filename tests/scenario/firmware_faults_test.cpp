@@ -11,11 +11,12 @@
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
 #include "tests/support/own_devices.h"
+#include "tests/support/cases.h"
 
 namespace syncline {
 namespace {
 
-constexpr int kInjections = 17;
+constexpr int kInjections = test::cases(17);
 
 struct FirmwareKind {
   FaultKind fault;

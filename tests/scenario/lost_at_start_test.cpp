@@ -10,6 +10,7 @@
 #include "tests/scenario/machine_run.h"
 #include "tests/support/own_devices.h"
 #include "tests/support/small_machines.h"
+#include "tests/support/cases.h"
 
 namespace syncline {
 namespace {
@@ -67,7 +68,7 @@ TEST_F(LostAtStart, ATerminalThatWaitsForDrivesIsLostAsOthersAre) {
 /// SYNCLINE_OUTAGES=n tries n moments and lengths.
 TEST_F(LostAtStart, AllAreInOpInTheEndWhoeverGoesWhenForHowLong) {
   const char* wish = std::getenv("SYNCLINE_OUTAGES");
-  const int tries = wish != nullptr ? std::atoi(wish) : 60;
+  const int tries = wish != nullptr ? std::atoi(wish) : test::cases(60);
   constexpr std::array kModes{DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kMasterRefClock,
                               DcmMode::kLinkLayerRefClock};
   Random random(7);

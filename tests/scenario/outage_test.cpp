@@ -12,6 +12,7 @@
 #include "tests/scenario/machine_run.h"
 #include "tests/support/event_match.h"
 #include "tests/support/small_machines.h"
+#include "tests/support/cases.h"
 
 namespace syncline {
 namespace {
@@ -162,7 +163,7 @@ Outage::Case Outage::random_case(int number) {
 /// SYNCLINE_OUTAGES=n tries n of them.
 TEST_F(Outage, EndsInSyncWhateverGoesAwayForHowLongInWhichMode) {
   const char* wish = std::getenv("SYNCLINE_OUTAGES");
-  const int count = wish != nullptr ? std::atoi(wish) : 30;
+  const int count = wish != nullptr ? std::atoi(wish) : test::cases(30);
   for (int number = 1; number <= count; ++number) expect_sync_after(random_case(number));
 }
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "link/link.h"
-#include "protocol/dc_registers.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
+#include "protocol/system_time_difference.h"
 #include "support/byte_order.h"
 #include "support/whole_file.h"
 #include "tests/support/temporary_folder.h"

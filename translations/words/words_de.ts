@@ -7853,10 +7853,6 @@
         <translation>Nachrichten ohne Ende, aber keine Antwort</translation>
     </message>
     <message>
-        <source>{cycle} ns is outside 31.25 us to 100 ms</source>
-        <translation>{cycle} ns liegt außerhalb von 31.25 us bis 100 ms</translation>
-    </message>
-    <message>
         <source>an EEPROM is written in words of two bytes</source>
         <translation>ein EEPROM wird in Wörtern von zwei Bytes geschrieben</translation>
     </message>

@@ -7853,10 +7853,6 @@
         <translation>消息不断，但没有应答</translation>
     </message>
     <message>
-        <source>{cycle} ns is outside 31.25 us to 100 ms</source>
-        <translation>{cycle} ns 超出 31.25 us 到 100 ms</translation>
-    </message>
-    <message>
         <source>an EEPROM is written in words of two bytes</source>
         <translation>EEPROM 以两字节的字写入</translation>
     </message>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "support/result.h"
-#include "ui/session/project_document.h"
+#include "ui/session/setting_edit.h"
 
 namespace syncline::ui {
 

@@ -7,7 +7,7 @@
 #include <QLabel>
 
 #include "config/project.h"
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"
 #include "ui/editors/page.h"

@@ -2,7 +2,7 @@
 #include "ui/pages/sync_unit_editor.h"
 
 #include "config/sync0_cycle.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "ui/editors/choice_edit.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/number_edit.h"

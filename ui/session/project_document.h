@@ -12,20 +12,13 @@
 
 #include "config/project.h"
 #include "reasons/because.h"
-#include "settings/setting.h"
 #include "support/result.h"
 #include "ui/commands/edit_project_command.h"
 #include "ui/files/held_file.h"
 #include "ui/session/project_lock.h"
+#include "ui/session/setting_edit.h"
 
 namespace syncline::ui {
-
-/// A value for a setting of the table (settings/settings_table.h).
-struct SettingEdit {
-  const settings::Setting* setting = nullptr;
-  settings::Place place;
-  settings::Value value;
-};
 
 /// A slave that stays who it is while others come, go and move.
 struct SlaveMark {

@@ -7,7 +7,7 @@
 #include "config/sync0_cycle.h"
 #include "config/sync_unit_cycle.h"
 #include "findings/finding.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "settings/settings_table.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/setting_text.h"

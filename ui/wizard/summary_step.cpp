@@ -14,7 +14,7 @@
 
 #include "eni/check/eni_check.h"
 #include "findings/fold.h"
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 #include "settings/settings_table.h"
 #include "ui/editors/field_binder.h"
 #include "ui/files/held_file.h"

@@ -10,8 +10,10 @@
 #include "master/exchange/bus.h"
 #include "master/exchange/slave_address.h"
 #include "master/scan/bus_scanner.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 #include "protocol/registers.h"
+#include "protocol/speed_counter.h"
+#include "protocol/system_time_difference.h"
 
 namespace syncline {
 namespace {

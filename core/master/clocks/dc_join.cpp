@@ -14,8 +14,9 @@
 #include "master/exchange/bus.h"
 #include "master/scan/bus_scanner.h"
 #include "protocol/datagram.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "protocol/speed_counter.h"
+#include "protocol/system_time_difference.h"
 
 namespace syncline {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "config/network_config.h"
 #include "dc/clock_registers.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "protocol/speed_counter.h"
 #include "support/byte_order.h"
 
 namespace syncline {

@@ -13,7 +13,6 @@
 #include "master/clocks/delay_latch.h"
 #include "master/clocks/drift_compensation.h"
 #include "master/exchange/bus.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "reasons/because.h"
 #include "support/le_number.h"

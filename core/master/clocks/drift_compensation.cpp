@@ -6,8 +6,8 @@
 #include "dc/clock_registers.h"
 #include "master/exchange/bus.h"
 #include "protocol/datagram.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "protocol/system_time_difference.h"
 #include "support/byte_order.h"
 
 namespace syncline {

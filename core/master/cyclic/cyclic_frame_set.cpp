@@ -7,8 +7,8 @@
 #include "config/network_config.h"
 #include "config/process_image.h"
 #include "protocol/datagram.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
+#include "protocol/system_time_difference.h"
 #include "support/bits.h"
 #include "support/byte_order.h"
 

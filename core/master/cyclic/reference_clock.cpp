@@ -10,7 +10,6 @@
 #include "master/clocks/dc_loop_values.h"
 #include "master/exchange/event_teller.h"
 #include "protocol/datagram.h"
-#include "protocol/dc_registers.h"
 #include "protocol/registers.h"
 #include "support/byte_order.h"
 

@@ -13,9 +13,9 @@
 #include "master/exchange/event_teller.h"
 #include "master/exchange/slave_states.h"
 #include "protocol/datagram.h"
-#include "protocol/dc_registers.h"
 #include "protocol/dl_status.h"
 #include "protocol/registers.h"
+#include "protocol/system_time_difference.h"
 #include "support/byte_order.h"
 
 namespace syncline {

@@ -13,7 +13,7 @@
 #include "master/cyclic/sync_event_watch.h"
 #include "master/exchange/event_teller.h"
 #include "master/mailbox/sm2_counter_profile.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 
 namespace syncline {
 namespace {

@@ -16,7 +16,7 @@
 #include "master/exchange/slave_states.h"
 #include "protocol/al_state.h"
 #include "protocol/al_status_code.h"
-#include "protocol/dc_registers.h"
+#include "protocol/assign_activate.h"
 
 namespace syncline {
 namespace {

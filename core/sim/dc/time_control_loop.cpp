@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "protocol/dc_registers.h"
+#include "protocol/speed_counter.h"
+#include "protocol/system_time_difference.h"
 
 namespace syncline::sim {
 namespace {

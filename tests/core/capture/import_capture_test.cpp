@@ -11,7 +11,6 @@
 
 #include "link/link.h"
 #include "protocol/datagram.h"
-#include "protocol/dc_registers.h"
 #include "protocol/frame.h"
 #include "protocol/registers.h"
 #include "record/import_run.h"

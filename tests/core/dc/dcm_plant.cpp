@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/dc_registers.h"
+#include "protocol/speed_counter.h"
 
 namespace syncline::dc {
 namespace {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "config/dc_settings.h"
-#include "protocol/dc_registers.h"
 
 namespace syncline::dc {
 namespace {

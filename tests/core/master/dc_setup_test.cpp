@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-#include "protocol/dc_registers.h"
+#include "protocol/delay_difference.h"
 #include "sim/sim_bus.h"
 #include "support/random.h"
 #include "tests/support/clock_bed.h"

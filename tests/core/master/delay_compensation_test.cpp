@@ -8,7 +8,7 @@
 
 #include "channels/master_channels.h"
 #include "master/exchange/run_state.h"
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 #include "tests/support/clock_bed.h"
 
 namespace syncline {

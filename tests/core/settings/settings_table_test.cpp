@@ -154,12 +154,5 @@ TEST(Predicates, SyncAndFramesKeepStep) {
   EXPECT_FALSE(keeps_step(-kMillisecond, kMillisecond));
 }
 
-TEST(Predicates, TheBusCycleHasBothEnds) {
-  EXPECT_TRUE(is_bus_cycle(31'250));
-  EXPECT_TRUE(is_bus_cycle(100 * kMillisecond));
-  EXPECT_FALSE(is_bus_cycle(31'249));
-  EXPECT_FALSE(is_bus_cycle(100 * kMillisecond + 1));
-}
-
 }  // namespace
 }  // namespace syncline::settings

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "protocol/dc_registers.h"
+#include "protocol/speed_counter.h"
+#include "protocol/system_time_difference.h"
 #include "tests/core/sim/sim_probe.h"
 
 namespace syncline::test {

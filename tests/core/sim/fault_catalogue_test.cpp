@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "protocol/dc_registers.h"
+#include "protocol/system_time_difference.h"
 #include "sim/device/al_checks.h"
 #include "tests/core/sim/drive_bed.h"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "protocol/dc_registers.h"
 #include "sim/esc/esc_types.h"
 #include "tests/core/sim/sim_probe.h"
 
