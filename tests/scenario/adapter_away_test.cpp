@@ -6,9 +6,9 @@
 
 #include "protocol/al_state.h"
 #include "support/random.h"
+#include "tests/support/cases.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/small_machines.h"
-#include "tests/support/cases.h"
 
 namespace syncline {
 namespace {

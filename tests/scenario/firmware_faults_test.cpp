@@ -8,10 +8,10 @@
 
 #include "app/cli/event_text.h"
 #include "support/random.h"
+#include "tests/support/cases.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/event_match.h"
 #include "tests/support/own_devices.h"
-#include "tests/support/cases.h"
 
 namespace syncline {
 namespace {

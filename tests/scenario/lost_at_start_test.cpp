@@ -8,9 +8,9 @@
 
 #include "support/random.h"
 #include "tests/scenario/machine_run.h"
+#include "tests/support/cases.h"
 #include "tests/support/own_devices.h"
 #include "tests/support/small_machines.h"
-#include "tests/support/cases.h"
 
 namespace syncline {
 namespace {

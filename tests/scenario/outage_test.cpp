@@ -10,9 +10,9 @@
 #include "app/cli/run_json.h"
 #include "support/random.h"
 #include "tests/scenario/machine_run.h"
+#include "tests/support/cases.h"
 #include "tests/support/event_match.h"
 #include "tests/support/small_machines.h"
-#include "tests/support/cases.h"
 
 namespace syncline {
 namespace {
