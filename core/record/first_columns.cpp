@@ -232,7 +232,8 @@ std::vector<std::vector<SeriesColumn>> FirstColumns::finish() const {
 }  // namespace
 
 Result<std::vector<std::vector<SeriesColumn>>> first_columns(RecordingReader& reader, std::span<const Signal> signals,
-                                                             Nanoseconds begin, Nanoseconds end, Nanoseconds width) {
+                                                             Nanoseconds begin, Nanoseconds end, Nanoseconds width,
+                                                             const std::set<std::size_t>& gaps) {
   const bool somewhere = begin >= -kFar && end <= kFar && width > 0 && width <= kFar;
   if (signals.empty() || !somewhere || end <= begin) return std::vector<std::vector<SeriesColumn>>(signals.size());
   const auto held = reader.hold();
@@ -241,8 +242,8 @@ Result<std::vector<std::vector<SeriesColumn>>> first_columns(RecordingReader& re
   if (!blocks) return tl::unexpected(blocks.error());
   FirstColumns columns(reader, signals, begin, end, width);
   Status status;
-  for (const auto& block : *blocks) {
-    if (status) status = columns.take(block);
+  for (std::size_t i = 0; status && i < blocks->size(); ++i) {
+    if (!gaps.contains(i)) status = columns.take((*blocks)[i]);
   }
   if (status) status = columns.split_rest();
   if (!status) return tl::unexpected(status.error());

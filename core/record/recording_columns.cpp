@@ -69,23 +69,12 @@ Status RecordingReader::read_levels(const Block& block, std::int64_t series, std
 }
 
 Result<bool> RecordingReader::is_whole(const Block& block) {
-  if (!is_checked()) return true;
-  auto row = database_.prepare(select_rows("data", version_, "WHERE id >= ? AND id < ?"));
-  if (!row) return read_error(database_, row.error());
+  if (!salvaged_) return true;
   const auto first = block.number * kSeriesPerBlock;
-  row->bind(0, first).bind(1, first + kBusSeries);
-  bool whole = true;
-  const auto status = row->each([&] {
-    whole = row->integer(kDataCheck) != 0 || column_writer(row->integer(kDataId) - first) == nullptr;
-    return whole;
-  });
-  if (!status && is_damaged(status.error())) return false;
-  if (!status) return read_error(database_, status.error());
-  if (!whole || !salvaged_) return whole;
-  // Rows may have been on a page that is lost. Of a database that SQLite takes they are counted when they are read.
   auto columns = database_.prepare("SELECT count(*) FROM data WHERE id >= ? AND id < ? AND codec > 0");
   if (!columns) return read_error(database_, columns.error());
   columns->bind(0, first).bind(1, first + kSeriesPerBlock);
+  bool whole = true;
   const auto counted = columns->each([&] { whole = columns->integer(0) == block.columns; });
   if (!counted) return read_error(database_, counted.error());
   return whole;

@@ -112,7 +112,8 @@ class RecordingReader {
   }
   /// The cells of one block, one a cycle; kFileNotReadable, too, where it has no such column.
   [[nodiscard]] Status cells(const Block& block, Signal column, ColumnCells& out);
-  /// Whether its samples can be read: their rows are as they were written. True where rows have no checks.
+  /// Whether all of its columns were found, where the file is read page by page: rows that were found are as they were
+  /// written. True of any other file: what is damaged in it is seen by who reads the samples.
   [[nodiscard]] Result<bool> is_whole(const Block& block);
   using AllPoints = std::map<std::int64_t, Points>;  // by series_number()
   /// The samples of one block, and what it has of points() of counts and states behind what is there.

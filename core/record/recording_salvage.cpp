@@ -62,14 +62,32 @@ void bind(SqlStatement& statement, std::string_view table, std::int64_t id, std:
   }
 }
 
+/// A table that a row of so many values may be of, and what takes it in.
+struct Taker {
+  std::string_view table;
+  std::size_t width = 0;
+  SqlStatement insert;
+};
+
+Result<std::vector<Taker>> takers_into(SqlDatabase& database) {
+  std::vector<Taker> takers;
+  for (const auto table : recording_tables()) {
+    auto insert = database.prepare(insert_checked(table));
+    if (!insert) return tl::unexpected(insert.error());
+    takers.push_back({table, width_of(table), *insert});
+  }
+  return takers;
+}
+
 Status take_rows(TornDatabase& torn, SqlDatabase& database) {
+  auto takers = takers_into(database);
+  if (!takers) return tl::unexpected(takers.error());
   Status status;
   torn.rows([&](std::int64_t id, std::span<const TornValue> row) {
-    for (const auto table : recording_tables()) {
-      if (!status || width_of(table) != row.size()) continue;
-      auto statement = database.prepare(insert_checked(table));
-      if (statement) bind(*statement, table, id, row);
-      status = statement ? statement->run() : Status(tl::unexpected(statement.error()));
+    for (auto& taker : *takers) {
+      if (!status || taker.width != row.size()) continue;
+      bind(taker.insert, taker.table, id, row);
+      status = taker.insert.run();
     }
     return status.has_value();
   });

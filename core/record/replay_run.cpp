@@ -144,6 +144,7 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   const auto known = reader.damage().size();
   BlocksAhead ahead(reader, held);
   for (std::vector<CycleSample> samples; ahead.next(samples);) {
+    if (samples.empty() && options.gap) options.gap(blocks);
     add_in_order(record, std::span<const CycleSample>(samples), events, next);
     run.marks.pass(++blocks, next, record.overview_recorder());
     done += samples.size();

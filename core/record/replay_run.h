@@ -32,6 +32,8 @@ struct ReplayOptions {
   std::size_t cycle_capacity = 0;
   /// After each block, with the cycles read of all; false: no more, kCancelled.
   std::function<bool(std::uint64_t done, std::uint64_t all)> progress{};
+  /// Before progress(): this block, by its place in RecordingReader::blocks(), is damaged and has no samples.
+  std::function<void(std::size_t block)> gap{};
 
   static constexpr std::size_t kMostCycles = 1U << 24;  // some 1.2 GB
 };

@@ -9,7 +9,7 @@ namespace syncline {
 /// Sum of what a device's counter counted while it was watched, from readings now and then. The first reading is the
 /// beginning: what was counted before is somebody else's. A counter that jumps back has been cleared, or its device
 /// restarted: it counted its new value since, and nobody knows what else, so the sum is then "at least". The same holds
-/// for one that stands at its end stop. A counter that wraps goes on.
+/// for one that stands at its end stop, until who watches it clears it. A counter that wraps goes on.
 class CounterTotal {
  public:
   enum class End : std::uint8_t { kSaturates, kWraps };
@@ -27,12 +27,19 @@ class CounterTotal {
     total_ = total_ > UINT32_MAX - increase ? UINT32_MAX : total_ + increase;
     return increase;
   }
+  /// It was set to 0 just now, by who watches it. What it counted since its last reading is not known.
+  constexpr void cleared() {
+    at_least_ = true;
+    last_ = 0;
+  }
   /// The next reading is a new beginning; the sum stays.
   constexpr void begin_anew() { known_ = false; }
 
   [[nodiscard]] constexpr bool known() const { return known_; }
   [[nodiscard]] constexpr std::uint32_t total() const { return total_; }
   [[nodiscard]] constexpr std::uint32_t last() const { return last_; }
+  /// It counts no more, until somebody clears it.
+  [[nodiscard]] constexpr bool at_end_stop() const { return end_ == End::kSaturates && known_ && last_ == most_; }
   /// There may have been more than total().
   [[nodiscard]] constexpr bool at_least() const { return at_least_; }
 

@@ -23,6 +23,18 @@ TEST_F(ForeignFrames, AreToldAsWhatTheyAre) {
   EXPECT_FALSE(machine.found(code::kPortErrors)) << machine.said();
 }
 
+/// 0x030C stops at 255: it is cleared then, and counts on.
+TEST_F(ForeignFrames, AreCountedBeyondTheEndStopOfTheCounter) {
+  auto& fault = machine.fault(FaultKind::kForeignFrames, 6 * kSecond);
+  fault.count = 600;
+  fault.period = 10 * kMillisecond;
+  machine.run(14 * kSecond);
+  const auto& counted = machine.report.slaves.front().evidence.processing_unit_errors;
+  EXPECT_TRUE(counted.at_least);
+  EXPECT_GT(counted.total, 500U);
+  EXPECT_LE(counted.total, 600U);
+}
+
 /// What counts in the same register, and is none.
 TEST_F(ForeignFrames, ADamagedFrameOrAPluggedCableIsNone) {
   auto& noise = machine.fault(FaultKind::kBitErrors, 6 * kSecond, 0);

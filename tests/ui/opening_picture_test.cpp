@@ -9,10 +9,15 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "record/recording_schema.h"
 #include "record/recording_writer.h"
+#include "sqlite/sqlite_database.h"
 #include "support/item_picture.h"
 #include "support/ui_test_support.h"
 #include "tests/core/record/made_samples.h"
@@ -197,6 +202,35 @@ TEST_F(OpeningPictureTest, ComesBeforeTheRecordingIsWhole) {
   EXPECT_EQ(told.last, expected.last);
   EXPECT_EQ(told.cycles, 30'000U);
   EXPECT_EQ(told.limits, expected.limits);
+}
+
+/// Its sums are drawn until its samples are read, and found damaged.
+TEST_F(OpeningPictureTest, WhatIsFoundDamagedLeavesIt) {
+  const auto expected = outline();
+  constexpr std::size_t kHarmed = 10;
+  {
+    auto database = SqlDatabase::open(path_.toStdString());
+    ASSERT_TRUE(database);
+    const auto row = kHarmed * kSeriesPerBlock + series_number(Signal::kRoundTrip);
+    const auto harm = "UPDATE data SET cells = zeroblob(length(cells)) WHERE id = " + std::to_string(row);
+    ASSERT_TRUE(database->execute(harm.c_str()));
+  }
+  const auto block = (*RecordingReader::open(path_.toStdString())->blocks())[kHarmed];
+  OpenedRecording recording;
+  std::vector<int> drawn;  // of each picture, columns within that block
+  QObject::connect(&recording, &OpenedRecording::pictured, &recording, [&](const std::vector<FirstPicture>& pictures) {
+    const auto& picture = pictures.front();
+    drawn.push_back(static_cast<int>(std::ranges::count_if(picture.columns.front(), [&](const SeriesColumn& column) {
+      return column.valid && column.start > block.begin && column.start + picture.width < block.end;
+    })));
+  });
+  const auto width = (block.end - block.begin) / 8;
+  recording.picture({{{Signal::kDeviation}, expected.first, expected.last, width}});
+  recording.read(path_);
+  ASSERT_TRUE(waitFor([&] { return !recording.isReading(); }));
+  ASSERT_EQ(drawn.size(), 2U) << "as it was asked for, and once more";
+  EXPECT_GT(drawn.front(), 3);
+  EXPECT_EQ(drawn.back(), 0);
 }
 
 TEST_F(OpeningPictureTest, StandsInTheWindowWhileALongOneIsRead) {

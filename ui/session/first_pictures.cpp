@@ -14,13 +14,15 @@ void FirstPictures::ask(std::vector<FirstPicture> pictures) {
 }
 
 std::optional<std::vector<FirstPicture>> FirstPictures::answer(const std::string& path) {
-  if (!any_.exchange(false)) return std::nullopt;
-  std::vector<FirstPicture> pictures;
-  {
+  if (any_.exchange(false)) {
     const std::lock_guard lock(mutex_);
-    pictures = std::move(asked_);
-    asked_.clear();
+    answered_ = std::exchange(asked_, {});
+  } else if (!renewed_ || answered_.empty()) {
+    return std::nullopt;
   }
+  renewed_ = false;
+  answered_gaps_ = gaps_.size();
+  auto pictures = answered_;
   // The reader of the samples is where it is.
   if (!reader_) {
     auto reader = RecordingReader::open(path);
@@ -28,7 +30,7 @@ std::optional<std::vector<FirstPicture>> FirstPictures::answer(const std::string
     reader_.emplace(std::move(*reader));
   }
   for (auto& picture : pictures) {
-    auto columns = first_columns(*reader_, picture.signals, picture.begin, picture.end, picture.width);
+    auto columns = first_columns(*reader_, picture.signals, picture.begin, picture.end, picture.width, gaps_);
     if (!columns) return std::nullopt;
     picture.columns = std::move(*columns);
   }
@@ -40,6 +42,10 @@ void FirstPictures::forget() {
   asked_.clear();
   any_ = false;
   reader_.reset();
+  answered_.clear();
+  gaps_.clear();
+  answered_gaps_ = 0;
+  renewed_ = false;
 }
 
 }  // namespace syncline::ui

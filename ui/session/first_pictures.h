@@ -2,8 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,10 @@ class FirstPictures {
   /// What was asked for since, made; nothing where nothing was, or the file cannot be read: who reads it whole tells
   /// why. The reading thread.
   [[nodiscard]] std::optional<std::vector<FirstPicture>> answer(const std::string& path);
+  /// A block whose samples cannot be read, see first_columns(). The reading thread.
+  void leaveOut(std::size_t block) { gaps_.insert(block); }
+  /// Where something is left out since the last answer, that is given anew. The reading thread.
+  void renew() { renewed_ = gaps_.size() != answered_gaps_; }
   /// Another recording is read next. While none is.
   void forget();
 
@@ -35,7 +41,12 @@ class FirstPictures {
   std::mutex mutex_;
   std::vector<FirstPicture> asked_;
   std::atomic<bool> any_{false};
-  std::optional<RecordingReader> reader_;  // the reading thread's
+  // The reading thread's.
+  std::optional<RecordingReader> reader_;
+  std::vector<FirstPicture> answered_;  // without columns
+  std::set<std::size_t> gaps_;
+  std::size_t answered_gaps_ = 0;
+  bool renewed_ = false;
 };
 
 }  // namespace syncline::ui

@@ -18,6 +18,7 @@
 namespace syncline::ui {
 namespace {
 
+constexpr int kRenewal = 20;                     // per mille of the cycles
 constexpr std::size_t kLargestTable = 1U << 30;  // bytes: two hours at 1 kHz
 
 /// A table or log that is shown like a recording.
@@ -113,9 +114,12 @@ OpenedRecording::Outcome OpenedRecording::load(const QString& path) {
   answer(path);
   int told = -1;
   ReplayOptions options;
+  options.gap = [this](std::size_t block) { pictures_.leaveOut(block); };
   options.progress = [this, &path, &told](std::uint64_t done, std::uint64_t all) {
-    answer(path);
     const int now = static_cast<int>(done * 1000 / std::max<std::uint64_t>(all, 1));
+    // However much is damaged, the picture is not made anew for each block.
+    if (now / kRenewal != told / kRenewal) pictures_.renew();
+    answer(path);
     if (now != std::exchange(told, now)) {
       post(*this, [this, now] { Q_EMIT progress(now); });
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/evidence_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "channels/slave_evidence.h"
@@ -20,18 +21,38 @@ constexpr std::size_t kPorts = 4;
 // Offsets from 0x0300.
 constexpr std::size_t kForwarded = 0x08, kProcessingUnit = 0x0C, kPdi = 0x0D, kLostLinks = 0x10;
 
-struct EvidencePlace {
-  std::uint16_t address;
-  std::uint16_t length;
-};
-
 }  // namespace
+
+struct EvidenceReader::Place {
+  std::uint16_t address = 0, length = 0;
+};
 
 EvidenceReader::EvidenceReader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller)
     : config_(config), snapshot_(snapshot), teller_(teller), totals_(config.slaves.size()) {}
 
-bool EvidenceReader::worth_reading() const {
+std::span<CounterTotal> EvidenceReader::counters(const Place& place) {
+  auto& totals = totals_[slave_];
+  const bool of_watchdogs = place.address >= reg::kWatchdogCounterProcessData;
+  const std::span<CounterTotal> all = of_watchdogs ? std::span<CounterTotal>(totals.watchdogs) : totals.ports;
+  return all.subspan(place.address - (of_watchdogs ? reg::kWatchdogCounterProcessData : reg::kRxErrorCounter),
+                     place.length);
+}
+
+/// ESC data sheet II, 2.9: a write to one of them clears all of the place.
+const EvidenceReader::Place* EvidenceReader::at_end_stop() {
+  static constexpr std::array<Place, 5> kPlaces{{{reg::kRxErrorCounter, 12},
+                                                 {reg::kProcessingUnitErrorCounter, 1},
+                                                 {reg::kPdiErrorCounter, 1},
+                                                 {reg::kLostLinkCounter, 4},
+                                                 {reg::kWatchdogCounterProcessData, 2}}};
+  const auto* const place = std::ranges::find_if(
+      kPlaces, [this](const Place& p) { return std::ranges::any_of(counters(p), &CounterTotal::at_end_stop); });
+  return place == kPlaces.end() ? nullptr : place;
+}
+
+bool EvidenceReader::worth_asking() {
   const auto& slave = snapshot_.slaves[slave_];
+  if (what_ == What::kEndStop) return slave.present && at_end_stop() != nullptr;
   if (what_ == What::kDlStatus) return slave.present && slave.evidence.pdi_watchdog.total > 0;
   return slave.present && (what_ != What::kSpeedCounter || slave.dc_enabled);
 }
@@ -44,15 +65,18 @@ void EvidenceReader::move_on() {
 Datagram* EvidenceReader::next(Nanoseconds /*now*/) {
   if (totals_.empty()) return nullptr;
   // Whoever is not there costs no cycle, and nobody being there no hang.
-  for (std::size_t tried = 0; !worth_reading() && tried < kKinds * 16; ++tried) move_on();
-  if (!worth_reading()) return nullptr;
-  constexpr std::array<EvidencePlace, kKinds> kPlaces{{{reg::kRxErrorCounter, 20},
-                                                       {reg::kWatchdogCounterProcessData, 2},
-                                                       {reg::kDlStatus, 2},
-                                                       {reg::kSpeedCounterDiff, 2}}};
-  const auto place = kPlaces[static_cast<std::size_t>(what_)];
+  for (std::size_t tried = 0; !worth_asking() && tried < kKinds * 16; ++tried) move_on();
+  if (!worth_asking()) return nullptr;
+  constexpr std::array<Place, kKinds> kPlaces{{{reg::kRxErrorCounter, 20},
+                                               {reg::kWatchdogCounterProcessData, 2},
+                                               {},
+                                               {reg::kDlStatus, 2},
+                                               {reg::kSpeedCounterDiff, 2}}};
+  const bool clears = what_ == What::kEndStop;
+  const auto place = clears ? *at_end_stop() : kPlaces[static_cast<std::size_t>(what_)];
   bytes_.fill(0);
-  datagram_ = {Command::kFprd, device_address(config_.slaves[slave_].station_address, place.address),
+  datagram_ = {clears ? Command::kFpwr : Command::kFprd,
+               device_address(config_.slaves[slave_].station_address, place.address),
                std::span(bytes_).first(place.length)};
   return &datagram_;
 }
@@ -66,6 +90,9 @@ void EvidenceReader::take(Nanoseconds time) {
         break;
       case What::kWatchdogs:
         take_watchdogs(time);
+        break;
+      case What::kEndStop:
+        std::ranges::for_each(counters(*at_end_stop()), &CounterTotal::cleared);
         break;
       case What::kDlStatus:
         take_dl_status();

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "master/exchange/frame_exchange.h"
@@ -19,7 +21,8 @@ struct Snapshot;
 /// Reads what the slaves' ESCs counted, while the bus runs: the port error counters, the watchdog counters and the
 /// speed counter difference of one slave after the other, one datagram in each cycle that is left for
 /// it (see ProcessDataWatch), behind everything else that wants the acyclic frame. Fills SlaveEvidence and tells new
-/// errors by kPortErrors and kWatchdog. Allocates nothing; the cyclic thread.
+/// errors by kPortErrors and kWatchdog. A counter that has come to its end stop would count no more: it is cleared,
+/// with those that an ESC clears along with it, and nothing else is. Allocates nothing; the cyclic thread.
 class EvidenceReader final : public SlaveWork {
  public:
   EvidenceReader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller);
@@ -32,11 +35,11 @@ class EvidenceReader final : public SlaveWork {
   [[nodiscard]] Status result() const override { return {}; }
 
  private:
-  enum class What : std::uint8_t { kPorts, kWatchdogs, kDlStatus, kSpeedCounter };
-  static constexpr std::uint8_t kKinds = 4;
+  enum class What : std::uint8_t { kPorts, kWatchdogs, kEndStop, kDlStatus, kSpeedCounter };
+  static constexpr std::uint8_t kKinds = 5;
   static constexpr CounterTotal kByte{8, CounterTotal::End::kSaturates};
 
-  /// By differences, because nobody else's reading shall be disturbed by clearing them.
+  /// By differences, because nobody else's reading shall be disturbed by clearing what still counts.
   struct Totals {
     std::array<CounterTotal, 20> ports;  // 0x0300 to 0x0313
     std::array<CounterTotal, 2> watchdogs{kByte, kByte};
@@ -48,7 +51,11 @@ class EvidenceReader final : public SlaveWork {
   };
 
   void move_on();
-  [[nodiscard]] bool worth_reading() const;
+  [[nodiscard]] bool worth_asking();
+  struct Place;
+  [[nodiscard]] std::span<CounterTotal> counters(const Place& place);
+  /// Counters that are cleared together, one of which counts no more; null: there are none.
+  [[nodiscard]] const Place* at_end_stop();
   void take_ports(Nanoseconds time);
   void tell_port(std::size_t port, std::uint32_t damaged, std::uint32_t lost_links, Nanoseconds time);
   void take_watchdogs(Nanoseconds time);

@@ -232,6 +232,7 @@ void Esc::commit_register(const FrameWrites::Write& write, Nanoseconds time) {
   if (hit(reg::kRxErrorCounter, 0x0C)) std::ranges::fill(memory_.at(reg::kRxErrorCounter, 0x0C), std::uint8_t{0});
   if (hit(reg::kProcessingUnitErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kProcessingUnitErrorCounter, 0);
   if (hit(reg::kPdiErrorCounter, 1)) memory_.set<std::uint8_t>(reg::kPdiErrorCounter, 0);
+  if (hit(reg::kWatchdogCounterProcessData, 2)) memory_.set<std::uint16_t>(reg::kWatchdogCounterProcessData, 0);
   if (hit(reg::kLostLinkCounter, 4)) std::ranges::fill(memory_.at(reg::kLostLinkCounter, 4), std::uint8_t{0});
   if (hit(reg::kSiiConfiguration, 2)) sii_.configuration_written();
   for (unsigned i = 0; i < options_.sync_manager_count; ++i) {  // what was in one that is switched off is gone

@@ -70,7 +70,8 @@ void Esc::implement_registers() {
   memory_.implement(reg::kPdiControl, 2, EscMemory::kRead);
   memory_.implement(reg::kPdiConfiguration, 4, EscMemory::kRead);
   memory_.implement(reg::kWatchdogDivider, 2, EscMemory::kReadWrite);  // of both watchdogs
-  memory_.implement(reg::kWatchdogStatus, 4, EscMemory::kRead);
+  memory_.implement(reg::kWatchdogStatus, 2, EscMemory::kRead);
+  memory_.implement(reg::kWatchdogCounterProcessData, 2, EscMemory::kReadWrite);
   memory_.implement(reg::kDigitalOutputs, 4, EscMemory::kReadWrite);
   memory_.implement(reg::kUserRam, 0x80, EscMemory::kReadWrite);
   addresses_.implement_registers();

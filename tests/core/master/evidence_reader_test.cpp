@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "master/cyclic/evidence_reader.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <span>
+#include <tuple>
+#include <vector>
 
 #include "channels/master_channels.h"
 #include "master/exchange/run_state.h"
@@ -23,6 +28,7 @@ class EvidenceReaderTest : public ::testing::Test {
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint8_t> registers;  // station, address
   Nanoseconds now = kSecond;
   std::size_t most_datagrams = 0;
+  std::vector<std::tuple<std::uint16_t, std::uint16_t, std::size_t>> cleared;  // station, address, length
 
   void SetUp() override {
     config.slaves.resize(2);
@@ -43,6 +49,7 @@ class EvidenceReaderTest : public ::testing::Test {
     for (auto* datagram : frame.datagrams()) {
       const auto station = static_cast<std::uint16_t>(datagram->address & 0xFFFF);
       const auto address = static_cast<std::uint16_t>(datagram->address >> 16);
+      if (datagram->command == Command::kFpwr) clear(station, address, datagram->data);
       for (std::size_t i = 0; i < datagram->data.size(); ++i) {
         datagram->data[i] = registers[{station, static_cast<std::uint16_t>(address + i)}];
       }
@@ -50,6 +57,12 @@ class EvidenceReaderTest : public ::testing::Test {
       datagram->wkc = lost ? 0 : 1;
     }
     if (asked != nullptr) reader->take(now);
+  }
+  /// As it came in, unless its slave takes none.
+  void clear(std::uint16_t station, std::uint16_t address, std::span<const std::uint8_t> data) {
+    EXPECT_TRUE(std::ranges::all_of(data, [](std::uint8_t byte) { return byte == 0; }));
+    cleared.push_back({station, address, data.size()});
+    for (std::size_t i = 0; i < data.size(); ++i) registers[{station, static_cast<std::uint16_t>(address + i)}] = 0;
   }
   void sweep() {
     for (int i = 0; i < 5; ++i) cycle();
@@ -109,6 +122,35 @@ TEST_F(EvidenceReaderTest, SaysAtLeastOfTheProcessingUnitAndThePdiToo) {
   EXPECT_FALSE(evidence(0).pdi_errors.at_least);
   EXPECT_EQ(evidence(0).pdi_errors.time, evidence(0).ports_time);
   EXPECT_FALSE(evidence(1).pdi_errors.at_least);
+}
+
+/// It would count no more; what still counts stays as it is, for whoever else reads it.
+TEST_F(EvidenceReaderTest, ClearsWhatHasComeToItsEndStopAndNothingElse) {
+  for (const std::uint16_t address : {0x0300, 0x0309, 0x030D, 0x0310, 0x0442}) registers[{1002, address}] = 0xFE;
+  registers[{1002, 0x030C}] = 0xFF;
+  registers[{1001, 0x0442}] = 0xFF;
+  for (int i = 0; i < 4; ++i) sweep();
+  EXPECT_THAT(cleared, testing::UnorderedElementsAre(std::tuple(1002, 0x030C, 1), std::tuple(1001, 0x0442, 2)));
+  EXPECT_EQ(evidence(1).processing_unit_errors.total, 0U) << "before our time";
+  EXPECT_TRUE(evidence(1).processing_unit_errors.at_least);
+  registers[{1002, 0x030C}] = 4;
+  sweep();
+  EXPECT_EQ(evidence(1).processing_unit_errors.total, 4U);
+  EXPECT_FALSE(evidence(1).pdi_errors.at_least);
+  EXPECT_FALSE(evidence(1).ports[0].at_least);
+  EXPECT_TRUE(evidence(0).process_data_watchdog.at_least);
+}
+
+TEST_F(EvidenceReaderTest, ClearsAllPlacesOneAfterTheOther) {
+  for (const std::uint16_t address : {0x0307, 0x030C, 0x030D, 0x0313, 0x0443}) registers[{1001, address}] = 0xFF;
+  for (int i = 0; i < 8; ++i) sweep();
+  EXPECT_THAT(cleared, testing::UnorderedElementsAre(std::tuple(1001, 0x0300, 12), std::tuple(1001, 0x030C, 1),
+                                                     std::tuple(1001, 0x030D, 1), std::tuple(1001, 0x0310, 4),
+                                                     std::tuple(1001, 0x0442, 2)));
+  registers[{1001, 0x0307}] = 2;
+  sweep();
+  sweep();
+  EXPECT_EQ(evidence(0).ports[3].receive_errors, 2U);
 }
 
 TEST_F(EvidenceReaderTest, TellsOfWatchdogs) {

@@ -258,15 +258,23 @@ TEST_F(RecordingDamage, OfASumIsNothingInTheFirstPicture) {
   EXPECT_FALSE(reader->damage().empty());
 }
 
-TEST_F(RecordingDamage, OfACellIsAGapInTheFirstPictureToo) {
+/// As soon as the samples are read, which tell of it; its sums, which have checks of their own, are drawn until then.
+TEST_F(RecordingDamage, OfACellIsAGapInTheFirstPictureOnceItIsRead) {
   make();
   harm("UPDATE data SET cells = zeroblob(length(cells)) WHERE id = 1048576 + 3");  // of block 1
   auto reader = RecordingReader::open(path());
   const auto info = reader->info();
   const auto blocks = reader->blocks();
   ASSERT_TRUE(info && blocks);
+  std::set<std::size_t> gaps;
+  ReplayOptions options;
+  options.gap = [&gaps](std::size_t block) { gaps.insert(block); };
+  NetworkConfig config;
+  config.slaves.resize(info->about.slaves.size());
+  ASSERT_TRUE(replay_run(*reader, config, options));
+  EXPECT_EQ(gaps, std::set<std::size_t>{1});
   constexpr std::array kErrors{Signal::kDcmError};
-  const auto columns = first_columns(*reader, kErrors, info->begin, info->end, kSecond / 10);
+  const auto columns = first_columns(*reader, kErrors, info->begin, info->end, kSecond / 10, gaps);
   ASSERT_TRUE(columns);
   int drawn = 0, within = 0;
   for (const auto& column : columns->front()) {

@@ -36,6 +36,16 @@ TEST_F(Outputs, AreSwitchedOffWhenNobodyWritesThemAnyMore) {
   EXPECT_EQ(status(), 1);
 }
 
+TEST_F(Outputs, CountAnewWhenEitherCounterIsWritten) {
+  for (const auto counter : {reg::kWatchdogCounterProcessData, reg::kWatchdogCounterPdi}) {
+    probe.write(0, 0x0F00, {0x03});
+    probe.pass(200 * kMillisecond);
+    EXPECT_EQ(expirations(), 1);
+    EXPECT_EQ(probe.write(0, counter, {7}).wkc, 1);
+    EXPECT_EQ(probe.read(0, reg::kWatchdogCounterProcessData, 2).value<std::uint16_t>(), 0);
+  }
+}
+
 TEST_F(Outputs, FollowTheDividerAndStayWithoutAWatchdog) {
   probe.write(0, reg::kWatchdogProcessData, {10, 0});  // 1 ms
   probe.write(0, 0x0F00, {0x03});

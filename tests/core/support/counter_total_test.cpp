@@ -25,6 +25,20 @@ TEST(CounterTotal, SaysAtLeastAtItsEndStop) {
   EXPECT_TRUE(counter.at_least());
 }
 
+TEST(CounterTotal, GoesOnFromItsEndStopWhenItIsCleared) {
+  CounterTotal counter(8, End::kSaturates), wraps(8, End::kWraps);
+  EXPECT_FALSE(counter.at_end_stop());
+  counter.read(0xFF);
+  wraps.read(0xFF);
+  EXPECT_TRUE(counter.at_end_stop());
+  EXPECT_FALSE(wraps.at_end_stop()) << "it has none";
+  counter.cleared();
+  EXPECT_FALSE(counter.at_end_stop());
+  EXPECT_EQ(counter.read(3), 3U);
+  EXPECT_EQ(counter.total(), 3U);
+  EXPECT_TRUE(counter.at_least());
+}
+
 TEST(CounterTotal, GoesOnWhenItWraps) {
   CounterTotal counter(16, End::kWraps);
   counter.read(0xFFFE);
