@@ -299,6 +299,10 @@
 <context>
     <name>BusCommands</name>
         <message>
+            <source>Choose Another &amp;Bus…</source>
+            <translation>Anderen &amp;Bus wählen…</translation>
+        </message>
+        <message>
             <source>Choose</source>
             <translation>Wählen</translation>
         </message>
@@ -5865,16 +5869,23 @@ Einstellung %2</translation>
             <translation>Datenoptionen</translation>
         </message>
         <message>
-            <source>Modules</source>
-            <translation>Module</translation>
-        </message>
-        <message>
             <source>Oversampling</source>
             <translation>Oversampling</translation>
         </message>
         <message>
             <source>Sync Units</source>
             <translation>Sync Units</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveModulesPage</name>
+        <message>
+            <source>Modules</source>
+            <translation>Module</translation>
+        </message>
+        <message>
+            <source>Modules in Slots</source>
+            <translation>Module in Slots</translation>
         </message>
 </context>
 <context>
@@ -6287,8 +6298,8 @@ Einstellung %2</translation>
             </translation>
         </message>
         <message>
-            <source>The bus on %1 beside the project: %2.</source>
-            <translation>Der Bus an %1 neben dem Projekt: %2.</translation>
+            <source>Bus: %1. Beside the project: %2.</source>
+            <translation>Bus: %1. Neben dem Projekt: %2.</translation>
         </message>
         <message>
             <source>Scan Result</source>

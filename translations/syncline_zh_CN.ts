@@ -299,6 +299,10 @@
 <context>
     <name>BusCommands</name>
         <message>
+            <source>Choose Another &amp;Bus…</source>
+            <translation>选择其他总线(&amp;B)…</translation>
+        </message>
+        <message>
             <source>Choose</source>
             <translation>选择</translation>
         </message>
@@ -5845,16 +5849,23 @@ Setting %2</source>
             <translation>数据选项</translation>
         </message>
         <message>
-            <source>Modules</source>
-            <translation>模块</translation>
-        </message>
-        <message>
             <source>Oversampling</source>
             <translation>过采样</translation>
         </message>
         <message>
             <source>Sync Units</source>
             <translation>同步单元</translation>
+        </message>
+</context>
+<context>
+    <name>SlaveModulesPage</name>
+        <message>
+            <source>Modules</source>
+            <translation>模块</translation>
+        </message>
+        <message>
+            <source>Modules in Slots</source>
+            <translation>插槽中的模块</translation>
         </message>
 </context>
 <context>
@@ -6260,8 +6271,8 @@ Setting %2</source>
             </translation>
         </message>
         <message>
-            <source>The bus on %1 beside the project: %2.</source>
-            <translation>%1 上的总线与项目相比：%2。</translation>
+            <source>Bus: %1. Beside the project: %2.</source>
+            <translation>总线：%1。与项目相比：%2。</translation>
         </message>
         <message>
             <source>Scan Result</source>

@@ -47,10 +47,10 @@
 #include "ui/session/recorded_views.h"
 #include "ui/session/workspace.h"
 #include "ui/text/error_text.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/calm_wheel.h"
+#include "ui/widgets/kept_focus.h"
 #include "ui/widgets/spoken_value.h"
 #include "ui/widgets/whole_texts.h"
 #include "ui/window_centre.h"
@@ -66,6 +66,7 @@ namespace syncline::ui {
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
   installSpokenValues();
   new CalmWheel(this);
+  new KeptFocus(this);
   new WholeTexts(this);
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/syncline.svg")));
@@ -153,16 +154,10 @@ void MainWindow::connectDocks() {
   connect(messages, &MessagesPanel::activated, this, &MainWindow::goToMessage);
   auto* findings = findings_;
   connect(findings, &FindingsPanel::momentActivated, strip_, &LiveStrip::goTo);
-  const auto go_to_shown = [this](int position, const QString& key) {
-    if (workspace_.recording().isOpen()) return goTo(position, key);
-    if (const int slave = workspace_.runningSlaves().slaveOf(position); slave >= 0 || position < 0) goTo(slave, key);
-  };
-  connect(findings, &FindingsPanel::findingActivated, this, [this, go_to_shown](const Finding& finding) {
-    // Those about the project name its slaves, the others those that run.
-    const auto* own = workspace_.messages().lineOf(finding);
-    own != nullptr ? goTo(own->slave, own->key) : go_to_shown(finding.place.slave, findingKey(finding));
+  connect(strip_, &LiveStrip::slaveWanted, this, [this](int position) {
+    const int slave = workspace_.recording().isOpen() ? position : workspace_.runningSlaves().slaveOf(position);
+    if (slave >= 0 || position < 0) goTo(slave, {});
   });
-  connect(strip_, &LiveStrip::slaveWanted, this, [go_to_shown](int position) { go_to_shown(position, {}); });
   connect(explorer_, &ExplorerPanel::nodeSelected, editor_, &DeviceEditor::showNode);
   connect(explorer_, &ExplorerPanel::nodeSelected, this, [this](int slave) {
     if (workspace_.recording().isOpen()) return;
@@ -178,6 +173,7 @@ void MainWindow::connectDocks() {
       workspace_, [this] { return commitFields(); }, this);
   connect(messages, &MessagesPanel::menuOpens, fixes, &FindingFixes::fill);
   connect(findings, &FindingsPanel::menuOpens, fixes, &FindingFixes::fillFor);
+  connect(findings, &FindingsPanel::findingActivated, fixes, &FindingFixes::go);
   connect(editor_, &DeviceEditor::findingMenuOpens, fixes, &FindingFixes::fill);
   connect(fixes, &FindingFixes::placeWanted, this, &MainWindow::goTo);
   connect(editor_, &DeviceEditor::nodeWanted, explorer_, &ExplorerPanel::select);

@@ -39,7 +39,7 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
       upper_(new QStackedWidget) {
   strip_->setObjectName(QStringLiteral("liveStrip"));
   strip_->setAccessibleName(MainWindow::tr("Live plots"));
-  strip_->setMinimumSize(600, 160);
+  strip_->setMinimumWidth(600);
   strip_->setMaximumHeight(strip_->minimumHeight());
   upper_->addWidget(editor_);
   upper_->addWidget(overview_);

@@ -17,6 +17,7 @@ Json figure_json(const Figure& figure) {
     case Unit::kNanoseconds:
     case Unit::kTime:
     case Unit::kSlave:
+    case Unit::kNumber:
       return figure.value;
     case Unit::kMoment:
       return milliseconds(figure.value);

@@ -33,12 +33,34 @@ bool is_of_run(std::string_view code) {
   return std::ranges::any_of(words::kRunSlaves, is_it) || std::ranges::any_of(words::kRunBus, is_it);
 }
 
-/// No compilation shows whether it is gone: the switch that its row names, where that is off.
+/// What the figures of a run advise for a number: a whole value ("shift"), or so much more than it is ("more").
+std::optional<std::int64_t> advised_number(const Project& project, const Finding& finding, const Setting& setting,
+                                           const Place& place) {
+  const auto figure = [&finding](std::string_view name) {
+    const auto found = std::ranges::find(finding.figures, name, &Figure::name);
+    return found == finding.figures.end() ? std::nullopt : std::optional(found->value);
+  };
+  if (const auto whole = figure("shift")) return whole;
+  const auto more = figure("more");
+  const auto now = settings::effective_value(setting, project, place);
+  const auto* number = std::get_if<std::int64_t>(&now);
+  return more && number != nullptr ? std::optional(*number + *more) : std::nullopt;
+}
+
+/// No compilation shows whether it is gone: the switch that its row names, where that is off, and the number that its
+/// figures advise, where the setting takes it.
 std::vector<QuickFix> fixes_of_run(const Project& project, const Finding& finding) {
   const auto found =
       settings::find(project, setting_at(find_finding_words(finding.code)->setting, finding.place.slave), false);
-  if (!found || found->setting->read(project, found->place) != Value{false}) return {};
-  return {{found->setting, {found->place}, true}};
+  if (!found) return {};
+  const auto& [setting, place] = *found;
+  const auto now = setting->read(project, place);
+  if (now == Value{false}) return {{setting, {place}, true}};
+  if (!std::holds_alternative<settings::Number>(setting->type)) return {};
+  const auto wanted = advised_number(project, finding, *setting, place);
+  if (!wanted || now == Value{*wanted} || !settings::working_range(*setting, project, place).contains(*wanted))
+    return {};
+  return {{setting, {place}, *wanted}};
 }
 
 /// What the compiler says, and for a finding of the checker what that says of the configuration, with its settings.

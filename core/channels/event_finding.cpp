@@ -103,7 +103,7 @@ struct ToldByEvent {
   Told operator()(const events::DcmError& e) const {
     return tell("event-dcm-error", fig::hex<"code">(e.code, 8),
                 fig::text<"name">(std::string(dc::dcm_error_name(e.code))),
-                fig::phrase<"text">(dc::dcm_error_text(e.code)), fig::number<"drift">(e.drift_ppm));
+                fig::phrase<"text">(dc::dcm_error_text(e.code)), fig::count<"drift">(e.drift_ppm));
   }
   Told operator()(const events::DelayFinding& e) const { return delay_finding(slave, e.warning, e.value); }
   Told operator()(const events::DelaysMeasured& e) const {
@@ -126,14 +126,12 @@ struct ToldByEvent {
         tell("event-working-counter-expected", fig::count<"now">(e.now), fig::count<"configured">(e.configured)),
         e.now == e.configured ? Severity::kNote : Severity::kWarning);
   }
-  Told operator()(const events::FramesLost& e) const {
-    return tell("event-frames-lost", fig::number<"count">(e.count));
-  }
+  Told operator()(const events::FramesLost& e) const { return tell("event-frames-lost", fig::count<"count">(e.count)); }
   Told operator()(const events::FramesLate& e) const;
   Told operator()(const events::CyclesLeftOut& e) const {
     auto standstill = fig::measured<"standstill">(e.standstill);
     return e.count == 1 ? tell("event-cycles-left-out/one", std::move(standstill))
-                        : tell("event-cycles-left-out", fig::number<"count">(e.count), std::move(standstill));
+                        : tell("event-cycles-left-out", fig::count<"count">(e.count), std::move(standstill));
   }
   Told operator()(const events::LinkDown& e) const {
     return tell("event-link-down", fig::text<"adapter">(std::string(e.adapter.str())));
@@ -178,7 +176,7 @@ struct ToldByEvent {
   // ---- the master itself
   Told operator()(const events::RealTimeRefused& e) const { return tell("event-real-time", fig::text<"what">(e.what)); }
   Told operator()(const events::OutputsForced& e) const {
-    return e.bits == 0 ? tell("event-outputs-released") : tell("event-outputs-forced", fig::number<"bits">(e.bits));
+    return e.bits == 0 ? tell("event-outputs-released") : tell("event-outputs-forced", fig::count<"bits">(e.bits));
   }
   Told operator()(const events::Failure& e) const { return finding_of(e.error); }
   Told operator()(const events::MasterStopped& e) const {
@@ -258,9 +256,9 @@ Told ToldByEvent::operator()(const events::FramesLate& e) const {
     return e.told_as_lost > 0 ? tell("event-frames-late/one-told", std::move(late))
                               : tell("event-frames-late/one", std::move(late));
   }
-  auto count = fig::number<"count">(e.count);
+  auto count = fig::count<"count">(e.count);
   return e.told_as_lost > 0
-             ? tell("event-frames-late/told", std::move(count), std::move(late), fig::number<"told">(e.told_as_lost))
+             ? tell("event-frames-late/told", std::move(count), std::move(late), fig::count<"told">(e.told_as_lost))
              : tell("event-frames-late", std::move(count), std::move(late));
 }
 

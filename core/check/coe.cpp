@@ -48,7 +48,7 @@ class CoeCheck {
             fig::count<"entries">(list.entries.size()), fig::count<"count">(list.count.value_or(0)));
       } else if (!list.entries.empty() && list.entries.rbegin()->first < list.count.value_or(0) && !list.bad_order) {
         add("ENI-COE-04/count-beyond", list.last_cmd, fig::hex<"object">(index), fig::count<"count">(*list.count),
-            fig::count<"last">(list.entries.rbegin()->first));
+            fig::number<"last">(list.entries.rbegin()->first));
       } else {
         compare(index, list);
       }
@@ -73,7 +73,7 @@ class CoeCheck {
     const StartupCommand& command = cmd.command;
     const auto object = fmt::format("0x{:04x}:{}", command.index, command.sub_index);
     if (cmd.ccs != 1) {
-      add("ENI-COE-02", i, fig::text<"object">(object), fig::count<"ccs">(cmd.ccs));
+      add("ENI-COE-02", i, fig::text<"object">(object), fig::number<"ccs">(cmd.ccs));
     }
     if (command.data.empty() && command.enabled) {
       add("ENI-COE-05", i, fig::text<"object">(object));
@@ -138,7 +138,7 @@ class CoeCheck {
     } else {
       if (!list.open && !list.bad_order) {
         list.bad_order = true;
-        add("ENI-COE-04", i, fig::hex<"object">(command.index), fig::count<"sub_index">(command.sub_index));
+        add("ENI-COE-04", i, fig::hex<"object">(command.index), fig::number<"sub_index">(command.sub_index));
       }
       list.entries[command.sub_index] = le_number(command.data);
     }
@@ -165,7 +165,7 @@ class CoeCheck {
                                                : std::vector<std::uint64_t>(manager->pdos.begin(), manager->pdos.end());
     if (list.count.value_or(0) != said.size() || written != said) {
       add("ENI-COE-01", list.last_cmd, fig::hex<"object">(index), hex_list<"written">(written, 4),
-          fig::count<"manager">(index - kFirstAssign), hex_list<"listed">(said, 4));
+          fig::number<"manager">(index - kFirstAssign), hex_list<"listed">(said, 4));
     }
   }
 

@@ -97,14 +97,14 @@ void check_downloads(const NetworkView& view, std::size_t slave, Findings& findi
     const bool profile_object = command.index >= 0x6000 && command.index < 0xA000;
     if (is_drive(config) && lacks_sub_index(command.index, command.sub_index)) {
       findings.add("ENI-COE-09/sub-index", {PlaceKind::kCoeCmd, slave, i}, fig::hex<"object">(command.index),
-                   fig::count<"sub_index">(command.sub_index));
+                   fig::number<"sub_index">(command.sub_index));
       continue;
     }
     unsigned size = profile_object && !is_drive(config) ? 0 : standard_size(command.index, command.sub_index);
     if (size == 0 && entry != mapped.end()) size = entry->second;
     if (size != 0 && command.data.size() != size) {
       findings.add("ENI-COE-09", {PlaceKind::kCoeCmd, slave, i}, fig::hex<"object">(command.index),
-                   fig::count<"sub_index">(command.sub_index), fig::count<"written">(command.data.size()),
+                   fig::number<"sub_index">(command.sub_index), fig::count<"written">(command.data.size()),
                    fig::count<"bytes">(size));
     }
   }

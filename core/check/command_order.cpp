@@ -89,7 +89,7 @@ class OrderCheck {
         return;
       }
       if (const auto value = written_number(cmd, reg::kStationAddress, 2); value && *value != config_.station_address) {
-        add("ENI-ORD-07", i, fig::count<"written">(*value), fig::count<"address">(config_.station_address));
+        add("ENI-ORD-07", i, fig::number<"written">(*value), fig::number<"address">(config_.station_address));
       }
     }
   }

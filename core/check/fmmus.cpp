@@ -51,7 +51,7 @@ class FmmuCheck {
   template <FigureName... kNames>
   void add(Sentence<"fmmu", kNames...> code, std::size_t slave, const FmmuWrite& write, Named<kNames>... figures) {
     findings_.add<"fmmu", kNames...>(code, {PlaceKind::kSlaveInitCmd, slave, write.cmd},
-                                     fig::count<"fmmu">(write.number), std::move(figures)...);
+                                     fig::number<"fmmu">(write.number), std::move(figures)...);
   }
 
   void check(std::size_t slave, const FmmuWrite& write) {
@@ -59,7 +59,7 @@ class FmmuCheck {
     if (fmmu.bit_length() == 0 || (!fmmu.read && !fmmu.write) || logical_bytes(fmmu).end > std::uint64_t{1} << 32) {
       return add(
           "ENI-FMMU-01", slave, write, fig::count<"bytes">(fmmu.length),
-          fig::count<"first_bit">(fmmu.logical_start_bit), fig::count<"last_bit">(fmmu.logical_stop_bit),
+          fig::number<"first_bit">(fmmu.logical_start_bit), fig::number<"last_bit">(fmmu.logical_stop_bit),
           fig::hex<"logical">(fmmu.logical_start, 8),
           fig::phrase<"activity">(fmmu.read || fmmu.write ? "active" : "active for neither reading nor writing"));
     }
@@ -105,13 +105,13 @@ class FmmuCheck {
     if (contradicts_itself(slave, *touched)) return;
     if (manager.is_mailbox() || manager.ecat_writes() != fmmu.write) {
       add("ENI-FMMU-05", slave, write, fig::phrase<"does">(fmmu.write ? "writes" : "reads"),
-          fig::count<"manager">(touched->number),
+          fig::number<"manager">(touched->number),
           fig::phrase<"kind">(manager.is_mailbox()    ? "a mailbox"
                               : manager.ecat_writes() ? "for outputs"
                                                       : "for inputs"));
     } else if (memory != buffer) {
       add("ENI-FMMU-06", slave, write, fig::hex<"first">(memory.begin), fig::hex<"last">(memory.end - 1),
-          fig::count<"manager">(touched->number), fig::hex<"begin">(buffer.begin), fig::hex<"end">(buffer.end - 1));
+          fig::number<"manager">(touched->number), fig::hex<"begin">(buffer.begin), fig::hex<"end">(buffer.end - 1));
     }
   }
 
@@ -176,7 +176,7 @@ class FmmuCheck {
       collect(ranges, mappings, inputs);
       for (const auto& [first, second] : overlaps(ranges)) {
         const Mapping& mapping = mappings[second];
-        const auto number = fig::count<"number">(mappings[first].write->number);
+        const auto number = fig::number<"number">(mappings[first].write->number);
         const auto other = view_.slave<"other">(mappings[first].slave);
         inputs ? add("ENI-FMMU-07", mapping.slave, *mapping.write, number, other)
                : add("ENI-FMMU-08", mapping.slave, *mapping.write, number, other);
@@ -203,7 +203,7 @@ void check_unmapped(const NetworkView& view, Findings& findings) {
                                            (fmmu.fmmu.physical_start_bit + fmmu.fmmu.bit_length() + 7) / 8});
       });
       if (!mapped) {
-        findings.add("ENI-FMMU-09", {PlaceKind::kSyncManager, i, m}, fig::count<"manager">(write->number),
+        findings.add("ENI-FMMU-09", {PlaceKind::kSyncManager, i, m}, fig::number<"manager">(write->number),
                      fig::count<"bytes">(write->manager.length));
       }
     }

@@ -84,8 +84,8 @@ void check_copies(const NetworkView& view, Findings& findings) {
       if (std::uint64_t{copy.source_bit} + copy.bit_size > inputs ||
           std::uint64_t{copy.destination_bit} + copy.bit_size > outputs) {
         findings.add("ENI-IMG-11", cyclic.place(), fig::count<"bits">(copy.bit_size),
-                     fig::count<"from">(copy.source_bit), fig::count<"to">(copy.destination_bit),
-                     fig::count<"inputs">(inputs), fig::count<"outputs">(outputs));
+                     fig::number<"from">(copy.source_bit), fig::number<"to">(copy.destination_bit),
+                     fig::number<"inputs">(inputs), fig::number<"outputs">(outputs));
       }
     }
   }

@@ -50,7 +50,7 @@ void check_hot_connect(const NetworkView& view, Findings& findings) {
     const auto alias = slaves[i].hot_connect->alias();
     if (!alias) continue;
     if (const auto [it, is_new] = aliases.emplace(*alias, i); !is_new) {
-      findings.add("ENI-HC-03", {PlaceKind::kHotConnect, i}, fig::count<"alias">(*alias),
+      findings.add("ENI-HC-03", {PlaceKind::kHotConnect, i}, fig::number<"alias">(*alias),
                    view.slave<"slave">(it->second));
     }
   }

@@ -110,7 +110,7 @@ void check_aliases(const NetworkView& view, Findings& findings) {
     const auto expected = expected_alias(view.config.slaves[i]);
     if (!expected) continue;
     if (const auto [other, is_new] = used.emplace(expected->alias, i); !is_new) {
-      findings.add("ENI-REF-12", {PlaceKind::kSlaveInitCmd, i, expected->cmd}, fig::count<"alias">(expected->alias),
+      findings.add("ENI-REF-12", {PlaceKind::kSlaveInitCmd, i, expected->cmd}, fig::number<"alias">(expected->alias),
                    view.slave<"slave">(other->second));
     }
   }

@@ -60,8 +60,8 @@ class VariableCheck {
       if (frame_image_ && bits.begin >= image_.end) {
         behind.take(i);
       } else {
-        add("ENI-IMG-01", i, fig::text<"variable">(variables_[i].name), fig::count<"first">(bits.begin),
-            fig::count<"last">(std::max<std::uint64_t>(bits.end, 1) - 1), fig::count<"image">(image_.end));
+        add("ENI-IMG-01", i, fig::text<"variable">(variables_[i].name), fig::number<"first">(bits.begin),
+            fig::number<"last">(std::max<std::uint64_t>(bits.end, 1) - 1), fig::number<"image">(image_.end));
       }
     }
     Diagnosis shared;
@@ -83,10 +83,10 @@ class VariableCheck {
       if (count++ == 0) first = variable;
     }
   };
-  void report(Sentence<"count", "variable"> code, const Diagnosis& found) {
+  void report(Sentence<counted(FigureName("count")), "variable"> code, const Diagnosis& found) {
     if (found.count > 0) {
-      add<"count", "variable">(code, found.first, fig::count<"count">(found.count),
-                               fig::text<"variable">(variables_[found.first].name));
+      add<counted(FigureName("count")), "variable">(code, found.first, fig::count<"count">(found.count),
+                                                    fig::text<"variable">(variables_[found.first].name));
     }
   }
   [[nodiscard]] bool is_diagnosis(std::size_t variable) const {
@@ -122,8 +122,8 @@ void check_slave_ranges(const NetworkView& view, std::optional<ImageRange> Slave
     ranges.push_back({bits_of(*range), i});
     if (!image.contains(bits_of(*range))) {
       findings.add("ENI-IMG-04", {PlaceKind::kSlave, i}, fig::text<"element">(name),
-                   fig::count<"bits">(range->bit_length), fig::count<"first">(range->bit_start),
-                   fig::count<"image">(image.end));
+                   fig::count<"bits">(range->bit_length), fig::number<"first">(range->bit_start),
+                   fig::number<"image">(image.end));
     }
   }
   for (const auto& [first, second] : overlaps(ranges)) {

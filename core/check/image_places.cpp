@@ -28,7 +28,7 @@ void check_commands(const NetworkView& view, bool inputs, std::uint32_t size, Fi
     ranges.push_back({bytes, i});
     if (bytes.end > size) {
       findings.add("ENI-IMG-08", view.cyclic[i].place(), fig::phrase<"data">(inputs ? "inputs" : "outputs"),
-                   fig::count<"first">(bytes.begin), fig::count<"last">(bytes.end), fig::count<"image">(size));
+                   fig::number<"first">(bytes.begin), fig::number<"last">(bytes.end), fig::number<"image">(size));
     }
   }
   for (const auto& [first, second] : overlaps(ranges)) {
@@ -86,7 +86,7 @@ void check_direction(const NetworkView& view, bool inputs, Findings& findings) {
     }
     if (first && *first != range->bit_start) {
       findings.add("ENI-IMG-10", {PlaceKind::kSlave, i}, fig::text<"element">(inputs ? "Recv" : "Send"),
-                   fig::count<"said">(range->bit_start), fig::count<"computed">(*first));
+                   fig::number<"said">(range->bit_start), fig::number<"computed">(*first));
     }
   }
 }

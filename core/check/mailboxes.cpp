@@ -66,19 +66,19 @@ class MailboxCheck {
     const SyncManagerWrite* write = view_.registers[slave_].manager(number);
     if (write == nullptr) {
       if (!view_.config.slaves[slave_].init_cmds.empty()) {
-        add("ENI-MBX-03", fig::count<"manager">(number), fig::text<"element">(name));
+        add("ENI-MBX-03", fig::number<"manager">(number), fig::text<"element">(name));
       }
       return;
     }
     const ConfigPlace place{PlaceKind::kSlaveInitCmd, slave_, write->cmd};
     const SyncManager& manager = write->manager;
     if (manager.start != channel.start || manager.length != channel.length) {
-      findings_.add("ENI-MBX-04", place, fig::count<"manager">(number), fig::count<"bytes">(manager.length),
+      findings_.add("ENI-MBX-04", place, fig::number<"manager">(number), fig::count<"bytes">(manager.length),
                     fig::hex<"start">(manager.start), fig::text<"element">(name),
                     fig::count<"said_bytes">(channel.length), fig::hex<"said_start">(channel.start));
     }
     if (!manager.is_mailbox() || manager.ecat_writes() != (number == 0)) {
-      findings_.add("ENI-MBX-09", place, fig::hex<"control">(manager.control, 2), fig::count<"manager">(number),
+      findings_.add("ENI-MBX-09", place, fig::hex<"control">(manager.control, 2), fig::number<"manager">(number),
                     fig::phrase<"use">(number == 0 ? "requests" : "answers"));
     }
   }
@@ -107,11 +107,11 @@ class MailboxCheck {
              has(*cyclic.cmd, AlState::kPreop) && logical_bytes(*cyclic.cmd).contains({logical / 8, logical / 8 + 1});
     });
     if (bit >= master.mailbox_state_count.value_or(0)) {
-      add("ENI-MBX-07", fig::count<"bit">(bit), fig::count<"counted">(master.mailbox_state_count.value_or(0)));
+      add("ENI-MBX-07", fig::number<"bit">(bit), fig::count<"counted">(master.mailbox_state_count.value_or(0)));
     } else if (!mapped) {
-      add("ENI-MBX-07/unmapped", fig::count<"bit">(bit));
+      add("ENI-MBX-07/unmapped", fig::number<"bit">(bit));
     } else if (!read) {
-      add("ENI-MBX-07/unread", fig::count<"bit">(bit));
+      add("ENI-MBX-07/unread", fig::number<"bit">(bit));
     }
   }
 
@@ -131,7 +131,7 @@ void check_mailboxes(const NetworkView& view, Findings& findings) {
     MailboxCheck(view, i, findings).run();
     if (!mailbox->status_bit_address) continue;
     if (const auto [it, is_new] = bits.emplace(*mailbox->status_bit_address, i); !is_new) {
-      findings.add("ENI-MBX-08", {PlaceKind::kMailbox, i}, fig::count<"bit">(*mailbox->status_bit_address),
+      findings.add("ENI-MBX-08", {PlaceKind::kMailbox, i}, fig::number<"bit">(*mailbox->status_bit_address),
                    view.slave<"slave">(it->second));
     }
   }

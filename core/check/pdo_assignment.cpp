@@ -45,7 +45,7 @@ class PdoCheck {
     const ConfiguredSyncManager& manager = config_.sync_managers[m];
     for (const std::uint16_t pdo : manager.pdos) {
       if (!described_.contains(pdo)) {
-        findings_.add("ENI-PDO-01", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number),
+        findings_.add("ENI-PDO-01", {PlaceKind::kSyncManager, slave_, m}, fig::number<"manager">(manager.number),
                       fig::hex<"pdo">(pdo));
       }
     }

@@ -23,12 +23,12 @@ void check_addresses(const NetworkView& view, Findings& findings) {
     if (address == 0) {
       findings.add("ENI-REF-04", place);
     } else if (const auto first = view.with_address(address); first && *first != i) {
-      findings.add("ENI-REF-03", place, fig::count<"address">(address), view.slave<"slave">(*first));
+      findings.add("ENI-REF-03", place, fig::number<"address">(address), view.slave<"slave">(*first));
     }
     const std::uint16_t expected = Position{static_cast<std::uint16_t>(i)}.auto_increment_address();
     if (slaves[i].auto_increment_address != expected) {
-      findings.add("ENI-REF-05", place, fig::count<"said">(slaves[i].auto_increment_address),
-                   fig::count<"expected">(expected));
+      findings.add("ENI-REF-05", place, fig::number<"said">(slaves[i].auto_increment_address),
+                   fig::number<"expected">(expected));
     }
   }
 }
@@ -39,7 +39,7 @@ void check_names(const NetworkView& view, Findings& findings) {
     const std::string& name = view.config.slaves[i].name;
     if (name.empty()) continue;
     if (const auto [it, is_new] = first.emplace(name, i); !is_new) {
-      findings.add("ENI-REF-06", {PlaceKind::kSlave, i}, fig::text<"name">(name), fig::count<"slave">(it->second));
+      findings.add("ENI-REF-06", {PlaceKind::kSlave, i}, fig::text<"name">(name), fig::number<"slave">(it->second));
     }
   }
 }
@@ -57,10 +57,10 @@ void check_addressees(const NetworkView& view, Findings& findings) {
       }
       if (other_address) {
         findings.add("ENI-REF-07", {PlaceKind::kSlaveInitCmd, i, c}, fig::text<"command">(address_text(cmd)),
-                     fig::count<"address">(slaves[i].station_address));
+                     fig::number<"address">(slaves[i].station_address));
       } else if (other_place) {
         findings.add("ENI-REF-07/place", {PlaceKind::kSlaveInitCmd, i, c}, fig::text<"command">(address_text(cmd)),
-                     fig::count<"address">(slaves[i].auto_increment_address));
+                     fig::number<"address">(slaves[i].auto_increment_address));
       }
     }
   }

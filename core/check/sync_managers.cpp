@@ -41,7 +41,7 @@ class SyncManagerCheck {
       if (const SyncManagerWrite* write = registers_.manager(manager.number)) {
         check_write(m, manager, *write);
       } else if (manager.description.enable && assigned_bits(manager).value_or(0) > 0 && !config_.init_cmds.empty()) {
-        findings_.add("ENI-SM-01", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number));
+        findings_.add("ENI-SM-01", {PlaceKind::kSyncManager, slave_, m}, fig::number<"manager">(manager.number));
       }
     }
     check_memory();
@@ -69,7 +69,7 @@ class SyncManagerCheck {
     // A maximum of 0 is how tools write "no limit".
     if (bytes < description.min_size.value_or(0) ||
         (description.max_size.value_or(0) != 0 && bytes > *description.max_size)) {
-      findings_.add("ENI-SM-02", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number),
+      findings_.add("ENI-SM-02", {PlaceKind::kSyncManager, slave_, m}, fig::number<"manager">(manager.number),
                     fig::count<"bytes">(bytes), fig::count<"least">(description.min_size.value_or(0)),
                     fig::count<"most">(description.max_size.value_or(0)));
     }
@@ -79,7 +79,7 @@ class SyncManagerCheck {
     const ConfigPlace place{PlaceKind::kSlaveInitCmd, slave_, write.cmd};
     const SyncManagerDescription& description = manager.description;
     if (write.manager.start != description.start_address) {
-      findings_.add("ENI-SM-03", place, fig::count<"manager">(manager.number), fig::hex<"start">(write.manager.start),
+      findings_.add("ENI-SM-03", place, fig::number<"manager">(manager.number), fig::hex<"start">(write.manager.start),
                     fig::hex<"said">(description.start_address));
     }
     const bool process_data =
@@ -88,16 +88,16 @@ class SyncManagerCheck {
     const bool wrong_mode = !process_data && !write.manager.is_mailbox();
     if (write.manager.ecat_writes() != is_output(description.type) || wrong_mode) {
       findings_.add("ENI-SM-04", place, fig::hex<"control">(write.manager.control, 2),
-                    fig::count<"manager">(manager.number), fig::phrase<"kind">(kind(write.manager)),
+                    fig::number<"manager">(manager.number), fig::phrase<"kind">(kind(write.manager)),
                     fig::text<"type">(type_name(description.type)));
     }
     const auto bits = assigned_bits(manager);
     if (process_data && bits && !manager.pdos.empty() && write.manager.length != (*bits + 7) / 8) {
-      findings_.add("ENI-SM-05", place, fig::count<"manager">(manager.number),
+      findings_.add("ENI-SM-05", place, fig::number<"manager">(manager.number),
                     fig::count<"bytes">(write.manager.length), fig::count<"expected">((*bits + 7) / 8));
     }
     if (process_data && !description.enable && !manager.pdos.empty()) {
-      findings_.add("ENI-SM-08", {PlaceKind::kSyncManager, slave_, m}, fig::count<"manager">(manager.number));
+      findings_.add("ENI-SM-08", {PlaceKind::kSyncManager, slave_, m}, fig::number<"manager">(manager.number));
     }
   }
 
@@ -110,7 +110,7 @@ class SyncManagerCheck {
       plain.push_back({bytes, i});
       buffers.push_back({occupied(write.manager), i});
       if (write.manager.length == 0 || bytes.begin < kFirstDataAddress || occupied(write.manager).end > 0x10000) {
-        findings_.add("ENI-SM-06", {PlaceKind::kSlaveInitCmd, slave_, write.cmd}, fig::count<"manager">(write.number),
+        findings_.add("ENI-SM-06", {PlaceKind::kSlaveInitCmd, slave_, write.cmd}, fig::number<"manager">(write.number),
                       fig::count<"bytes">(write.manager.length), fig::hex<"start">(write.manager.start));
       }
     }
@@ -118,8 +118,8 @@ class SyncManagerCheck {
     for (const auto& [first, second] : found.empty() ? overlaps(buffers) : found) {
       const SyncManagerWrite& write = registers_.managers[second];
       const ConfigPlace place{PlaceKind::kSlaveInitCmd, slave_, write.cmd};
-      const auto manager = fig::count<"manager">(write.number);
-      const auto other = fig::count<"other">(registers_.managers[first].number);
+      const auto manager = fig::number<"manager">(write.number);
+      const auto other = fig::number<"other">(registers_.managers[first].number);
       found.empty() ? findings_.add("ENI-SM-07/buffers", place, manager, other)
                     : findings_.add("ENI-SM-07", place, manager, other);
     }

@@ -115,7 +115,7 @@ class Lines {
 /// Of a task by its number from 1, 0 where there is one only.
 Finding command_of(std::size_t task, const std::string& command) {
   return task == 0 ? what("difference-cyclic-command", fig::text<"command">(command))
-                   : what("difference-cyclic-command/task", fig::count<"task">(task), fig::text<"command">(command));
+                   : what("difference-cyclic-command/task", fig::number<"task">(task), fig::text<"command">(command));
 }
 
 void compare_task(std::size_t task, const std::vector<Line>& left, const std::vector<Line>& right,
@@ -142,7 +142,7 @@ void compare_task(std::size_t task, const std::vector<Line>& left, const std::ve
   if (!std::ranges::is_sorted(order)) {
     out.add(
         Group::kCyclic,
-        task == 0 ? what("difference-cyclic-order") : what("difference-cyclic-order/task", fig::count<"task">(task)),
+        task == 0 ? what("difference-cyclic-order") : what("difference-cyclic-order/task", fig::number<"task">(task)),
         "", "");
   }
 }
@@ -171,7 +171,7 @@ void compare_cyclic(const NetworkConfig& left, const NetworkConfig& right, const
     const std::size_t task = left.cyclic.size() > 1 ? t + 1 : 0;
     if (l.cycle_time != r.cycle_time || l.cycle_time_given != r.cycle_time_given) {
       out.add(Group::kCyclic,
-              task == 0 ? what("difference-cycle-time") : what("difference-cycle-time/task", fig::count<"task">(task)),
+              task == 0 ? what("difference-cycle-time") : what("difference-cycle-time/task", fig::number<"task">(task)),
               cycle_time_text(l), cycle_time_text(r));
     }
     if (l.frames == r.frames && left.slaves.size() == right.slaves.size()) continue;
@@ -183,7 +183,7 @@ void compare_cyclic(const NetworkConfig& left, const NetworkConfig& right, const
         [](const CyclicFrame& f) { return f.commands.size(); });
     if (one.size() == other.size() && !same_split) {
       out.add(Group::kCyclic,
-              task == 0 ? what("difference-frames") : what("difference-frames/task", fig::count<"task">(task)),
+              task == 0 ? what("difference-frames") : what("difference-frames/task", fig::number<"task">(task)),
               frame_sizes(l), frame_sizes(r));
     }
   }

@@ -34,7 +34,7 @@ struct Placed {
 class Moves {
  public:
   /// What is said of many.
-  using Counted = FindingSentence<words::kDifferences, FigureName("count")>;
+  using Counted = FindingSentence<words::kDifferences, counted(FigureName("count"))>;
   explicit Moves(Counted counted) : counted_(counted) {}
   void add(Finding what, std::int64_t left, std::int64_t right) {
     add(std::move(what), fmt::format("{}", left), fmt::format("{}", right));

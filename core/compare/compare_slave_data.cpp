@@ -57,7 +57,7 @@ std::string sizes(const SyncManagerDescription& manager, bool with_default) {
 void compare_manager(const ConfiguredSyncManager& left, const ConfiguredSyncManager& right, DifferenceList& out) {
   const auto field = [&](FindingSentence<words::kDifferences, FigureName("sm")> sentence, const std::string& one,
                          const std::string& other) {
-    if (one != other) out.add(Group::kProcessData, what(sentence, fig::count<"sm">(left.number)), one, other);
+    if (one != other) out.add(Group::kProcessData, what(sentence, fig::number<"sm">(left.number)), one, other);
   };
   const SyncManagerDescription& l = left.description;
   const SyncManagerDescription& r = right.description;
@@ -203,7 +203,7 @@ void compare_process_data(const SlaveConfig& left, const SlaveConfig& right, Dif
     if (l && r) {
       compare_manager(*l, *r, out);
     } else if (l || r) {
-      out.add(Group::kProcessData, what("difference-sm", fig::count<"sm">(number)), l ? pdo_list(l->pdos) : "",
+      out.add(Group::kProcessData, what("difference-sm", fig::number<"sm">(number)), l ? pdo_list(l->pdos) : "",
               r ? pdo_list(r->pdos) : "");
     }
   }

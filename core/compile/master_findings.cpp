@@ -53,7 +53,7 @@ void check_reference_clock(FindingList& findings, const Project& project, const 
     return;
   }
   if (*chosen >= slaves.size()) {
-    findings.add("reference-clock-missing", fig::count<"position">(*chosen));
+    findings.add("reference-clock-missing", fig::number<"position">(*chosen));
   } else if (!slaves[*chosen].device().dc) {
     findings.add("reference-clock-without-dc", fig::text<"name">(slaves[*chosen].settings->name));
   } else if (first != slaves.end() && first->position < *chosen) {
@@ -135,7 +135,7 @@ void check_addresses(std::vector<Finding>& out, const std::vector<SlavePlan>& sl
     if (address == 0) {
       findings.add("station-address-zero");
     } else if (const auto [other, is_new] = used.emplace(address, &slave); !is_new) {
-      findings.add("station-address-twice", fig::count<"address">(address),
+      findings.add("station-address-twice", fig::number<"address">(address),
                    fig::text<"name">(other->second->settings->name));
     }
   }
@@ -150,7 +150,7 @@ void check_aliases(std::vector<Finding>& out, const std::vector<SlavePlan>& slav
     if (settings.alias == 0 || !(settings.check.alias || found_by_alias)) continue;
     if (const auto [other, is_new] = used.emplace(settings.alias, &slave); !is_new) {
       FindingList findings(out, slave.position);
-      findings.add("alias-twice", fig::count<"alias">(settings.alias),
+      findings.add("alias-twice", fig::number<"alias">(settings.alias),
                    fig::slave<"slave">(other->second->position, other->second->settings->name));
     }
   }

@@ -23,12 +23,12 @@ void check_plugged(FindingList& findings, const SlavePlan& slave, const std::vec
   for (const PluggedModule& plugged : settings.modules) {
     const ModuleDescription* module = settings.device.module(plugged.ident);
     if (plugged.slot >= places.size()) {
-      findings.add("module-place-missing", fig::count<"place">(plugged.slot), fig::count<"places">(places.size()));
+      findings.add("module-place-missing", fig::number<"place">(plugged.slot), fig::count<"places">(places.size()));
     } else if (module == nullptr || !accepts(*places[plugged.slot].slot, *module)) {
       findings.add_at(key_of(plugged.slot), "module-does-not-fit", fig::hex32<"module">(plugged.ident),
-                      fig::count<"place">(plugged.slot));
+                      fig::number<"place">(plugged.slot));
     } else if (!module->dc_op_mode.empty() && module->dc_op_mode != settings.dc.op_mode) {
-      findings.add("module-demands-mode", fig::text<"module">(module->type), fig::count<"place">(plugged.slot),
+      findings.add("module-demands-mode", fig::text<"module">(module->type), fig::number<"place">(plugged.slot),
                    fig::text<"mode">(module->dc_op_mode));
     }
   }
@@ -37,7 +37,7 @@ void check_plugged(FindingList& findings, const SlavePlan& slave, const std::vec
 void check_empty(FindingList& findings, const SlavePlan& slave, const std::vector<SlotPlace>& places) {
   for (const SlotPlace& place : places) {
     if (place.demanded && !plugged_module(*slave.settings, place.number)) {
-      const auto number = fig::count<"place">(place.number);
+      const auto number = fig::number<"place">(place.number);
       const auto& name = place.slot->name;
       name.empty() ? findings.add_at(key_of(place.number), "module-missing", number)
                    : findings.add_at(key_of(place.number), "module-missing/named", number, fig::text<"name">(name));

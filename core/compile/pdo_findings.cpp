@@ -93,10 +93,10 @@ void check_sizes(FindingList& findings, const SlavePlan& slave) {
     const std::uint32_t bytes = (channel.bit_length + 7) / 8;
     if (description.max_size && *description.max_size > 0 && bytes > *description.max_size) {
       findings.add_at(key, "process-data-too-long", fig::count<"bytes">(bytes),
-                      fig::count<"most">(*description.max_size), fig::count<"manager">(channel.number));
+                      fig::count<"most">(*description.max_size), fig::number<"manager">(channel.number));
     }
     if (description.min_size && bytes > 0 && bytes < *description.min_size) {
-      findings.add_at(key, "process-data-too-short", fig::count<"manager">(channel.number),
+      findings.add_at(key, "process-data-too-short", fig::number<"manager">(channel.number),
                       fig::count<"least">(*description.min_size), fig::count<"bytes">(bytes));
     }
   }
@@ -117,7 +117,7 @@ void check_counts(FindingList& findings, const SlavePlan& slave) {
   for (const auto& channel : slave.channels) {
     if (mailbox->coe->pdo_assign && channel.pdos.size() > kMost) {
       findings.add_at(channel.is_output() ? "pdo.rx" : "pdo.tx", "assignment-too-long",
-                      fig::count<"pdos">(channel.pdos.size()), fig::count<"manager">(channel.number),
+                      fig::count<"pdos">(channel.pdos.size()), fig::number<"manager">(channel.number),
                       fig::count<"most">(kMost));
     }
   }
@@ -143,7 +143,7 @@ void check_excluded_managers(FindingList& findings, const SlavePlan& slave) {
     const auto& excluded = pdo.excluded_sync_managers;
     if (!pdo.sync_manager || std::ranges::find(excluded, *pdo.sync_manager) == excluded.end()) continue;
     findings.add_at(direction == PdoDirection::kRx ? "pdo.rx" : "pdo.tx", "pdo-sync-manager-excluded",
-                    fig::hex16<"pdo">(pdo.index), fig::count<"manager">(*pdo.sync_manager));
+                    fig::hex16<"pdo">(pdo.index), fig::number<"manager">(*pdo.sync_manager));
   }
 }
 

@@ -176,14 +176,14 @@ class SlaveProblems {
     const auto object = fig::hex16<"object">(index);
     if (type && !types.writable) return add(about(true), "ENI-DEV-07/read-only", object, family(), devices());
     if (type && std::ranges::find(taken, type->value) == taken.end()) {
-      return add(about(true), "ENI-DEV-07", object, fig::count<"type">(type->value), family(), devices());
+      return add(about(true), "ENI-DEV-07", object, fig::number<"type">(type->value), family(), devices());
     }
     const std::uint64_t value = type ? type->value : usual;
     const bool by_signal = value == kSync0Type || value == kSync1Type;
     if (type && by_signal && !sync0_) {
       types.follow_dc ? add(about(false), "ENI-DEV-08/off", object) : add(about(true), "ENI-DEV-07/off", object);
     } else if (sync0_ && !by_signal && !types.follow_dc) {
-      add(about(false), "ENI-DEV-08", object, fig::count<"type">(value),
+      add(about(false), "ENI-DEV-08", object, fig::number<"type">(value),
           fig::phrase<"consequence">(outputs ? "outputs count from their arrival" : "inputs are not those of SYNC0"));
     }
   }

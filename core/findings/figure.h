@@ -13,7 +13,7 @@ namespace syncline {
 /// One figure of the evidence. The name is that of its placeholder in the finding's words and of its JSON field.
 struct Figure {
   enum class Unit : std::uint8_t {
-    kCount,
+    kCount,        // how many; a balance may be below 0
     kTimes,        // "once", "3 times"
     kNanoseconds,  // four digits: a figure that was measured
     kTime,         // all digits: one that was set
@@ -30,6 +30,7 @@ struct Figure {
     kText,    // somebody's own: a name, a file, a command
     kPhrase,  // ours: known to the translations
     kAside,   // a phrase behind a colon; nothing when it is empty
+    kNumber,  // names something (a station address, a line) as others write it: no language groups its digits
   };
   std::string_view name;
   Unit unit = Unit::kCount;

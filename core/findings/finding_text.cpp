@@ -68,6 +68,8 @@ std::string figure_text(const Figure& figure) {
   switch (figure.unit) {
     case Unit::kCount:
       return fmt::format("{}{}", figure.text.empty() ? "" : "at least ", figure.value);
+    case Unit::kNumber:
+      return fmt::format("{}", figure.value);
     case Unit::kTimes:
       return (figure.text.empty() ? "" : "at least ") +
              (figure.value == 1 ? std::string("once") : fmt::format("{} times", figure.value));

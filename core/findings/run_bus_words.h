@@ -59,14 +59,14 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      "Its start time (0x0990) had passed when it was taken, or its SYNC unit was not switched on (0x0981). Let the "
      "start times begin later (master.dc.start_time_safety_us), or look at who else writes its registers.",
-     "",
+     "master.dc.start_time_safety_us",
      {{"", "SYNC0 of {slave} will not come: it has no start time ahead of it."}}},
     {"sync0-too-tight",
      Severity::kWarning,
      "Frames come close to SYNC0",
      "",
      "Increase the set value by {more} or more.",
-     "",
+     "master.dc.set_value_us",
      {{"", "The frames reach {slave} nominally {margin} before its SYNC0, and one in a thousand is {lateness} late."},
       {"need",
        "The frames reach {slave} nominally {margin} before its SYNC0, and it needs {need} for its outputs (0x1C32:06); "
@@ -76,7 +76,7 @@ inline constexpr FindingWords kRunBus[] = {
      "Outputs come too late for SYNC0",
      "",
      "Let its SYNC0 come {more} later: a shift of {shift}.",
-     "",
+     "slave.N.dc.sync0.shift_us",
      {{"",
        "{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and used those of the cycle "
        "before: they come {margin} before SYNC0, and it needs {need}."}}},
@@ -85,7 +85,7 @@ inline constexpr FindingWords kRunBus[] = {
      "Inputs are latched too late",
      "",
      "Latch them earlier: a smaller input shift time.",
-     "",
+     "slave.N.sync.input_shift_us",
      {{"", "{slave} had its inputs too late {count} (0x1C33:0D shift too short)."}}},
     {"firmware-hung",
      Severity::kWarning,
@@ -108,7 +108,7 @@ inline constexpr FindingWords kRunBus[] = {
      "A slave needs longer than its cycle",
      "",
      "Give it a longer cycle, or fewer objects and functions in each.",
-     "",
+     "master.cycle_time_us",
      {{"", "{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}."}}},
     {"inputs-late",
      Severity::kWarning,
@@ -116,7 +116,7 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      "Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer "
      "objects.",
-     "",
+     "master.cycle_time_us",
      {{"",
        "{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of "
        "its input SyncManager names the same buffer again)."}}},
@@ -126,7 +126,7 @@ inline constexpr FindingWords kRunBus[] = {
      "",
      "Its firmware takes longer than the cycle: look for what else it has to do, give it a longer cycle, or fewer "
      "objects.",
-     "",
+     "master.cycle_time_us",
      {{"",
        "{slave} does not take its outputs in every cycle, as it did before: from {since} on, {count} (0x0220 names its "
        "output SyncManager when the next ones come)."}}},
@@ -135,7 +135,7 @@ inline constexpr FindingWords kRunBus[] = {
      "A gateway's fieldbus needs longer than a cycle",
      "",
      "Use a longer bus cycle or a larger sync multiplier, or let its fieldbus carry less.",
-     "",
+     "master.cycle_time_us",
      {{"",
        "{slave} skipped {count:# cycle|# cycles} because the one before was not over ({object} cycle exceeded): its "
        "fieldbus needs longer than a cycle."}}},
@@ -263,7 +263,7 @@ inline constexpr FindingWords kRunBus[] = {
      "Other threads held the host",
      "",
      "Give the master real-time priority above what else runs on this host, or a processor of its own.",
-     "",
+     "master.real_time.cpu",
      {{"",
        "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
        "{count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for "
@@ -275,7 +275,7 @@ inline constexpr FindingWords kRunBus[] = {
      "Real-time priority does not interrupt a thread of the kernel where the kernel is not preemptible.",
      "Boot this kernel with preempt=full, or take one with PREEMPT_RT; or keep a processor for the master alone "
      "(isolcpus) and bind it to that.",
-     "",
+     "master.real_time.cpu",
      {{"",
        "The host stood still {times}, first at {since}: it sent nothing for up to {longest}, and "
        "{count:# cycle was|# cycles were} left out. Of {held} that the master came too late, it was ready for "
@@ -309,7 +309,7 @@ inline constexpr FindingWords kRunBus[] = {
      "The host sends late",
      "",
      "Give the master a processor of its own and real-time priority, or increase the set value.",
-     "",
+     "master.dc.set_value_us",
      {{"",
        "The host sends late: half of the frames by {p50}, one in a hundred by {p99}, one in a thousand by {p999}, at "
        "most {largest}; the frames may be {margin} late."}}},
@@ -320,7 +320,7 @@ inline constexpr FindingWords kRunBus[] = {
      "the frame really leaves.",
      "Choose bus shift or master shift, which keep the host's jitter away from the clocks; else a host with a more "
      "exact timer, or a wider sync window.",
-     "",
+     "master.dc.mode",
      {{"",
        "The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or "
        "earlier than usual shakes it, and all slaves with it."},

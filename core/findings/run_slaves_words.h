@@ -72,7 +72,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "A slave has left OP because frames came too late",
      "",
      "Increase the set value by {more} or more, or make the host less late.",
-     "",
+     "master.dc.set_value_us",
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: it missed {missed:# SM2 event|# SM2 "
        "events}, {part} of them because frames came behind the SYNC0 they were meant for. Nominally they are there "
@@ -83,7 +83,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      "So the cause is in the slave: its application needed longer than the cycle, or than the time between its outputs "
      "and SYNC0. Give it a longer cycle or more time before SYNC0, or look for what slows its firmware.",
-     "",
+     "master.cycle_time_us",
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good "
        "cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0."}}},
@@ -194,7 +194,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      "Look for what holds frames up behind the master: the network card, its driver, a switch, a busy host. In master "
      "shift nothing is written to the reference clock, and such a frame moves nobody.",
-     "",
+     "master.dc.mode",
      {{"",
        "A frame that was held up on its way brought the reference clock an old time at {since}: the slaves were up to "
        "{deviation} off it until they had followed."},
@@ -233,7 +233,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "A slave's clock was off",
      "",
      "Its clock stepped or lost its reference; switch sync-window monitoring on to be told at once.",
-     "",
+     "master.dc.sync_window",
      {{"", "{slave} was {deviation} off its reference clock at {since}, and nobody monitors it."},
       {"reference",
        "Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: "
@@ -243,7 +243,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "The master is not in sync",
      "",
      "Look for a busy host or a clock that stepped; if neither is there, choose the other shift mode.",
-     "",
+     "master.dc.mode",
      {{"", "The master is not in sync with the reference clock (schedule error {error}){obstacle}."}}},
     {"master-lost-lock",
      Severity::kWarning,
@@ -264,7 +264,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "The clocks drift too fast",
      "",
      "Check the cycle time and the host's timer frequency.",
-     "",
+     "master.cycle_time_us",
      {{"", "The host's clock and the reference clock drift by {drift}; no controller balances more than 600 ppm."}}},
     {"missed-by-lost-frames",
      Severity::kWarning,
@@ -299,7 +299,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "SM2 events were missed because frames came too late",
      "",
      "Increase the set value by {more} or more, or make the host less late.",
-     "",
+     "master.dc.set_value_us",
      {{"",
        "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames came behind the SYNC0 they "
        "were meant for: nominally they are there {margin} before it, but one in a thousand is {lateness} late."}}},

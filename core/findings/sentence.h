@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -9,19 +10,28 @@
 #include <utility>
 
 #include "findings/finding.h"
+#include "findings/named_number.h"
 #include "reasons/placeholder.h"
 
-/// Findings whose words are looked up while compiling: a code without words, a placeholder that no figure fills and a
-/// figure that no sentence shows do not compile.
+/// Findings whose words are looked up while compiling: a code without words, a placeholder that no figure fills, a
+/// figure that no sentence shows and a count where the words name something do not compile.
 namespace syncline {
 
 template <std::size_t kSize>
 struct FigureName {
   char text[kSize]{};
+  bool counts = false;  // says how many
   // NOLINTNEXTLINE(google-explicit-constructor): fig::count<"bytes">(4).
   consteval FigureName(const char (&name)[kSize]) { std::copy_n(name, kSize, text); }
   [[nodiscard]] constexpr std::string_view view() const { return {text, kSize - 1}; }
 };
+
+/// The name of a figure that says how many.
+template <std::size_t kSize>
+[[nodiscard]] consteval FigureName<kSize> counted(FigureName<kSize> name) {
+  name.counts = true;
+  return name;
+}
 
 /// A figure that has its name in its type.
 template <FigureName kName>
@@ -36,13 +46,15 @@ template <FigureName kName>
 [[nodiscard]] Named<kName> of(Figure::Unit unit, std::int64_t value, std::int64_t other = 0, std::string text = {}) {
   return {{Named<kName>::kText.view(), unit, value, other, std::move(text)}};
 }
+/// How many, which languages group by thousands; a balance may be below 0.
 template <FigureName kName>
-[[nodiscard]] Named<kName> count(std::uint64_t value) {
-  return of<kName>(Figure::Unit::kCount, static_cast<std::int64_t>(value));
+[[nodiscard]] Named<counted(kName)> count(std::integral auto value) {
+  return of<counted(kName)>(Figure::Unit::kCount, static_cast<std::int64_t>(value));
 }
+/// What names something: a station address, an alias, a line, a bit of the image.
 template <FigureName kName>
-[[nodiscard]] Named<kName> number(std::int64_t value) {
-  return of<kName>(Figure::Unit::kCount, value);
+[[nodiscard]] Named<kName> number(std::integral auto value) {
+  return of<kName>(Figure::Unit::kNumber, static_cast<std::int64_t>(value));
 }
 template <FigureName kName>
 [[nodiscard]] Named<kName> time(Nanoseconds value) {
@@ -67,8 +79,8 @@ template <FigureName kName>
 }
 /// "once", "3 times"
 template <FigureName kName>
-[[nodiscard]] Named<kName> times(std::uint64_t value) {
-  return of<kName>(Figure::Unit::kTimes, static_cast<std::int64_t>(value));
+[[nodiscard]] Named<counted(kName)> times(std::uint64_t value) {
+  return of<counted(kName)>(Figure::Unit::kTimes, static_cast<std::int64_t>(value));
 }
 template <FigureName kName>
 [[nodiscard]] Named<kName> port(std::uint64_t value) {
@@ -133,6 +145,8 @@ class FindingSentence {
     for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
       [[maybe_unused]] const auto name = Placeholder(text.substr(open + 1, text.find('}', open) - open - 1)).name;
       if (!((name == kNames.view()) || ...)) throw "a placeholder without a figure";
+      if (((kNames.counts && name == kNames.view()) || ...) && names_something(text, open))
+        throw "a count where the words name something: fig::number";
     }
   }
   static consteval bool shows_in(std::string_view text, std::string_view name) {

@@ -42,9 +42,9 @@ void RecordingReader::note_row(std::string_view table, const SqlStatement& row) 
 void RecordingReader::note_gap(std::string_view table, std::string_view row, const Block& block) {
   const std::string key(row);
   note(std::string(table), key,
-       at(make_finding<words::kRecording>(
-              "recording-damaged/gap", {}, fig::text<"row">(key), fig::text<"table">(std::string(table)),
-              fig::number<"first">(block.first_cycle), fig::number<"last">(block.last_cycle)),
+       at(make_finding<words::kRecording>("recording-damaged/gap", {}, fig::text<"row">(key),
+                                          fig::text<"table">(std::string(table)),
+                                          fig::count<"first">(block.first_cycle), fig::count<"last">(block.last_cycle)),
           block));
 }
 
@@ -55,7 +55,7 @@ void RecordingReader::note_series(std::string_view row, std::int64_t series, con
        at(make_finding<words::kRecording>(
               "recording-damaged/series", {}, fig::text<"row">(key), fig::text<"table">("data"),
               fig::text<"signal">(std::string(signal < kSignalCount ? signals()[signal].key : "?")),
-              fig::number<"first">(block.first_cycle), fig::number<"last">(block.last_cycle)),
+              fig::count<"first">(block.first_cycle), fig::count<"last">(block.last_cycle)),
           block));
 }
 
@@ -69,8 +69,8 @@ void RecordingReader::note_missing(std::string_view table, std::int64_t there) {
 }
 
 void RecordingReader::note_block(const Block& block, std::int64_t missing) {
-  const auto first = fig::number<"first">(block.first_cycle);
-  const auto last = fig::number<"last">(block.last_cycle);
+  const auto first = fig::count<"first">(block.first_cycle);
+  const auto last = fig::count<"last">(block.last_cycle);
   const auto number = fmt::format("of {}", block.number);
   if (missing > 0) {
     const auto count = fig::count<"count">(static_cast<std::uint64_t>(missing));
@@ -99,14 +99,14 @@ Status RecordingReader::salvage(Error otherwise) {
 
 void RecordingReader::note_cut(const SalvagedRecording& salvaged) {
   salvaged_ = true;
-  const auto kib = [](std::uint64_t bytes) { return static_cast<std::int64_t>(bytes / 1024); };
+  const auto kib = [](std::uint64_t bytes) { return bytes / 1024; };
   const auto cycles = fig::count<"cycles">(salvaged.cycles);
   const auto lost = fig::count<"count">(salvaged.blocks_lost);
   if (salvaged.bytes_said == 0)
     return note("file", "cut", make_finding<words::kRecording>("recording-cut-off/pages", {}, cycles, lost));
   note("file", "cut",
-       make_finding<words::kRecording>("recording-cut-off", {}, fig::number<"there">(kib(salvaged.bytes)),
-                                       fig::number<"all">(kib(salvaged.bytes_said)), cycles, lost));
+       make_finding<words::kRecording>("recording-cut-off", {}, fig::count<"there">(kib(salvaged.bytes)),
+                                       fig::count<"all">(kib(salvaged.bytes_said)), cycles, lost));
 }
 
 std::vector<Finding> RecordingReader::found() const {

@@ -20,7 +20,7 @@ inline constexpr int kLargest<Severity> = static_cast<int>(Severity::kError);
 template <>
 inline constexpr int kLargest<PlaceKind> = static_cast<int>(PlaceKind::kOutput);
 template <>
-inline constexpr int kLargest<Figure::Unit> = static_cast<int>(Figure::Unit::kAside);
+inline constexpr int kLargest<Figure::Unit> = static_cast<int>(Figure::Unit::kNumber);
 
 namespace {
 

@@ -49,7 +49,7 @@ void recover_tasks(Project& project, const NetworkConfig& config, compiler::Find
     const CyclicTask& task = config.cyclic[t];
     const Nanoseconds multiple = base > 0 ? task.cycle_time / base : 0;
     if (multiple < 1 || multiple > kMostCycles || multiple * base != task.cycle_time) {
-      findings.add("task-not-recovered", fig::count<"task">(t + 1), fig::time<"cycle">(task.cycle_time),
+      findings.add("task-not-recovered", fig::number<"task">(t + 1), fig::time<"cycle">(task.cycle_time),
                    fig::time<"first">(base));
       continue;
     }

@@ -230,7 +230,7 @@ TEST_F(Fields, PdosOfModulesAreShownAndNamed) {
   device.modules = machine.slaves[1].device.modules;
   device.modules.front().tx_pdos = machine.slaves[1].device.tx_pdos;
   workspace_.document().replace(QStringLiteral("load"), machine);
-  show(0, "slaveDataPage");
+  show(0, "slaveModulesPage");
   auto& module = field<ChoiceEdit>("slaveModule0");
   EXPECT_EQ(module.accessibleName(), QStringLiteral("0  Axes"));
   module.setFocus();

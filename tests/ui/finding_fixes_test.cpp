@@ -94,6 +94,24 @@ TEST_F(FixesOfFindings, OfARunAreOneStepToo) {
   EXPECT_EQ(workspace_.document().undoStack().count(), steps + 1);
 }
 
+/// What a run advises of a number is set in one step; where it advises none the way to the setting is all.
+TEST_F(FixesOfFindings, OfARunSetTheNumberThatItAdvises) {
+  FindingFixes fixes(
+      workspace_, [] { return true; }, nullptr);
+  Finding tight{.code = "sync0-too-tight", .severity = Severity::kWarning};
+  tight.figures = {{"more", Figure::Unit::kNanoseconds, 20'000}};
+  QMenu menu;
+  fixes.fillFor(menu, tight);
+  auto* fix = menu.findChild<QAction*>(QStringLiteral("messageFix"));
+  ASSERT_NE(fix, nullptr);
+  fix->trigger();
+  EXPECT_TRUE(project().master.dc.dcm.set_value.has_value());
+  QMenu other;
+  fixes.fillFor(other, {.code = "drift-too-high", .severity = Severity::kError});
+  ASSERT_EQ(other.actions().size(), 1);
+  EXPECT_EQ(other.actions().front()->text(), QStringLiteral("Go to the Setting"));
+}
+
 /// The panel of findings has what the messages have of the project: live, with the way to the field and the fixes.
 TEST_F(FixesOfFindings, StandInTheirPanelToo) {
   const auto key = QStringLiteral("slave.2.station_address");

@@ -12,7 +12,13 @@
 #include <set>
 #include <string>
 
+#include "channels/event.h"
+#include "channels/event_finding.h"
+#include "findings/event_words.h"
+#include "findings/project_words.h"
 #include "findings/run_codes.h"
+#include "findings/scan_words.h"
+#include "findings/sentence.h"
 #include "support/ui_test_support.h"
 #include "ui/models/finding_model.h"
 #include "ui/panels/findings_panel.h"
@@ -69,6 +75,31 @@ bool isTheSameInAll(std::string_view text) {
                                         "{reason} (<{element}>)",
                                         "Text"};
   return std::ranges::find(kSame, text) != std::end(kSame);
+}
+
+TEST(FindingText, ANumberThatNamesSomethingIsWrittenAsItIs) {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::English));
+  const auto address = make_finding<words::kProject>("station-address-twice", 1, fig::number<"address">(1009),
+                                                     fig::text<"name">("Drive"));
+  EXPECT_EQ(findingText(address), QStringLiteral("Station address 1009 is that of Drive too."));
+  const auto alias = make_finding<words::kScan>("scan-alias-not-taken", 1, fig::slave<"slave">(1),
+                                                fig::number<"written">(1001), fig::number<"taken">(65535));
+  EXPECT_EQ(findingText(alias),
+            QStringLiteral("The EEPROM of slave 1 has the alias 1001, its ESC has 65535 until the next power-on."));
+  QLocale::setDefault(before);
+}
+
+TEST(FindingText, ACountIsGroupedAndABalanceHasItsSign) {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::English));
+  const auto lost = make_finding<words::kEvents>("event-frames-lost", {}, fig::count<"count">(1009));
+  EXPECT_TRUE(findingText(lost).startsWith(QStringLiteral("1,009 "))) << qPrintable(findingText(lost));
+  events::DcmError error;
+  error.drift_ppm = -1200;
+  const auto drift = findingText(event_finding({.what = error}).value());
+  EXPECT_TRUE(drift.contains(QStringLiteral("-1,200 ppm"))) << qPrintable(drift);
+  QLocale::setDefault(before);
 }
 
 TEST(FindingText, EverySentenceIsGermanToo) {

@@ -23,6 +23,7 @@
 #include "ui/editors/record_part.h"
 #include "ui/editors/text_edit.h"
 #include "ui/main_window.h"
+#include "ui/models/pdo_model.h"
 #include "ui/models/record_model.h"
 #include "ui/pages/device_editor.h"
 #include "ui/session/workspace.h"
@@ -252,6 +253,17 @@ TEST_F(Lists, AMappingIsEditedWhereTheDeviceLetsIt) {
   EXPECT_FALSE(field("mappingObject").isVisible());
   EXPECT_TRUE(field<QLabel>("mappingRefusal").isVisible());
   EXPECT_FALSE(field("mappingAdd").isEnabled());
+}
+
+TEST_F(Lists, AnEntryIsWrittenInItsFieldAsInItsList) {
+  show(1, "processDataPage");
+  auto& list = field<QTableView>("pdoEntries");
+  for (const int row : {0, 2}) {
+    const auto cell = list.model()->index(row, PdoEntryModel::kObject);
+    list.setCurrentIndex(cell);
+    EXPECT_EQ(field<QLineEdit>("mappingObject").text(), cell.data().toString());
+  }
+  EXPECT_EQ(field<QLineEdit>("mappingObject").text(), QStringLiteral("0x607A:00"));
 }
 
 /// The order by the mouse, within the list alone.

@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -24,6 +25,7 @@
 #include "tests/support/source_dir.h"
 #include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/link_chooser.h"
 #include "ui/editors/number_edit.h"
 #include "ui/editors/page.h"
 #include "ui/main_window.h"
@@ -238,6 +240,37 @@ TEST_F(Shell, ACaptureAndAScenarioAreScanned) {
   EXPECT_EQ(wanted.front().front().toString(), QStringLiteral("replay:") + capture);
   ASSERT_TRUE(test::waitFor([this] { return !workspace_.scan().isRunning(); }));
   EXPECT_GE(workspace_.messages().count(Severity::kError), 1) << "a capture of six bytes";
+}
+
+/// Where the bus cannot be had, another one is a button away, also when it was chosen long ago.
+TEST_F(Shell, ABusThatIsNotThereLeadsToAnotherOne) {
+  const auto another = [this] {
+    QPointer<QWidget> box;
+    ASSERT_TRUE(test::waitFor([&] { return (box = window_.findChild<QWidget*>(QStringLiteral("errorDialog"))); }));
+    test::find<QPushButton>(*box, "errorWay")->click();
+    QPointer<LinkChooser> chooser;
+    ASSERT_TRUE(test::waitFor([&] { return !box && (chooser = window_.findChild<LinkChooser*>()); }));
+    chooser->reject();
+    ASSERT_TRUE(test::waitFor([&] { return !chooser; }));
+  };
+  auto machine = test::smallProject();
+  machine.slaves.resize(1);  // a coupler alone: what the others lack would be told before
+  load(machine);
+  workspace_.setLink(QStringLiteral("nic:nosuch0"));
+  window_.bus().goOnline();
+  another();
+  window_.bus().scanLink(QStringLiteral("sim:/no/such/file.toml?virtual"));
+  another();
+  EXPECT_EQ(workspace_.link(), QStringLiteral("nic:nosuch0")) << "nothing else was chosen";
+}
+
+TEST_F(Shell, AMachineThatCannotRunIsOfNoBus) {
+  load(test::smallProject());
+  workspace_.setLink(QStringLiteral("nic:nosuch0"));
+  window_.bus().goOnline();
+  auto* box = window_.findChild<QWidget*>(QStringLiteral("errorDialog"));
+  ASSERT_NE(box, nullptr);
+  EXPECT_EQ(box->findChild<QPushButton*>(QStringLiteral("errorWay")), nullptr);
 }
 
 TEST_F(Shell, WhatIsNothingIsRefusedWithAReason) {

@@ -74,6 +74,7 @@ TEST_F(WaysOfTheWindow, ThePagesHaveTheRoomWhileThereIsNothingToPlot) {
   QApplication::processEvents();
   EXPECT_LT(window_.liveStrip().height(), usual);
   EXPECT_EQ(window_.liveStrip().height(), window_.liveStrip().minimumHeight());
+  EXPECT_LE(window_.liveStrip().height(), 2 * window_.fontMetrics().height()) << "a line that says why";
   EXPECT_GT(window_.editor().height(), 2 * window_.liveStrip().height());
   goOnline();
   window_.selectNode(kServo);

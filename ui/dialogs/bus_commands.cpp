@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/bus_commands.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "reasons/because.h"
@@ -14,13 +16,24 @@
 #include "ui/text/link_text.h"
 
 namespace syncline::ui {
+namespace {
+
+/// Whether another bus is the way on: this one cannot be had, or nobody is there.
+bool isOfTheLink(ErrorCode code) {
+  constexpr ErrorCode kOfTheLink[] = {ErrorCode::kLinkNotFound, ErrorCode::kLinkDown,     ErrorCode::kLinkPermission,
+                                      ErrorCode::kLinkIo,       ErrorCode::kFileNotFound, ErrorCode::kFileNotReadable,
+                                      ErrorCode::kNoResponse};
+  return std::ranges::find(kOfTheLink, code) != std::end(kOfTheLink);
+}
+
+}  // namespace
 
 BusCommands::BusCommands(Workspace& workspace, QWidget& window)
     : QObject(&window), workspace_(workspace), window_(window) {
   connect(&workspace.scan(), &ScanController::finished, this, &BusCommands::onFound);
-  connect(&workspace.scan(), &ScanController::failed, this, [this](const QString&, const Error& error) {
+  connect(&workspace.scan(), &ScanController::failed, this, [this](const QString& link, const Error& error) {
     demo_ = false;
-    if (error.code != ErrorCode::kCancelled) showError(&window_, tr("The bus could not be scanned."), error);
+    if (error.code != ErrorCode::kCancelled) tellOfScan(link, error);
   });
 }
 
@@ -35,7 +48,7 @@ void BusCommands::scanLink(const QString& link) {
   if (link.isEmpty()) return;
   if (const auto free = workspace_.mayUse(link); !free) {
     demo_ = false;
-    return showError(&window_, tr("The bus could not be scanned."), free.error());
+    return tellOfScan(link, free.error());
   }
   if (!mayGoOffline(window_, workspace_, tr("A scan needs the bus for itself."))) {
     demo_ = false;
@@ -99,8 +112,20 @@ void BusCommands::chooseLink(const QString& action, const std::function<void()>&
 void BusCommands::start() {
   if (auto status = workspace_.goOnline(); !status) {
     workspace_.report(status.error(), Severity::kError, tr("Master"));
-    showError(&window_, tr("The master could not go online."), status.error());
+    tell(tr("The master could not go online."), workspace_.link(), status.error(),
+         [this] { chooseLink(tr("Go Online"), [this] { start(); }); });
   }
+}
+
+void BusCommands::tellOfScan(const QString& link, const Error& error) {
+  tell(tr("The bus could not be scanned."), link, error, [this] { scan(); });
+}
+
+void BusCommands::tell(const QString& what, const QString& link, const Error& error,
+                       const std::function<void()>& other_bus) {
+  const bool of_the_link = isOfTheLink(error.code) || !workspace_.mayUse(link);
+  if (!of_the_link) return showError(&window_, what, error);
+  showError(&window_, what, error, tr("Choose Another &Bus…"), other_bus);
 }
 
 void BusCommands::restart() {

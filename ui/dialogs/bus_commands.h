@@ -7,6 +7,10 @@
 
 class QWidget;
 
+namespace syncline {
+struct Error;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 class Workspace;
@@ -40,6 +44,9 @@ class BusCommands final : public QObject {
  private:
   void chooseLink(const QString& action, const std::function<void()>& then);
   void start();
+  /// Why the bus did not do it, and another one where that is the way on.
+  void tell(const QString& what, const QString& link, const Error& error, const std::function<void()>& other_bus);
+  void tellOfScan(const QString& link, const Error& error);
   void onFound(const QString& link, const ScanOutcome& outcome);
   void showFound(const QString& link, const ScanOutcome& outcome);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 
 class QWidget;
 
@@ -14,5 +15,8 @@ namespace syncline::ui {
 /// Says why something the user asked for could not be done. Does not block; only for direct answers
 /// to an action, never from the running master.
 void showError(QWidget* parent, const QString& what, const Error& error);
+/// The same with a button `way` that closes it and leads on by `then`.
+void showError(QWidget* parent, const QString& what, const Error& error, const QString& way,
+               const std::function<void()>& then);
 
 }  // namespace syncline::ui

@@ -38,28 +38,52 @@ FindingFixes::FindingFixes(Workspace& workspace, std::function<bool()> commit, Q
     : QObject(parent), workspace_(workspace), commit_(std::move(commit)) {}
 
 void FindingFixes::fill(QMenu& menu, const Message& message) {
+  addWay(menu, message);
+  if (message.finding == nullptr || message.key.isEmpty()) return;
+  menu.addSeparator();
+  if (addFixes(menu, message)) return;
+  auto* none = menu.addAction(tr("No single value of this setting mends it"));
+  none->setEnabled(false);
+}
+
+void FindingFixes::addWay(QMenu& menu, const Message& message) {
   auto* go = menu.addAction(!message.key.isEmpty() ? tr("Go to the Setting")
                             : message.slave < 0    ? tr("Show the Master")
                                                    : tr("Show Its Slave"));
   go->setObjectName(QStringLiteral("messageGo"));
   connect(go, &QAction::triggered, this,
           [this, slave = message.slave, key = message.key] { Q_EMIT placeWanted(slave, key); });
-  if (message.finding != nullptr && !message.key.isEmpty()) addFixes(menu, message);
+}
+
+/// Those about the project name its slaves, the others those that run.
+Message FindingFixes::lineFor(const Finding& finding) const {
+  if (const auto* line = workspace_.messages().lineOf(finding)) return *line;
+  auto own = finding;
+  if (!workspace_.recording().isOpen()) own.place.slave = workspace_.runningSlaves().slaveOf(finding.place.slave);
+  Message line;
+  line.severity = own.severity;
+  line.slave = own.place.slave;
+  line.key = findingKey(own);
+  line.finding = std::make_shared<const Finding>(std::move(own));
+  return line;
+}
+
+void FindingFixes::go(const Finding& finding) {
+  const auto line = lineFor(finding);
+  if (line.slave >= 0 || finding.place.slave < 0) Q_EMIT placeWanted(line.slave, line.key);
 }
 
 void FindingFixes::fillFor(QMenu& menu, const Finding& finding) {
-  if (const auto* line = workspace_.messages().lineOf(finding)) return fill(menu, *line);
-  const int slave =
-      workspace_.recording().isOpen() ? finding.place.slave : workspace_.runningSlaves().slaveOf(finding.place.slave);
-  Message line{{}, finding.severity, {}, {}, slave, findingKey(finding)};
-  if (!workspace_.recording().isOpen()) line.finding = std::make_shared<const Finding>(finding);
-  fill(menu, line);
+  const auto line = lineFor(finding);
+  if (workspace_.messages().lineOf(finding) != nullptr) return fill(menu, line);
+  addWay(menu, line);
+  // What it takes where no value is advised, the next run shows.
+  if (!workspace_.recording().isOpen() && !line.key.isEmpty()) addFixes(menu, line);
 }
 
-void FindingFixes::addFixes(QMenu& menu, const Message& message) {
+bool FindingFixes::addFixes(QMenu& menu, const Message& message) {
   const auto& project = workspace_.document().project();
   const auto fixes = quick_fixes(project, *message.finding, message.found_at);
-  menu.addSeparator();
   for (const auto& fix : fixes) {
     const auto label = settingLabel(*fix.setting);
     const auto words = valueWords(fix, project);
@@ -76,9 +100,7 @@ void FindingFixes::addFixes(QMenu& menu, const Message& message) {
         workspace_.report(status.error(), Severity::kError, tr("Configuration"));
     });
   }
-  if (!fixes.empty()) return;
-  auto* none = menu.addAction(tr("No single value of this setting mends it"));
-  none->setEnabled(false);
+  return !fixes.empty();
 }
 
 }  // namespace syncline::ui

@@ -28,12 +28,17 @@ class FindingFixes final : public QObject {
   void fill(QMenu& menu, const Message& message);
   /// The same of a finding, which may also be about what runs.
   void fillFor(QMenu& menu, const Finding& finding);
+  /// Asks for the place that a finding leads to: its setting, or its slave.
+  void go(const Finding& finding);
 
  Q_SIGNALS:
   void placeWanted(int slave, const QString& key);
 
  private:
-  void addFixes(QMenu& menu, const Message& message);
+  [[nodiscard]] Message lineFor(const Finding& finding) const;
+  void addWay(QMenu& menu, const Message& message);
+  /// False: there is none.
+  bool addFixes(QMenu& menu, const Message& message);
 
   Workspace& workspace_;
   std::function<bool()> commit_;

@@ -48,7 +48,7 @@ QString summary(const FoundModel& model, const QString& bus) {
   add(FoundKind::kRewired, FoundDialog::tr("%n wired otherwise", nullptr, model.count(FoundKind::kRewired)));
   add(FoundKind::kRevision, FoundDialog::tr("%n in another revision", nullptr, model.count(FoundKind::kRevision)));
   add(FoundKind::kOtherDevice, FoundDialog::tr("%n other device(s)", nullptr, model.count(FoundKind::kOtherDevice)));
-  return FoundDialog::tr("The bus on %1 beside the project: %2.").arg(bus, joinedParts(parts));
+  return FoundDialog::tr("Bus: %1. Beside the project: %2.").arg(bus, joinedParts(parts));
 }
 
 QLabel* paragraph(const char* object_name, const QString& text) {

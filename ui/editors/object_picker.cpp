@@ -52,8 +52,7 @@ ObjectPicker::ObjectPicker(std::vector<PickableObject> objects, QWidget* parent)
   auto* model = new RecordModel({tr("Object"), tr("Name"), tr("Type"), tr("Size")}, this);
   RecordModel::Lines lines;
   for (const auto& object : objects_) {
-    lines.push_back({QStringLiteral("%1:%2").arg(hexText(object.index, 4), hexText(object.sub_index, 2).mid(2)),
-                     object.name, object.type, bitsText(object.bits)});
+    lines.push_back({objectText(object.index, object.sub_index), object.name, object.type, bitsText(object.bits)});
   }
   model->setLines(lines);
   auto* filter = new WordFilter(RecordModel::kWordsRole, this);

@@ -164,9 +164,7 @@ void completeFromEsi(DictionaryObject& object, const Dictionary& esi) {
   }
 }
 
-QString objectText(coe::ObjectAddress object) {
-  return QStringLiteral("%1:%2").arg(hexText(object.index, 4), hexText(object.sub_index, 2).mid(2));
-}
+QString objectText(coe::ObjectAddress object) { return objectText(object.index, object.sub_index); }
 
 QString accessText(const DictionaryEntry& entry) {
   const auto reads = entry.access & access::kRead, writes = entry.access & access::kWrite;

@@ -94,8 +94,7 @@ class EepromLines {
     for (const auto& pdo : pdos) {
       add(QStringLiteral("%1 %2").arg(direction, hexText(pdo.index, 4)), QString::fromStdString(pdo.name));
       for (const auto& entry : pdo.entries) {
-        const auto object = QStringLiteral("%1:%2").arg(hexText(entry.index, 4), hexText(entry.sub_index, 2).mid(2));
-        add(QStringLiteral("    ") + object,
+        add(QStringLiteral("    ") + objectText(entry.index, entry.sub_index),
             QStringLiteral("%1, %2").arg(QString::fromStdString(entry.name), bitsText(entry.bit_length)));
       }
     }

@@ -249,9 +249,7 @@ QVariant PdoEntryModel::data(const QModelIndex& index, int role) const {
     case kOffset:
       return QStringLiteral("%1.%2").arg(offsets_[row] / 8).arg(offsets_[row] % 8);
     case kObject:
-      return entry.index == 0
-                 ? QStringLiteral("\u2013")
-                 : QStringLiteral("%1:%2").arg(hexText(entry.index, 4), hexText(entry.sub_index, 2).mid(2));
+      return entry.index == 0 ? QStringLiteral("\u2013") : objectText(entry.index, entry.sub_index);
     case kName:
       return entry.index == 0 ? tr("(padding)") : QString::fromStdString(entry.name);
     case kType:

@@ -29,6 +29,7 @@
 #include "ui/pages/slave_general_page.h"
 #include "ui/pages/slave_history_page.h"
 #include "ui/pages/slave_mailbox_page.h"
+#include "ui/pages/slave_modules_page.h"
 #include "ui/pages/slave_objects_page.h"
 #include "ui/pages/slave_registers_page.h"
 #include "ui/pages/slave_startup_page.h"
@@ -103,6 +104,7 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
             new SlaveGeneralPage(workspace),
             new SlaveDcPage(workspace),
             new SlaveSyncPage(workspace),
+            new SlaveModulesPage(workspace),
             new ProcessDataPage(workspace),
             new SlaveDataPage(workspace),
             new SlaveStartupPage(workspace),
@@ -282,6 +284,10 @@ void DeviceEditor::chooseTabs() {
   QList<Page*> shown;
   for (int i = 0; i < tabs_->count(); ++i) shown.append(static_cast<Page*>(tabs_->widget(i)));
   if (shown == wanted) return;
+  // A page that goes takes the focus with it: what is typed next is for no field of the one that comes.
+  if (auto* now = tabs_->currentWidget();
+      now != nullptr && !wanted.contains(now) && now->isAncestorOf(window()->focusWidget()))
+    tabs_->setFocus();
   // The same kind of page stays in front when the selection moves on.
   const auto front =
       tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();

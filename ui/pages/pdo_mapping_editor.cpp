@@ -34,8 +34,11 @@ QString bitsOf(const std::string& entry) { return QString::fromStdString(entry.s
 std::string entryText(const QString& object, const QString& bits) {
   return QStringLiteral("%1:%2").arg(object, bits).toStdString();
 }
-QString objectText(std::uint16_t index, std::uint8_t sub) {
-  return QStringLiteral("%1:%2").arg(hexText(index, 4), hexText(sub, 2).mid(2));
+/// As the list of the entries writes it.
+QString shownObject(const std::string& entry) {
+  const auto text = objectOf(entry);
+  const auto object = object_name(text.toStdString());
+  return object ? objectText(object->index, object->sub_index) : text;
 }
 
 Records split(const std::string& mapping) {
@@ -134,7 +137,7 @@ std::vector<RecordPart> PdoMappingEditor::parts() {
   return {{.object_name = "mappingObject",
            .label = tr("Object"),
            .tip = tr("Index and sub-index, hexadecimal: 0x6040:00; 0x0000:00 is padding"),
-           .text = [](const Records& records, std::size_t row) { return objectOf(records[row]); },
+           .text = [](const Records& records, std::size_t row) { return shownObject(records[row]); },
            .put = [](const std::string& record, const QString& typed) -> Result<std::string> {
              const auto object = object_name(typed.trimmed().toStdString());
              if (!object) {

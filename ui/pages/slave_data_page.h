@@ -9,7 +9,7 @@ struct Snapshot;
 
 namespace syncline::ui {
 
-/// What of its process data a device leaves open beside the PDOs: modules in its slots, oversampling, Sync Units.
+/// What of its process data a device leaves open beside the PDOs: oversampling, Sync Units.
 class SlaveDataPage final : public Page {
   Q_OBJECT
 

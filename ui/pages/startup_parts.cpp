@@ -27,9 +27,7 @@ SoeCommand soeOf(const std::string& record) { return settings::parse_soe(record)
 constexpr CommandCodec<StartupCommand> kCoe{coeOf, settings::format_startup};
 constexpr CommandCodec<SoeCommand> kSoe{soeOf, settings::format_soe};
 
-QString startupObjectText(const StartupCommand& command) {
-  return QStringLiteral("%1:%2").arg(hexText(command.index, 4), hexText(command.sub_index, 2).mid(2));
-}
+QString startupObjectText(const StartupCommand& command) { return objectText(command.index, command.sub_index); }
 
 Status setObject(StartupCommand& command, const QString& typed) {
   const auto object = object_name(typed.trimmed().toStdString());

@@ -29,13 +29,25 @@ constexpr Names kNames[] = {{"slave.N.dc.sync0.factor", "slave.N.dc.sync0.cycle_
                             {"slave.N.dc.sync1.factor", "slave.N.dc.sync1.cycle_us", "slave.N.dc.sync1.shift_us",
                              "sync1Factor", "sync1Cycle", "sync1Shift"}};
 
+constexpr Nanoseconds kUsualCycle = 125 * kMicrosecond;  // as long as they are written
+
+QString asModeText(Nanoseconds proposed) {
+  return SyncUnitEditor::tr("As operation mode (%1)").arg(cycleText(proposed));
+}
+
+/// So many of the characters that a combo box counts its room in.
+int charactersOf(const QWidget& box, const QString& text) {
+  const auto metrics = box.fontMetrics();
+  return metrics.horizontalAdvance(text) / metrics.horizontalAdvance(u'X') + 1;
+}
+
 }  // namespace
 
 SyncUnitEditor::SyncUnitEditor(int unit, Card& card, Page& page) : QObject(&page), page_(page), unit_(unit) {
   const auto& names = kNames[unit];
   const auto title = QStringLiteral("SYNC%1").arg(unit);
   choice_ = named(new ChoiceEdit, names.factor_name, tr("Sync Unit Cycle of %1").arg(title));
-  choice_->setMinimumContentsLength(18);
+  choice_->setMinimumContentsLength(charactersOf(*choice_, asModeText(kUsualCycle)));
   connect(choice_, &QComboBox::activated, this, &SyncUnitEditor::takeChoice);
   page.fields().bind(*choice_, names.factor);
   card.addRow(tr("Sync Unit Cycle"), choice_, choice_->toolTip());
@@ -47,7 +59,7 @@ SyncUnitEditor::SyncUnitEditor(int unit, Card& card, Page& page) : QObject(&page
 
 void SyncUnitEditor::fillChoices(Nanoseconds proposed, Nanoseconds bus_cycle) {
   choice_->clear();
-  choice_->addItem(tr("As operation mode (%1)").arg(cycleText(proposed)), kMode);
+  choice_->addItem(asModeText(proposed), kMode);
   for (const int factor : kFactors) {
     const auto text = factor > 0 ? QStringLiteral("\u00D7 %1").arg(factor) : QStringLiteral("/ %1").arg(-factor);
     choice_->addItem(QStringLiteral("%1  (%2)").arg(text, cycleText(compiler::scaled_cycle(bus_cycle, factor))),

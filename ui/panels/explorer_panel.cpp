@@ -27,7 +27,6 @@ const QString kView = QStringLiteral("explorer/view"), kZoom = QStringLiteral("e
 }  // namespace
 
 ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
-  setMinimumWidth(200);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -43,6 +42,7 @@ ExplorerPanel::ExplorerPanel(Workspace& workspace, QWidget* parent) : QWidget(pa
   delete own;
   topology_->setProject(workspace.document().project());
   stack_ = new QStackedWidget;
+  stack_->setMinimumWidth(200);  // the views above it may need more
   stack_->addWidget(tree_);
   stack_->addWidget(topology_);
   layout->addWidget(stack_, 1);

@@ -179,8 +179,9 @@ void LiveStrip::attachViews() {
   cycle_->setRecord(record_);
 }
 
-/// Two rows of plots need more room than one; of what the bar of an overlay takes they give some.
+/// Two rows of plots need more than one, and give some to the bar of an overlay; without a record there is a line.
 int LiveStrip::leastHeight() const {
+  if (record_ == nullptr) return empty_->sizeHint().height() + layout()->contentsMargins().top() * 2;
   const bool overlaid = panels_.front()->overlay().record != nullptr;
   return (variables_->isHidden() ? kLeastHeight : kLeastWithVariables) - (overlaid ? kLeastGiven : 0);
 }
@@ -400,10 +401,11 @@ void LiveStrip::tick() {
 }
 
 void LiveStrip::showState() {
-  const bool any = hasSamples();
-  stack_->setCurrentWidget(any ? body() : empty_);
-  toolbar_->setEnabled(any);
+  stack_->setCurrentWidget(hasSamples() ? body() : empty_);
+  toolbar_->setEnabled(hasSamples());
+  toolbar_->setVisible(record_ != nullptr);
   toolbar_->showState();
+  setMinimumHeight(leastHeight());
 }
 
 QWidget* LiveStrip::body() const {

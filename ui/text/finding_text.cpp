@@ -74,7 +74,7 @@ QString FindingSentences::of(const Figure& figure) {
   using In = Figure::Unit;
   switch (figure.unit) {
     case In::kCount: {
-      const auto count = countText(static_cast<std::uint64_t>(figure.value));
+      const auto count = QLocale().toString(static_cast<qlonglong>(figure.value));
       return figure.text.empty() ? count : tr("at least %1").arg(count);
     }
     case In::kTimes: {

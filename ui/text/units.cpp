@@ -99,6 +99,10 @@ QString hexText(std::uint64_t value, int digits) {
       .replace(QLatin1Char('X'), QLatin1Char('x'));
 }
 
+QString objectText(std::uint16_t index, std::uint8_t sub_index) {
+  return QStringLiteral("%1:%2").arg(hexText(index, 4), hexText(sub_index, 2).mid(2));
+}
+
 QString bitsText(std::uint32_t bits) {
   const bool whole = bits % 8 == 0;
   const int count = static_cast<int>(whole ? bits / 8 : bits);

@@ -27,6 +27,8 @@ namespace syncline::ui {
 [[nodiscard]] QString numberText(double value);
 /// "0x0300": `digits` hexadecimal digits, as registers and identities are written in ESI and ENI.
 [[nodiscard]] QString hexText(std::uint64_t value, int digits);
+/// "0x607A:00": an object of a dictionary, a PDO's entry or a start-up command's.
+[[nodiscard]] QString objectText(std::uint16_t index, std::uint8_t sub_index);
 /// "14 Bit", "4 Byte".
 [[nodiscard]] QString bitsText(std::uint32_t bits);
 

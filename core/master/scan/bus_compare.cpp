@@ -104,7 +104,7 @@ class BusComparison {
       const std::string wanted = write ? words(write->manager) : "off";
       const std::string is = there.enabled() ? words(there) : "off";
       if (wanted != is)
-        out.add(Group::kProcessData, comparison::what("difference-sm", fig::count<"sm">(n)), wanted, is);
+        out.add(Group::kProcessData, comparison::what("difference-sm", fig::number<"sm">(n)), wanted, is);
     }
     const auto& dc = config_.slaves[l].dc;
     const std::uint16_t activation = view_.assign_activate(l);

@@ -38,17 +38,17 @@ class Findings {
   void identification(const ScannedSlave& slave) {
     if (slave.alias != 0) {
       const auto [first, fresh] = aliases_.emplace(slave.alias, slave.position);
-      if (!fresh) add("scan-alias-twice", slave, fig::count<"alias">(slave.alias), fig::slave<"other">(first->second));
+      if (!fresh) add("scan-alias-twice", slave, fig::number<"alias">(slave.alias), fig::slave<"other">(first->second));
     }
     if (slave.device_id.value_or(0) != 0) {
       const auto [first, fresh] = ids_.emplace(*slave.device_id, slave.position);
       if (!fresh)
-        add("scan-device-id-twice", slave, fig::count<"id">(*slave.device_id), fig::slave<"other">(first->second));
+        add("scan-device-id-twice", slave, fig::number<"id">(*slave.device_id), fig::slave<"other">(first->second));
     }
     if (!slave.sii) return;
     if (!slave.sii->checksum_ok) add("scan-eeprom-checksum", slave);
     if (slave.sii->checksum_ok && slave.sii->alias != slave.alias) {
-      add("scan-alias-not-taken", slave, fig::count<"written">(slave.sii->alias), fig::count<"taken">(slave.alias));
+      add("scan-alias-not-taken", slave, fig::number<"written">(slave.sii->alias), fig::number<"taken">(slave.alias));
     }
   }
 

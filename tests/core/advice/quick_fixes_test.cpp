@@ -175,6 +175,27 @@ TEST(QuickFixes, SwitchOnWhatARunMissed) {
   EXPECT_TRUE(quick_fixes(project, {.code = "frames-lost", .severity = Severity::kError}).empty());
 }
 
+TEST(QuickFixes, SetTheNumberThatARunAdvises) {
+  auto project = two_axes();
+  const auto before = settings::effective_value(settings::row("master.dc.set_value_us"), project, {});
+  Finding tight{.code = "sync0-too-tight", .severity = Severity::kWarning, .place = Place(1)};
+  tight.figures = {{"more", Figure::Unit::kNanoseconds, 20'000}};
+  auto fixes = quick_fixes(project, tight);
+  ASSERT_EQ(fixes.size(), 1U);
+  apply(project, fixes.front());
+  EXPECT_EQ(project.master.dc.dcm.set_value, std::get<std::int64_t>(before) + 20'000);
+  tight.figures.front().value = project.master.cycle_time;
+  EXPECT_TRUE(quick_fixes(project, tight).empty()) << "no frame is sent a cycle before";
+  Finding shift{.code = "shift-too-short", .severity = Severity::kWarning, .place = Place(2)};
+  shift.figures = {{"more", Figure::Unit::kNanoseconds, 30'000}, {"shift", Figure::Unit::kNanoseconds, 40'000}};
+  fixes = quick_fixes(project, shift);
+  ASSERT_EQ(fixes.size(), 1U);
+  EXPECT_EQ(fixes.front().places.front().slave, 2U);
+  apply(project, fixes.front());
+  EXPECT_EQ(project.slaves[2].dc.sync0.shift, 40'000);
+  EXPECT_TRUE(quick_fixes(project, shift).empty()) << "it is that already";
+}
+
 TEST(QuickFixes, AreNoMoreThanWanted) {
   auto project = two_axes();
   project.slaves[2].station_address = project.slaves[1].station_address;

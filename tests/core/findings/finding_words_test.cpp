@@ -134,6 +134,40 @@ TEST(FindingWords, ACountChoosesItsWords) {
   EXPECT_EQ(fill_finding_template("{count:# frame|# frames}", {}), "{count:# frame|# frames}");
 }
 
+/// The names of the sentences' placeholders that name something instead of counting it.
+std::set<std::string_view> names_of_things(std::span<const FindingWords> rows) {
+  std::set<std::string_view> names;
+  const auto look = [&names](std::string_view text) {
+    for (auto open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+      const Placeholder placeholder(text.substr(open + 1, text.find('}', open) - open - 1));
+      if (names_something(text, open)) names.insert(placeholder.name);
+    }
+  };
+  for (const FindingWords& row : rows) {
+    look(row.mend);
+    for (const auto& facts : row.facts) look(facts.text);
+  }
+  return names;
+}
+
+/// make_finding() takes no count for one of these; the rules of a run and errors choose their figures as they go.
+TEST(FindingWords, WhatNamesSomethingIsToldFromACount) {
+  const auto all = names_of_things(all_finding_words());
+  for (const std::string_view name : {"address", "alias", "bit", "block", "first", "first_bit", "fmmu", "id", "line",
+                                      "manager", "number", "place", "position", "sm", "sub_index", "task", "version"})
+    EXPECT_TRUE(all.contains(name)) << name;
+  for (const std::string_view name : {"bytes", "count", "cycles", "expected", "frames", "received", "slaves"})
+    EXPECT_FALSE(all.contains(name)) << name;
+  EXPECT_TRUE(names_something("slaves with the alias {most}", 22));
+  EXPECT_FALSE(names_something("an alias of {most}", 12));
+  EXPECT_FALSE(names_something("position {most:# slave|# slaves}", 9));
+  using testing::IsEmpty;
+  EXPECT_THAT(names_of_things(words::kRunSlaves), IsEmpty());
+  EXPECT_THAT(names_of_things(words::kRunBus), IsEmpty());
+  EXPECT_THAT(names_of_things(words::kFileErrors), IsEmpty());
+  EXPECT_THAT(names_of_things(words::kBusErrors), IsEmpty());
+}
+
 /// The window shows the same words, and has no options.
 TEST(FindingWords, NameNoOptionOfTheCommandLineWithoutItsCommand) {
   for (const auto text : sentences()) {
