@@ -211,10 +211,10 @@ class StructureCheck {
       const auto around = fig::text<"parent">(what.parent);
       const auto count = fig::count<"count">(entry.count);
       auto place = std::move(first.place);
-      first = what.attribute ? make_finding<words::kEniStructure, "element", "parent", "count">(
-                                   "ENI-XML-04/attribute-often", std::move(place), name, around, count)
-                             : make_finding<words::kEniStructure, "element", "parent", "count">(
-                                   "ENI-XML-04/often", std::move(place), name, around, count);
+      first =
+          what.attribute
+              ? make_finding<words::kEniStructure>("ENI-XML-04/attribute-often", std::move(place), name, around, count)
+              : make_finding<words::kEniStructure>("ENI-XML-04/often", std::move(place), name, around, count);
     }
   }
 
