@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "bench/ratio_report.h"
+#include "channels/cycle_sample.h"
 #include "record/run_record.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
