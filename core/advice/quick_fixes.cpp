@@ -10,6 +10,7 @@
 
 #include "check/check_network.h"
 #include "compile/incremental.h"
+#include "config/sync0_cycle.h"
 #include "findings/run_bus_words.h"
 #include "findings/run_slaves_words.h"
 #include "settings/settings_table.h"
@@ -33,15 +34,22 @@ bool is_of_run(std::string_view code) {
   return std::ranges::any_of(words::kRunSlaves, is_it) || std::ranges::any_of(words::kRunBus, is_it);
 }
 
-/// What the figures of a run advise for a number: a whole value ("shift"), or so much more than it is ("more").
+/// What the figures of a run advise for a number: a whole value ("shift"), or so much more than it was ("more"), which
+/// is known where it is left to the master: a number may have been set since, by this very advice.
 std::optional<std::int64_t> advised_number(const Project& project, const Finding& finding, const Setting& setting,
                                            const Place& place) {
   const auto figure = [&finding](std::string_view name) {
     const auto found = std::ranges::find(finding.figures, name, &Figure::name);
     return found == finding.figures.end() ? std::nullopt : std::optional(found->value);
   };
-  if (const auto whole = figure("shift")) return whole;
+  if (const auto whole = figure("shift")) {
+    // The registers had the master's input shift in it, too, where that counts.
+    const auto& slave = project.slaves[place.slave];
+    const auto* mode = compiler::selected_op_mode(slave);
+    return *whole - (mode != nullptr && compiler::is_input_based(*mode, slave.dc) ? project.master.dc.input_shift : 0);
+  }
   const auto more = figure("more");
+  if (setting.read(project, place) != Value{}) return std::nullopt;
   const auto now = settings::effective_value(setting, project, place);
   const auto* number = std::get_if<std::int64_t>(&now);
   return more && number != nullptr ? std::optional(*number + *more) : std::nullopt;

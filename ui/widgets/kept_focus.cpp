@@ -81,7 +81,9 @@ void KeptFocus::giveBack(const QWidget& owner) {
 
 void KeptFocus::comesBackTo(const QWidget& window) {
   std::erase_if(left_, [&window](const QPointer<QWidget>& one) {
-    return !one || (one->window() == &window && one->isEnabled());  // one that is being disabled gives it away just now
+    const auto* widget = one.data();
+    if (widget == nullptr) return true;
+    return widget->window() == &window && widget->isEnabled();  // one that is being disabled gives it away just now
   });
 }
 

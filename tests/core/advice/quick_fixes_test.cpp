@@ -184,6 +184,8 @@ TEST(QuickFixes, SetTheNumberThatARunAdvises) {
   ASSERT_EQ(fixes.size(), 1U);
   apply(project, fixes.front());
   EXPECT_EQ(project.master.dc.dcm.set_value, std::get<std::int64_t>(before) + 20'000);
+  EXPECT_TRUE(quick_fixes(project, tight).empty()) << "it was set since";
+  project.master.dc.dcm.set_value.reset();
   tight.figures.front().value = project.master.cycle_time;
   EXPECT_TRUE(quick_fixes(project, tight).empty()) << "no frame is sent a cycle before";
   Finding shift{.code = "shift-too-short", .severity = Severity::kWarning, .place = Place(2)};
@@ -194,6 +196,12 @@ TEST(QuickFixes, SetTheNumberThatARunAdvises) {
   apply(project, fixes.front());
   EXPECT_EQ(project.slaves[2].dc.sync0.shift, 40'000);
   EXPECT_TRUE(quick_fixes(project, shift).empty()) << "it is that already";
+  project.slaves[2].dc.input_reference = true;
+  project.master.dc.input_shift = 15'000;
+  fixes = quick_fixes(project, shift);
+  ASSERT_EQ(fixes.size(), 1U);
+  apply(project, fixes.front());
+  EXPECT_EQ(project.slaves[2].dc.sync0.shift, 25'000) << "the master's input shift comes on top";
 }
 
 TEST(QuickFixes, AreNoMoreThanWanted) {
