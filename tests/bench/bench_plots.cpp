@@ -18,6 +18,7 @@
 
 #include "bench/ratio_report.h"
 #include "bench/rival_plots.h"
+#include "channels/cycle_sample.h"
 #include "trace/min_max_series.h"
 #include "ui/panels/live_strip.h"
 #include "ui/plots/band_item.h"
