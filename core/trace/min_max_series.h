@@ -33,7 +33,7 @@ class MinMaxSeries {
   /// are gaps here.
   [[nodiscard]] static MinMaxSeries beside(const MinMaxSeries& leader);
   MinMaxSeries(MinMaxSeries&&) noexcept = default;
-  MinMaxSeries& operator=(MinMaxSeries&&) noexcept = default;
+  MinMaxSeries& operator=(MinMaxSeries&&) noexcept = default;  // NOLINT(bugprone-reserved-identifier): clang's own
 
   /// `time` must not be earlier than the last one (such a sample is dropped).
   void append(Nanoseconds time, float value);
