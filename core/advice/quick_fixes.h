@@ -24,8 +24,9 @@ struct QuickFix {
 /// tried on a copy of the project and compiled. Those that change least first, no more than `most`; empty: no single
 /// value of that setting does it. Of a finding of a run (its code stands in run_slaves_words.h or run_bus_words.h),
 /// which no compilation has: the switch that its row names, switched on where it is off, or the number that its figures
-/// advise; its place names a slave of the project. `slaves`: where the same was found; empty: at the finding's place
-/// alone. Pure; takes a compilation for each value that is tried, at most 24.
+/// advise (so much more than it was: while it is left to the master); its place names a slave of the project. `slaves`:
+/// where the same was found; empty: at the finding's place alone. Pure; takes a compilation for each value that is
+/// tried, at most 24.
 [[nodiscard]] std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding,
                                                 std::span<const int> slaves = {}, std::size_t most = 3);
 
