@@ -27,6 +27,7 @@
 #include "support/project_window.h"
 #include "support/ui_test_support.h"
 #include "support/whole_file.h"
+#include "tests/support/cases.h"
 #include "tests/support/eni_effect.h"
 #include "tests/support/source_dir.h"
 #include "ui/editors/choice_edit.h"
@@ -433,6 +434,7 @@ class EveryKey : public test::ProjectWindow {
 
 TEST_F(EveryKey, GoesThroughItsFieldAtBothEndsOfItsRange) {
   std::set<std::string> keys;
+  int seen = 0;
   for (const int node : {-1, 1, kTheGateway, kThePins}) {
     window_.selectNode(node);
     for (auto* page : window_.editor().pages()) {
@@ -441,6 +443,7 @@ TEST_F(EveryKey, GoesThroughItsFieldAtBothEndsOfItsRange) {
       for (const auto& bound : page->fields().bound()) {
         const bool driven = node > 1 && keys.contains(bound.setting->key);
         if (driven || !bound.place() || !bound.widget->isVisible()) continue;
+        if (seen++ % test::kEvery != 0) continue;
         drive(bound);
         ASSERT_NO_FATAL_FAILURE(expectTakenBack(bound.setting->key, machine_));
         keys.insert(bound.setting->key);
@@ -451,6 +454,8 @@ TEST_F(EveryKey, GoesThroughItsFieldAtBothEndsOfItsRange) {
     EXPECT_EQ(eni_[key].changed, 0) << key << " matters in the usual machine, too";
     ASSERT_NO_FATAL_FAILURE(driveWhereItMatters(key, prepare));
   }
+  RecordProperty("keys", static_cast<int>(keys.size()));
+  if constexpr (test::kEvery > 1) return;
   for (const auto& setting : settings::table()) {
     EXPECT_TRUE(keys.contains(setting.key)) << setting.key;
     expectEni(setting, eni_[setting.key]);
@@ -461,7 +466,6 @@ TEST_F(EveryKey, GoesThroughItsFieldAtBothEndsOfItsRange) {
   }
   EXPECT_EQ(effects(), read_whole_file(file).value_or(std::string()))
       << "a key changes other elements of the ENI than before; SYNCLINE_WRITE_GOLDEN=1 test_ui writes the file";
-  RecordProperty("keys", static_cast<int>(keys.size()));
 }
 
 }  // namespace

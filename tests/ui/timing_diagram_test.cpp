@@ -57,7 +57,7 @@ TEST(TimingDiagram, HasARowForTheLatchUnit) {
   auto timing = usual();
   timing.compute = 100 * kMicrosecond;
   const Painted without(timing);
-  timing.latch.emplace().in_frames = true;
+  timing.latch = dc::SlaveTiming::Latch{.in_frames = true};
   const Painted with(timing);
   EXPECT_GT(with.diagram.sizeHint().height(), without.diagram.sizeHint().height());
   const auto color = plot_colors::trace(with.diagram.palette(), 2);

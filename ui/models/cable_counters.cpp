@@ -143,9 +143,8 @@ std::vector<CableEnd> CableCounters::ends(int slave) const {
     auto& end = ends.emplace_back(CableEnd{plug.slave, plug.port, {}});
     const auto* errors = errorsAt(plug);
     if (errors == nullptr) continue;
-    auto& reading = end.reading.emplace();
-    reading.errors = *errors;
-    reading.age = reads_[static_cast<std::size_t>(plug.slave)]->age;
+    auto& reading = end.reading.emplace(
+        CableEnd::Reading{.errors = *errors, .age = reads_[static_cast<std::size_t>(plug.slave)]->age, .growth = {}});
     const auto history = histories_.find(plug.slave);
     for (std::size_t i = 0; history != histories_.end() && i < reading.growth.size(); ++i)
       reading.growth[i] = history->second.growth(kCountersOfPort * static_cast<std::size_t>(plug.port) + i);

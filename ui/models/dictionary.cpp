@@ -126,8 +126,8 @@ Dictionary dictionaryOf(const SlaveSettings& slave) {
   // A module may overwrite an object of its device: the later one counts.
   const auto twice = [](const DictionaryObject& a, const DictionaryObject& b) { return a.index == b.index; };
   std::ranges::reverse(all);
-  const auto rest = std::ranges::unique(all, twice);
-  all.erase(rest.begin(), rest.end());
+  // Not std::ranges::unique: clang 14 cannot compile what libstdc++ 12 makes of it.
+  all.erase(std::unique(all.begin(), all.end(), twice), all.end());
   std::ranges::reverse(all);
   return all;
 }

@@ -43,7 +43,7 @@ struct CableTip {
                  ? tr("%1: not read yet").arg(endName(end))
                  : tr("%1 does not answer: no counters").arg(nameOf(end.slave));
     const auto& [errors, age, growth] = *end.reading;
-    const auto counted = [&](std::uint32_t count, std::size_t n) {
+    const auto counted = [&errors = errors, &growth = growth](std::uint32_t count, std::size_t n) {
       return growingText(count, errors.at_least && count > 0, growth[n]);
     };
     return tr("%1, read %2:").arg(endName(end), agoText(age)) + QStringLiteral("\n  ") +

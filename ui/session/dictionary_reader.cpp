@@ -50,7 +50,8 @@ void DictionaryReader::ask(SlaveRequest request, std::function<void(const Reques
 void DictionaryReader::takeList(const coe::ObjectList& list) {
   auto indices = list.indices;
   std::ranges::sort(indices);
-  indices.erase(std::ranges::unique(indices).begin(), indices.end());
+  // Not std::ranges::unique: clang 14 cannot compile what libstdc++ 12 makes of it.
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   objects_ = static_cast<int>(indices.size());
   Q_EMIT listed(indices);
   Q_EMIT progressed(0, objects_);

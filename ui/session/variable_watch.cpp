@@ -79,9 +79,10 @@ std::vector<WatchedVariable> watchedOf(const NetworkConfig& config, const std::v
   std::vector<WatchedVariable> result;
   if (names.empty()) return result;
   const auto all = watchable_variables(config);
-  for (const auto& [name, output] : names) {
-    const auto found = std::ranges::find_if(
-        all, [&](const WatchedVariable& variable) { return variable.output == output && variable.name == name; });
+  for (const auto& sought : names) {
+    const auto found = std::ranges::find_if(all, [&sought](const WatchedVariable& variable) {
+      return variable.output == sought.output && variable.name == sought.name;
+    });
     const bool fresh = found != all.end() && std::ranges::find(result, *found) == result.end();
     if (fresh) result.push_back(*found);
   }

@@ -54,7 +54,8 @@ void WindowMemory::clearUnpinned() {
 }
 
 void WindowMemory::store() {
-  std::ranges::stable_partition(recent_, [](const Recent& one) { return one.pinned; });
+  // Not std::ranges::stable_partition: clang 14 cannot compile what libstdc++ 12 makes of it.
+  std::stable_partition(recent_.begin(), recent_.end(), [](const Recent& one) { return one.pinned; });
   while (std::ranges::count(recent_, false, &Recent::pinned) > kMostUnpinned) recent_.removeLast();
   if (settings_) {
     settings_->beginWriteArray(kRecent, static_cast<int>(recent_.size()));

@@ -182,7 +182,9 @@ TEST(PcapReader, TimeStampThatNoClockCanShowIsAnError) {
   const std::vector<char> text{std::istreambuf_iterator<char>(in), {}};
   std::vector<std::uint8_t> bytes(text.begin(), text.end());
   constexpr std::array<std::uint8_t, 4> kEnhancedPacket{6, 0, 0, 0};
-  const auto block = std::ranges::search(bytes, kEnhancedPacket).begin() - bytes.begin();
+  // Not std::ranges::search: clang 14 cannot compile what libstdc++ 12 makes of it.
+  const auto block =
+      std::search(bytes.begin(), bytes.end(), kEnhancedPacket.begin(), kEnhancedPacket.end()) - bytes.begin();
   ASSERT_LT(block + 16, std::ssize(bytes));
   store_le(std::span(bytes).subspan(static_cast<std::size_t>(block) + 12, 4), std::uint32_t{0xFFFFFFFF});  // upper half
   auto reader = PcapReader::from_memory(bytes, "late.pcapng");

@@ -116,7 +116,7 @@ TEST(SyncTimeline, LatchedTimesAreReadByEachFrame) {
   timing.wire = 0;
   timing.sync0.period = 2 * kMillisecond;
   EXPECT_THAT(sync_timeline(timing).latch_reads, IsEmpty());
-  timing.latch.emplace().single = true;
+  timing.latch = SlaveTiming::Latch{.single = true};
   EXPECT_THAT(sync_timeline(timing).latch_reads, IsEmpty()) << "nobody reads them";
   timing.latch->in_frames = true;
   EXPECT_THAT(sync_timeline(timing).latch_reads, ElementsAre(2'000, 1'002'000));

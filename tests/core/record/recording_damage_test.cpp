@@ -19,6 +19,7 @@
 #include "support/whole_file.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/core/record/older_recording.h"
+#include "tests/support/cases.h"
 #include "tests/support/temporary_folder.h"
 #include "trace/csv.h"
 
@@ -138,7 +139,8 @@ TEST_F(RecordingDamage, OfABitIsSeenOrWithoutEffect) {
   ASSERT_EQ(before.content->cycles.size(), 4000U);
   std::mt19937 random(20);
   int refused = 0, told = 0, without = 0;
-  for (int i = 0; i < 600; ++i) {
+  const int bits = test::cases(600);
+  for (int i = 0; i < bits; ++i) {
     const auto bit = std::uniform_int_distribution<std::size_t>(0, whole.size() * 8 - 1)(random);
     auto harmed = whole;
     harmed[bit / 8] = static_cast<char>(harmed[bit / 8] ^ (1 << bit % 8));
@@ -165,8 +167,8 @@ TEST_F(RecordingDamage, OfABitIsSeenOrWithoutEffect) {
     }
     for (const auto& event : after.content->events) EXPECT_THAT(before.content->events, testing::Contains(event));
   }
-  EXPECT_GT(told, 200) << refused << " refused, " << without << " without effect";
-  EXPECT_LT(refused, 60);
+  EXPECT_GT(told, bits / 3) << refused << " refused, " << without << " without effect";
+  EXPECT_LT(refused, bits / 10);
 }
 
 TEST_F(RecordingDamage, OfACellIsAGapThatNamesItsRow) {

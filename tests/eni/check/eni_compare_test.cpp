@@ -11,6 +11,7 @@
 #include "config/network_config.h"
 #include "eni/check/check_bed.h"
 #include "protocol/command.h"
+#include "support/cases.h"
 #include "support/eni_values.h"
 #include "support/sample_folder.h"
 
@@ -45,7 +46,9 @@ TEST(EniCompare, EachChangedValueIsADifference) {
   const std::string whole = eni::write_eni(checked_machine());
   const auto original = eni::parse_eni(whole, "whole.xml");
   std::map<std::string, int> tried, missed;
+  std::size_t seen = 0;
   for (const EniValue& place : values_of(whole)) {
+    if (seen++ % test::kEvery != 0) continue;
     if (is_spelling(place.element) || is_in_unassigned_pdo(whole, place.at)) continue;
     if (is_address_of_broadcast(whole, place)) continue;
     // The last digit keeps the value in its range and the bytes whole.
@@ -61,7 +64,7 @@ TEST(EniCompare, EachChangedValueIsADifference) {
       ADD_FAILURE() << text.substr(text.rfind('\n', begin - 2) + 1, 200);
     }
   }
-  EXPECT_GT(tried.size(), 30U);
+  EXPECT_GT(tried.size(), 30U / test::kEvery);
   EXPECT_THAT(missed, testing::IsEmpty());
 }
 
