@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(Roots, EsiTrySamples, testing::ValuesIn(test::sample_ro
 
 /// Devices of several vendors; of those of others the sanitizers make do with a part.
 TEST_P(EsiTrySamples, EveryDeviceReachesOpOrItsEsiContradictsItself) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(SYNCLINE_SANITIZED)
   const unsigned every = GetParam().own ? 1 : 10;
 #else
   const unsigned every = 1;

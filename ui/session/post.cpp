@@ -7,7 +7,7 @@
 #include <QPointer>
 #include <QThread>
 
-#ifdef __SANITIZE_THREAD__
+#ifdef SYNCLINE_SANITIZED_THREAD
 extern "C" {
 void __tsan_acquire(void* address);
 void __tsan_release(void* address);
@@ -18,13 +18,13 @@ namespace syncline::ui {
 namespace {
 
 void announce([[maybe_unused]] QEvent* event) {
-#ifdef __SANITIZE_THREAD__
+#ifdef SYNCLINE_SANITIZED_THREAD
   __tsan_release(event);
 #endif
 }
 
 void take([[maybe_unused]] QEvent* event) {
-#ifdef __SANITIZE_THREAD__
+#ifdef SYNCLINE_SANITIZED_THREAD
   __tsan_acquire(event);
 #endif
 }

@@ -10,7 +10,7 @@
 #include <new>
 
 // A sanitizer has hooks of its own in the places of malloc and of the locks; operator new is left to us.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(SYNCLINE_SANITIZED)
 #define SYNCLINE_HOOKS_LIBC 0
 #else
 #define SYNCLINE_HOOKS_LIBC 1

@@ -24,7 +24,7 @@ inline ui::Environment virtualEnvironment() {
 }
 
 /// For what other threads do; a sanitizer makes them as much slower.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(SYNCLINE_SANITIZED)
 inline constexpr qint64 kPatienceMs = 60'000;
 #else
 inline constexpr qint64 kPatienceMs = 10'000;
