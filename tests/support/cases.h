@@ -13,8 +13,8 @@ constexpr int cases(int all) {
 #endif
 }
 
-/// Of long rows of things alike (all settings, all values of a file) every so-manyth is gone through; 1: each. Which are
-/// left out with a sanitizer, the release build goes through.
+/// Of long rows of things alike (all settings, all values of a file) every so-manyth is gone through; 1: each. Which
+/// are left out with a sanitizer, the release build goes through.
 constexpr int kEvery = 4 / cases(4);
 
 }  // namespace syncline::test
