@@ -157,7 +157,7 @@ std::vector<Setting> clock_rows() {
           {.label = "Show 64-bit system time",
            .help = "Reads and shows 64 bits of the system time (0x0910).",
            .object = "0x0910",
-           .eni = "Cyclic/Frame/Cmd (0x0910, 8 bytes)"},
+           .eni = "Cyclic/Frame/Cmd (0x0910)"},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).show_64bit_system_time; }),
   };
 }

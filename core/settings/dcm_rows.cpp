@@ -50,7 +50,7 @@ std::vector<Setting> control_rows() {
           {.label = "Master synchronisation",
            .help = "How the send time of the frames and the reference clock are brought together.",
            .object = "0x0910",
-           .eni = "Cyclic/Frame/Cmd (write of 0x0910)"},
+           .eni = "Cyclic/Frame/Cmd (0x0910)"},
           [](auto& p, const Place&) -> auto& { return dcm(p).mode; }),
       set_value_row(),
       field_setting(

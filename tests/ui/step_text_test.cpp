@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "channels/cycle_sample.h"
 #include "ui/panels/live_strip.h"
 #include "ui/text/units.h"
 

@@ -54,10 +54,12 @@ WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory
   font.setPointSizeF(font.pointSizeF() * 1.35);
   font.setWeight(QFont::DemiBold);
   title->setFont(font);
+  title->setWordWrap(true);
   layout->addWidget(title);
   auto* hint = new QLabel(
       tr("Begin with the simulated demonstration machine, a bus, devices of the catalogue, or a project file."));
   hint->setAlignment(Qt::AlignCenter);
+  hint->setWordWrap(true);  // also while another page is shown, the window is as wide as this one needs
   hint->setForegroundRole(QPalette::PlaceholderText);
   layout->addWidget(hint);
   layout->addSpacing(14);

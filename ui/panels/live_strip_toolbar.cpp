@@ -69,7 +69,7 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   layout->addWidget(named(state_, "liveStateLabel", tr("State of the plots")));
   layout->addStretch(1);
   layout->addWidget(named(delta_, "cursorDeltaLabel", tr("Time between the cursors")));
-  for (auto* label : {state_, delta_}) label->setLeastCharacters(8);
+  for (auto* label : {state_, delta_}) label->setLeastCharacters(12);
   QToolButton* menu = addButton(layout, "liveMenuButton", QStringLiteral("\u22EF"), tr("Export, axes and cursors"));
   menu->setAccessibleName(tr("Menu of the live plots"));
   connect(menu, &QToolButton::clicked, this,

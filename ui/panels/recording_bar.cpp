@@ -16,7 +16,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kLeastOfText = 20;  // of the text, so that it says what is shown
+constexpr int kLeastOfText = 14;  // of the text, so that it says what is shown
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <utility>
 
 #include "ui/editors/choice_edit.h"
 #include "ui/panels/replay_slider.h"
@@ -140,15 +141,50 @@ void ReplayBar::refresh() {
   leave_->setEnabled(replay_.isActive());
   speed_->setCurrentIndex(replay_.speed());
   place_->update();
-  const auto total = secondsText(replay_.end() - replay_.begin());
-  time_->setMinimumWidth(time_->fontMetrics().horizontalAdvance(tr("%1 of %2 s").arg(total, total)) + 4);
+  keepRoom();
+  fit();
   showMoment();
+}
+
+/// Of the time, so that what stands beside it keeps its place while it is played; without the end where there is no
+/// room.
+void ReplayBar::keepRoom() {
+  const auto end = replay_.end() - replay_.begin();
+  const auto wide = [this, end](bool narrow) { return time_->fontMetrics().horizontalAdvance(text(end, narrow)) + 4; };
+  spare_ = wide(false) - wide(true);
+  time_->setMinimumWidth(wide(narrow_));
+}
+
+QString ReplayBar::text(Nanoseconds moment, bool narrow) const {
+  if (narrow) return QStringLiteral("%1 s").arg(secondsText(moment));
+  return tr("%1 of %2 s").arg(secondsText(moment), secondsText(replay_.end() - replay_.begin()));
+}
+
+QSize ReplayBar::minimumSizeHint() const {
+  auto size = layout()->minimumSize();
+  if (!narrow_) size.rwidth() -= spare_;
+  return size;
+}
+
+void ReplayBar::fit() {
+  const bool narrow = width() < minimumSizeHint().width() + spare_;
+  if (narrow == std::exchange(narrow_, narrow)) return;
+  keepRoom();
+  updateGeometry();
+}
+
+void ReplayBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool before = narrow_;
+  fit();
+  if (narrow_ != before) showMoment();
 }
 
 void ReplayBar::showMoment() {
   place_->showMoment();
-  const auto total = replay_.end() - replay_.begin();
-  time_->setText(tr("%1 of %2 s").arg(secondsText(replay_.moment() - replay_.begin()), secondsText(total)));
+  const auto moment = replay_.moment() - replay_.begin();
+  time_->setText(text(moment, narrow_));
+  time_->setToolTip(narrow_ ? text(moment, false) : QString());
   const bool first = replay_.moment() <= replay_.begin(), last = replay_.isAtEnd() && replay_.isActive();
   begin_->setEnabled(replay_.isPossible() && !first);
   for (auto* action : {last_mark_, last_cycle_}) action->setEnabled(replay_.isPossible() && !first);

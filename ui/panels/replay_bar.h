@@ -5,6 +5,8 @@
 #include <QString>
 #include <QWidget>
 
+#include "support/types.h"
+
 class QAction;
 class QComboBox;
 class QHBoxLayout;
@@ -26,10 +28,12 @@ class ReplayBar final : public QWidget {
   explicit ReplayBar(RecordingReplay& replay, QWidget* parent = nullptr);
   /// In the order of the menu.
   [[nodiscard]] const QList<QAction*>& commands() const { return commands_; }
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
   void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QAction* command(const char* name, const QString& text, const QString& tip, const char* icon,
@@ -37,6 +41,9 @@ class ReplayBar final : public QWidget {
   void addButton(QHBoxLayout& layout, QAction& action, const char* name);
   void refresh();
   void showMoment();
+  void keepRoom();
+  void fit();
+  [[nodiscard]] QString text(Nanoseconds moment, bool narrow) const;
   void drawIcons();
 
   RecordingReplay& replay_;
@@ -46,6 +53,8 @@ class ReplayBar final : public QWidget {
   ReplaySlider* place_;
   QLabel* time_;
   QToolButton* leave_;
+  bool narrow_ = false;  // the time stands without the end
+  int spare_ = 0;        // px that this saves
 };
 
 }  // namespace syncline::ui
