@@ -181,7 +181,8 @@ class CoeList {
     out_.push_back(generated(pdo.index, 0, {0}, fmt::format("clear mapping of PDO 0x{:04X}", pdo.index)));
     std::uint8_t sub_index = 0;
     for (const PdoEntry& entry : pdo.entries) {
-      out_.push_back(generated(pdo.index, ++sub_index, le_bytes(mapping_of(entry).word()),
+      ++sub_index;  // not among the arguments: which of them is made first is the compiler's choice
+      out_.push_back(generated(pdo.index, sub_index, le_bytes(mapping_of(entry).word()),
                                fmt::format("map entry {} of PDO 0x{:04X}", sub_index, pdo.index)));
     }
     if (!pdo.entries.empty()) {
