@@ -179,14 +179,16 @@ class CoeList {
 
   void add_mapping(const Pdo& pdo) {
     out_.push_back(generated(pdo.index, 0, {0}, fmt::format("clear mapping of PDO 0x{:04X}", pdo.index)));
-    std::uint8_t sub_index = 0;
+    std::uint8_t place =
+        0;  // in the mapping, from 0; not counted among the arguments, which a compiler makes in any order
     for (const PdoEntry& entry : pdo.entries) {
-      ++sub_index;  // not among the arguments: which of them is made first is the compiler's choice
+      const auto sub_index = static_cast<std::uint8_t>(place + 1);
       out_.push_back(generated(pdo.index, sub_index, le_bytes(mapping_of(entry).word()),
-                               fmt::format("map entry {} of PDO 0x{:04X}", sub_index, pdo.index)));
+                               fmt::format("map entry {} of PDO 0x{:04X}", place, pdo.index)));
+      place = sub_index;
     }
     if (!pdo.entries.empty()) {
-      out_.push_back(generated(pdo.index, 0, {sub_index}, fmt::format("entry count of PDO 0x{:04X}", pdo.index)));
+      out_.push_back(generated(pdo.index, 0, {place}, fmt::format("entry count of PDO 0x{:04X}", pdo.index)));
     }
   }
 
