@@ -393,7 +393,7 @@ TEST_F(Catalogue, ManyDevicesOfOneIdentityTakeLinearTime) {
   const auto found = catalogue.duplicates();
   ASSERT_TRUE(found);
   EXPECT_EQ(found->size(), kDevices / 2);  // one of the pairs is in b.xml, too
-#if !defined(SYNCLINE_SANITIZED)  // which make it as much slower as they like
+#if !defined(SYNCLINE_SANITIZED)
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(12));
 #else
   static_cast<void>(begin);
