@@ -179,8 +179,8 @@ class CoeList {
 
   void add_mapping(const Pdo& pdo) {
     out_.push_back(generated(pdo.index, 0, {0}, fmt::format("clear mapping of PDO 0x{:04X}", pdo.index)));
-    std::uint8_t place =
-        0;  // in the mapping, from 0; not counted among the arguments, which a compiler makes in any order
+    // In the mapping, from 0. It is not counted on among the arguments: a compiler makes those in any order.
+    std::uint8_t place = 0;
     for (const PdoEntry& entry : pdo.entries) {
       const auto sub_index = static_cast<std::uint8_t>(place + 1);
       out_.push_back(generated(pdo.index, sub_index, le_bytes(mapping_of(entry).word()),
