@@ -3884,7 +3884,8 @@ Einstellung %2</translation>
             <translation>kein Slave hat diesen Zähler</translation>
         </message>
         <message>
-            <source>none in the range shown</source>
+            <source>none</source>
+            <comment>SM2 events missed in the range shown</comment>
             <translation>keine</translation>
         </message>
         <message>

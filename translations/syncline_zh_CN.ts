@@ -3872,8 +3872,9 @@ Setting %2</source>
             <translation>没有从站具有此计数器</translation>
         </message>
         <message>
-            <source>none in the range shown</source>
-            <translation>显示范围内没有</translation>
+            <source>none</source>
+            <comment>SM2 events missed in the range shown</comment>
+            <translation>无</translation>
         </message>
         <message>
             <source>%1: %2/s</source>

@@ -102,6 +102,9 @@ bool explains(const Fault& fault, Nanoseconds moment) {
          fault.first >= moment;
 }
 
+/// What is told at `time` came with the return to order at `over`.
+bool follows(Nanoseconds over, Nanoseconds time) { return time >= over && time <= over + FaultLog::kQuiet; }
+
 /// The return to order is that of this fault.
 bool ends(const Event& order, const Fault& fault) {
   const auto& what = *fault.event;
@@ -155,10 +158,30 @@ void FaultLog::add_missed(Nanoseconds time, int slave, std::uint64_t missed) {
 }
 
 void FaultLog::end(const Event& news) {
-  for (auto& episode : episodes_) {
-    for (auto& fault : episode.faults) {
-      if (fault.lasts() && !fault.over && fault.last <= news.time && ends(news, fault)) fault.over = news.time;
+  // From the newest on: what is taken over by one does not move those that are still to be asked.
+  for (auto i = episodes_.size(); i-- > 0;) {
+    bool any = false;
+    for (auto& fault : episodes_[i].faults) {
+      if (!fault.lasts() || fault.over || fault.last > news.time || !ends(news, fault)) continue;
+      fault.over = news.time;
+      any = true;
     }
+    if (any) take_what_follows(i, news.time);
+  }
+}
+
+/// Counts come with the samples, the return with the events: these may be drained later.
+void FaultLog::take_what_follows(std::size_t episode, Nanoseconds over) {
+  for (auto i = episode + 1; i < episodes_.size();) {
+    if (!follows(over, episodes_[i].begin)) {
+      ++i;
+      continue;
+    }
+    auto later = std::move(episodes_[i]);
+    episodes_.erase(episodes_.begin() + static_cast<std::ptrdiff_t>(i));
+    --count_;
+    for (auto& fault : later.faults) add(std::move(fault), episodes_[episode]);
+    episodes_[episode].left_out += later.left_out;
   }
 }
 
@@ -180,7 +203,8 @@ void FaultLog::clear(Nanoseconds now) {
 
 FaultEpisode& FaultLog::episode_at(Nanoseconds time) {
   const auto found = std::find_if(episodes_.rbegin(), episodes_.rend(), [time](const FaultEpisode& episode) {
-    return time >= episode.begin - kQuiet && time <= episode.end + kQuiet;
+    const bool near = time >= episode.begin - kQuiet && time <= episode.end + kQuiet;
+    return near || std::ranges::any_of(episode.faults, [time](const Fault& f) { return f.over && follows(*f.over, time); });
   });
   if (found != episodes_.rend()) return *found;
   ++count_;
@@ -192,6 +216,10 @@ FaultEpisode& FaultLog::episode_at(Nanoseconds time) {
 void FaultLog::add(Fault fault) {
   if (fault.first < since_) return;
   auto& episode = episode_at(fault.first);
+  add(std::move(fault), episode);
+}
+
+void FaultLog::add(Fault fault, FaultEpisode& episode) {
   episode.begin = std::min(episode.begin, fault.first);
   episode.end = std::max(episode.end, fault.last);
   auto& faults = episode.faults;

@@ -21,7 +21,8 @@ struct Fault {
   std::optional<Nanoseconds> over;  // when what lasts was in order again
 };
 
-/// Faults of which each came within FaultLog::kQuiet of another one.
+/// Faults of which each came within FaultLog::kQuiet of another one, or of the end of one that lasted: what counters
+/// tell once a slave answers again is of the episode in which it went.
 struct FaultEpisode {
   static constexpr std::size_t kMostFaults = 32;
 
@@ -61,8 +62,10 @@ class FaultLog {
 
  private:
   void add(Fault fault);
+  static void add(Fault fault, FaultEpisode& episode);
   void end(const Event& news);
   FaultEpisode& episode_at(Nanoseconds time);
+  void take_what_follows(std::size_t episode, Nanoseconds over);
 
   std::vector<FaultEpisode> episodes_;
   std::uint64_t count_ = 0;

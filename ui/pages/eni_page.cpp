@@ -136,16 +136,12 @@ QWidget* EniPage::buildChoices() {
   change_up_ = stepButton("eniChangeUp", tr("Previous change"), Qt::UpArrow, QKeySequence(Qt::ALT | Qt::Key_Up));
   change_down_ = stepButton("eniChangeDown", tr("Next change"), Qt::DownArrow, QKeySequence(Qt::ALT | Qt::Key_Down));
   only_changes_ = named(new QCheckBox(tr("&Only changes")), "eniOnlyChanges", tr("Show only the lines around changes"));
-  auto* compare = named(new QPushButton(tr("Co&mpare…")), "eniCompare", tr("Compare the project with a file"));
-  auto* write = named(new QPushButton(tr("E&xport…")), "eniExport", tr("Write the ENI to a file"));
   layout->addWidget(dialect_);
   layout->addWidget(since_);
   layout->addWidget(change_up_);
   layout->addWidget(change_down_);
   layout->addWidget(only_changes_);
   layout->addStretch(1);
-  layout->addWidget(compare);
-  layout->addWidget(write);
   connect(dialect_, &QComboBox::activated, this, [this] {
     preview_.setDialect(static_cast<EniDialect>(dialect_->currentData().toInt()));
     this->workspace().memory().setValue(kDialectKey, dialect_->currentData().toInt());
@@ -161,8 +157,6 @@ QWidget* EniPage::buildChoices() {
     model_->setOnlyChanges(only);
     goToLine(line);
   });
-  connect(compare, &QPushButton::clicked, this, &EniPage::compareWanted);
-  connect(write, &QPushButton::clicked, this, &EniPage::exportWanted);
   return area;
 }
 
@@ -199,7 +193,13 @@ QWidget* EniPage::buildSearch() {
   layout->addWidget(found_up_);
   layout->addWidget(found_down_);
   layout->addSpacing(8);
+  auto* compare = named(new QPushButton(tr("Co&mpare…")), "eniCompare", tr("Compare the project with a file"));
+  auto* write = named(new QPushButton(tr("E&xport…")), "eniExport", tr("Write the ENI to a file"));
+  layout->addWidget(compare);
+  layout->addWidget(write);
   layout->addWidget(report_);
+  connect(compare, &QPushButton::clicked, this, &EniPage::compareWanted);
+  connect(write, &QPushButton::clicked, this, &EniPage::exportWanted);
   connect(report_, &QCheckBox::toggled, &preview_, &EniPreview::setReported);
   connect(&preview_, &EniPreview::reportedChanged, this, [this] {
     report_->setChecked(preview_.reported());

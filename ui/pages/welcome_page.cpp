@@ -73,7 +73,7 @@ WelcomePage::WelcomePage(const QList<QAction*>& beginnings, WindowMemory& memory
     button->setAccessibleName(action->toolTip());
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize(QSize(32, 32));
-    button->setMinimumSize(124, 76);
+    button->setMinimumSize(112, 76);
     button->setFocusPolicy(Qt::StrongFocus);
     row->addWidget(button);
   }

@@ -14,6 +14,8 @@
 namespace syncline::ui {
 namespace {
 
+constexpr int kLeastOfFigure = 14;
+
 void setColor(QLabel& label, const QColor& color) {
   QPalette palette;  // of nothing else: the rest follows the theme, or a picture
   palette.setColor(QPalette::WindowText, color);
@@ -37,8 +39,8 @@ FigureCard::FigureCard(const char* name, const QString& title, const QString& to
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   auto bold = font();
   bold.setWeight(QFont::DemiBold);
-  // Where a language needs more room than there is, pointing at it tells the rest.
-  title_->setText(title);
+  // Where a language needs more room than there is, a second line has it, or pointing at it tells the rest.
+  title_->setWordWrap(true);
   title_->setFont(bold);
   auto big = font();
   big.setPointSizeF(big.pointSizeF() * 1.7);
@@ -52,10 +54,11 @@ FigureCard::FigureCard(const char* name, const QString& title, const QString& to
     // The cards share the width; a long figure must not push the others away.
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   }
+  title_->setText(title);  // with the policy: only then it asks for the height that its lines need
   grid_->setHorizontalSpacing(8);
   grid_->setVerticalSpacing(0);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(10, 6, 10, 6);
+  layout->setContentsMargins(8, 6, 8, 6);
   layout->setSpacing(2);
   layout->addWidget(title_);
   layout->addWidget(main_);
@@ -68,8 +71,10 @@ FigureCard::FigureCard(const char* name, const QString& title, const QString& to
 std::size_t FigureCard::addFigure(const QString& label, const QString& tool_tip) {
   const int row = static_cast<int>(figures_.size());
   auto* name = new QLabel(label);
-  auto* value = new QLabel;
-  for (auto* part : {name, value}) part->setToolTip(tool_tip);
+  // A long figure must not make the window wider.
+  auto* value = new ValueLabel;
+  value->setLeastCharacters(kLeastOfFigure);
+  for (QLabel* part : {name, static_cast<QLabel*>(value)}) part->setToolTip(tool_tip);
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   value->setAccessibleName(joinedParts({label, title_->text()}));
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -216,7 +216,7 @@ QString Sm2Panel::summary(Nanoseconds time) const {
     }
   }
   if (worst == nullptr) return tr("no slave has this counter");
-  if (highest == 0) return tr("none in the range shown");
+  if (highest == 0) return tr("none", "SM2 events missed in the range shown");
   return tr("%1: %2/s").arg(worst->title().text(), QLocale().toString(highest, 'f', highest < 10 ? 2 : 0));
 }
 

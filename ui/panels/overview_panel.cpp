@@ -84,7 +84,11 @@ OverviewPanel::OverviewPanel(QWidget* parent)
   buildVerdict(*verdict);
   auto* cards = new QHBoxLayout;
   cards->setSpacing(8);
-  for (auto* card : {verdict, deviation_, missed_, dcm_}) cards->addWidget(card, 1);
+  // By what each has to say: shares that stay, whatever the figures are.
+  cards->addWidget(verdict, 5);
+  cards->addWidget(deviation_, 5);
+  cards->addWidget(missed_, 3);
+  cards->addWidget(dcm_, 6);
   connect(banner_, &FaultBanner::momentWanted, this, &OverviewPanel::momentWanted);
   connect(banner_, &FaultBanner::turned, this, &OverviewPanel::refresh);
   arm_->setAutoDefault(false);

@@ -27,14 +27,14 @@ RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* transport, QWidg
   // One row, for height is what a small screen lacks: what it has no room for is told by pointing at it, and the title
   // of the window names the file.
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(10, 3, 10, 3);
+  layout->setContentsMargins(8, 3, 8, 3);
   layout->setSpacing(2);
   layout->addWidget(transport, 4);
   text_ = named(new ValueLabel, "recordingBarText", tr("Recording that is shown"));
   // Its length is no reason to take room from the slider.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text_->setMinimumWidth(kLeastOfText * fontMetrics().averageCharWidth());
-  layout->addSpacing(8);
+  layout->addSpacing(4);
   layout->addWidget(text_, 1);
   auto* close = named(new QToolButton, "recordingBarClose", tr("Close the recording"));
   close->setText(tr("Close"));

@@ -70,7 +70,7 @@ ReplayBar::ReplayBar(RecordingReplay& replay, QWidget* parent) : QWidget(parent)
   addButton(*layout, *next_cycle_, "replayNextCycle");
   addButton(*layout, *next_mark_, "replayNextEvent");
   addButton(*layout, *end_, "replayEnd");
-  layout->addSpacing(6);
+  layout->addSpacing(4);
   speed_ = named(new ChoiceEdit, "replaySpeed", tr("Speed of the replay"));
   speed_->setToolTip(tr("How fast the recording is played, against the time of the run (Alt+Minus, Alt+Plus)"));
   for (const auto& speed : RecordingReplay::kSpeeds) {
@@ -81,17 +81,17 @@ ReplayBar::ReplayBar(RecordingReplay& replay, QWidget* parent) : QWidget(parent)
   }
   connect(speed_, &QComboBox::activated, &replay_, &RecordingReplay::setSpeed);
   layout->addWidget(speed_);
-  layout->addSpacing(6);
+  layout->addSpacing(4);
   place_ = named(new ReplaySlider(replay), "replayPlace", tr("Moment of the recording"));
   place_->setToolTip(tr("The moment that is shown; ticks are events and notes"));
   connect(place_, &ReplaySlider::momentChosen, &replay_, &RecordingReplay::seek);
   layout->addWidget(place_, 1);
-  layout->addSpacing(6);
+  layout->addSpacing(4);
   time_ = named(new QLabel, "replayTime", tr("Time of the replay"));
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   time_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   layout->addWidget(time_);
-  layout->addSpacing(6);
+  layout->addSpacing(4);
   leave_ = named(new QToolButton, "replayLeave", tr("Show the whole recording"));
   leave_->setText(tr("Whole"));
   leave_->setToolTip(whole_->toolTip());

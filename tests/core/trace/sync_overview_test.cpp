@@ -301,6 +301,35 @@ TEST(FaultLog, WhatIsOverIsAReturnToOrder) {
   EXPECT_EQ(meaning(events::Online{}), EventMeaning::kNews);
 }
 
+/// Counters are read once the slave answers again: what they tell is of the episode in which it went, however long it
+/// was away and whichever came first, the count or the return.
+TEST(FaultLog, WhatCountersTellAfterAReturnIsOfTheEpisodeThatEnded) {
+  const std::vector<Event> away{{at(10), 5, events::CableChanged{}}, {at(11), 5, events::SlaveLost{}}};
+  const std::vector<Event> back{{at(60'000), 5, events::CableChanged{.healed = true}},
+                                {at(60'010), 5, events::SlaveFound{}}};
+  const std::vector<Event> told{{at(60'300), 5, events::PortErrors{0, 0, 1, at(5)}},
+                                {at(60'900), 6, events::WatchdogExpired{}}};
+  for (const bool late : {false, true}) {
+    FaultLog log;
+    for (const auto& event : away) log.add(event);
+    log.add({at(20'000), 2, events::AlStatusError{}});
+    for (const auto& event : late ? told : back) log.add(event);
+    log.add_missed(at(60'500), 6, 3);
+    for (const auto& event : late ? back : told) log.add(event);
+    log.add({at(63'500), 2, events::AlStatusError{}});
+    ASSERT_EQ(log.episodes().size(), 3U) << "what comes while it is away, or long after, is its own; late: " << late;
+    EXPECT_EQ(log.count(), 3U);
+    const auto& faults = log.episodes()[0].faults;
+    ASSERT_EQ(faults.size(), 5U);
+    EXPECT_TRUE(faults[0].event->is<events::CableChanged>());
+    EXPECT_TRUE(faults[2].event->is<events::PortErrors>());
+    EXPECT_EQ(faults[3].count, 3U);
+    EXPECT_EQ(log.episodes()[0].end, at(60'900));
+    EXPECT_EQ(log.episodes()[1].faults.size(), 1U);
+    EXPECT_EQ(log.episodes()[2].begin, at(63'500));
+  }
+}
+
 TEST(FaultLog, WhatComesAfterAQuietTimeIsAnotherEpisode) {
   FaultLog log;
   for (std::int64_t i = 0; i < 100; ++i) log.add({at(i * 3000), -1, events::FramesLost{1}});
