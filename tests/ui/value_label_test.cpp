@@ -25,6 +25,22 @@ TEST(ValueLabel, SaysInItsToolTipWhatDoesNotFit) {
   EXPECT_EQ(label.minimumSizeHint().width(), label.sizeHint().width()) << "ordinary values are not cut";
 }
 
+/// "+69.306 us at 5…" would be read as another moment.
+TEST(ValueLabel, HasAShorterFormWhereItDoesNotFit) {
+  ValueLabel label;
+  label.setText(QStringLiteral("+69.306 us at 5.002 s"), QStringLiteral("+69.306 us"));
+  label.resize(label.sizeHint());
+  EXPECT_EQ(label.shown(), label.text());
+  label.resize(label.width() - 4, label.height());
+  EXPECT_EQ(label.shown(), QStringLiteral("+69.306 us"));
+  EXPECT_EQ(label.hint(), label.text());
+  label.resize(20, label.height());
+  EXPECT_TRUE(label.shown().endsWith(QChar(0x2026)));
+  label.setText(QStringLiteral("-1.200 us at 5.002 s"));
+  label.resize(label.sizeHint().width() - 4, label.height());
+  EXPECT_TRUE(label.shown().endsWith(QChar(0x2026))) << "it was the shorter form of another text";
+}
+
 TEST(ValueLabel, ShowsAllOfItInLinesBelowEachOther) {
   ValueLabel label(QStringLiteral("70.000 us, the slave has 50.000 us"));
   label.setWordWrap(true);

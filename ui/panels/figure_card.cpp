@@ -112,9 +112,10 @@ void FigureCard::setNote(theme::Tone tone, const QString& text) {
   colorText();
 }
 
-void FigureCard::setFigure(std::size_t number, const QString& text) {
+void FigureCard::setFigure(std::size_t number, const QString& text, const QString& shorter) {
   if (text == figureText(number)) return;
-  setTextOf(*figures_.at(number), text);
+  figures_.at(number)->setText(text, shorter);
+  figures_.at(number)->setVisible(!text.isEmpty());
   say();
 }
 

@@ -13,6 +13,8 @@ class QLabel;
 
 namespace syncline::ui {
 
+class ValueLabel;
+
 /// One quantity of the overview: a big figure, what is left of its limit, and small ones below.
 class FigureCard final : public QFrame {
   Q_OBJECT
@@ -23,7 +25,8 @@ class FigureCard final : public QFrame {
   std::size_t addFigure(const QString& label, const QString& tool_tip);
   void setMain(const QString& text);
   void setNote(theme::Tone tone, const QString& text);
-  void setFigure(std::size_t number, const QString& text);
+  /// `shorter`: what is shown where the card has no room for all of it.
+  void setFigure(std::size_t number, const QString& text, const QString& shorter = {});
   [[nodiscard]] QString mainText() const;
   [[nodiscard]] QString noteText() const;
   [[nodiscard]] QString figureText(std::size_t number) const;
@@ -40,7 +43,8 @@ class FigureCard final : public QFrame {
 
   QLabel *title_, *main_, *note_;
   QGridLayout* grid_;
-  std::vector<QLabel*> labels_, figures_;
+  std::vector<QLabel*> labels_;
+  std::vector<ValueLabel*> figures_;
   theme::Tone tone_ = theme::Tone::kNeutral;
 };
 

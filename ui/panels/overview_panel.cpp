@@ -193,13 +193,13 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, S
   card.setMain(fresh ? text(static_cast<double>(figure.now->value)) : noText());
   const auto& statistics = figure.statistics;
   const bool any = statistics.count() > 0;
-  card.setFigure(kMean, any ? withSpreadText(text(statistics.mean()), statistics.mean_half_width()) : noText());
+  const auto mean = any ? text(statistics.mean()) : noText();
+  card.setFigure(kMean, any ? withSpreadText(mean, statistics.mean_half_width()) : mean, mean);
   card.setFigure(kRms, any ? timeText(wholeNs(statistics.rms())) : noText());
   card.setFigure(kQuantile, any ? timeText(figure.magnitudes.percentile(0.9999)) : noText());
-  card.setFigure(kMax, figure.largest ? tr("%1 at %2")
-                                            .arg(text(static_cast<double>(figure.largest->value)),
-                                                 momentText(figure.largest->time, *record_))
-                                      : noText());
+  if (!figure.largest) return card.setFigure(kMax, noText());
+  const auto largest = text(static_cast<double>(figure.largest->value));
+  card.setFigure(kMax, tr("%1 at %2").arg(largest, momentText(figure.largest->time, *record_)), largest);
 }
 
 void OverviewPanel::showMargin(FigureCard& card, const std::optional<double>& margin, std::int64_t limit,

@@ -20,6 +20,13 @@ QSize ValueLabel::minimumSizeHint() const {
   return {std::min(usual.width(), least_characters_ * fontMetrics().averageCharWidth()), usual.height()};
 }
 
+void ValueLabel::setText(const QString& text, const QString& shorter) {
+  shorter_ = shorter;
+  shortened_ = text;
+  setText(text);
+  update();
+}
+
 QString ValueLabel::shown() const {
   const auto room = contentsRect();
   if (wordWrap()) {
@@ -27,7 +34,9 @@ QString ValueLabel::shown() const {
     const auto lines = fontMetrics().boundingRect(room, Qt::TextWordWrap, text());
     if (lines.width() <= room.width() && lines.height() <= room.height()) return text();
   }
-  return fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
+  const bool fits = fontMetrics().horizontalAdvance(text()) <= room.width();
+  const bool has_shorter = !shorter_.isEmpty() && shortened_ == text();
+  return fontMetrics().elidedText(fits || !has_shorter ? text() : shorter_, Qt::ElideRight, room.width());
 }
 
 QString ValueLabel::hint() const {

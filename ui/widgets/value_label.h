@@ -5,7 +5,8 @@
 
 namespace syncline::ui {
 
-/// A value that can be selected and copied. What does not fit ends in an ellipsis, and the tool tip has all of it.
+/// A value that can be selected and copied. What does not fit gives way to its shorter form, or ends in an ellipsis; the
+/// tool tip has all of it.
 class ValueLabel final : public QLabel {
   Q_OBJECT
 
@@ -14,6 +15,10 @@ class ValueLabel final : public QLabel {
   /// As many characters of it are always painted, where it has so many; 48 unless said otherwise, which cards widen for
   /// and every ordinary value has.
   void setLeastCharacters(int count);
+  /// The text and what stands for it where it does not fit, a figure without its moment: an ellipsis within a number
+  /// would make another one of it.
+  void setText(const QString& text, const QString& shorter);
+  using QLabel::setText;
   [[nodiscard]] QSize minimumSizeHint() const override;
   /// What is painted at the label's width.
   [[nodiscard]] QString shown() const;
@@ -26,6 +31,7 @@ class ValueLabel final : public QLabel {
 
  private:
   int least_characters_ = 48;
+  QString shorter_, shortened_;  // and the text whose shorter form it is
 };
 
 }  // namespace syncline::ui

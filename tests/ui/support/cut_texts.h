@@ -100,7 +100,8 @@ class CutTexts {
   void lookAt(const ui::ValueLabel& label) {
     const auto shown = label.shown();
     if (shown == label.text() && seen(label) >= label.width()) return;
-    const bool known = shown.size() >= std::min<qsizetype>(label.text().size(), kLeastShown);
+    const bool whole_form = !shown.endsWith(QChar(0x2026));  // the shorter one
+    const bool known = whole_form || shown.size() >= std::min<qsizetype>(label.text().size(), kLeastShown);
     const auto middle = label.rect().center();
     if (!known || !tipAt(label, middle).contains(label.text()))
       say(label, label.text(), label.sizeHint().width(), seen(label));
