@@ -3,6 +3,7 @@
 
 #include <QAbstractScrollArea>
 #include <QAccessible>
+#include <QApplication>
 #include <QCoreApplication>
 #include <QHelpEvent>
 #include <QPointer>
@@ -65,6 +66,14 @@ bool isForeign(const QWidget& widget) {
   return area != nullptr && area->viewport() == &widget && kForeign.contains(area->objectName());
 }
 
+/// At once, and not after a while: its text would be taken for the next widget's.
+void dropTip() {
+  QToolTip::hideText();
+  for (auto* widget : QApplication::topLevelWidgets()) {
+    if (widget->objectName() == QLatin1String("qtooltip_label")) delete widget;
+  }
+}
+
 }  // namespace
 
 void PlainWords::addName(const QString& name) {
@@ -114,15 +123,16 @@ void PlainWords::look(QWidget& root) {
 }
 
 void PlainWords::lookAtTips(QWidget& widget) {
+  if (isForeign(widget)) return;
   constexpr int kAcross = 12, kDown = 5;
   for (int i = 0; i < kAcross * kDown; ++i) {
     const QPoint at((i % kAcross) * widget.width() / kAcross + 4, (i / kAcross) * widget.height() / kDown + 4);
-    QToolTip::hideText();
+    dropTip();
     QHelpEvent asks(QEvent::ToolTip, at, widget.mapToGlobal(at));
     QCoreApplication::sendEvent(&widget, &asks);
     look(QToolTip::text(), nameOf(widget));
   }
-  QToolTip::hideText();
+  dropTip();
 }
 
 QStringList PlainWords::takeFound() { return std::exchange(found_, {}); }

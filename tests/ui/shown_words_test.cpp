@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every word of the plots and views of the monitor goes through a translation: shown in a language in which each letter
+// Every word of the pages, plots and views of the monitor goes through a translation: shown in a language in which each letter
 // has a mark, those that have none are names of the machine, units and the few words that are the same everywhere.
 #include <gtest/gtest.h>
 
 #include <QLabel>
 #include <QPointer>
+#include <QTabWidget>
+#include <set>
 
 #include "support/artificial_language.h"
 #include "support/plain_words.h"
@@ -16,6 +18,7 @@
 #include "ui/panels/overview_panel.h"
 #include "ui/panels/slaves_view.h"
 #include "ui/panels/stability_view.h"
+#include "ui/session/eni_preview.h"
 
 namespace syncline::ui {
 namespace {
@@ -55,7 +58,7 @@ class Spoken {
   ArtificialLanguage language_;
 };
 
-class PlotWords : private Spoken, public test::RunningWindow {
+class ShownWords : private Spoken, public test::RunningWindow {
  protected:
   void look(QWidget& view) {
     for (int round = 0; round < 3; ++round) QApplication::processEvents();
@@ -86,7 +89,7 @@ class PlotWords : private Spoken, public test::RunningWindow {
   test::PlainWords words_;
 };
 
-TEST_F(PlotWords, OfTheMonitorAreTranslated) {
+TEST_F(ShownWords, OfTheMonitorAreTranslated) {
   goOnline();
   run(3 * kSecond);
   words_.addNames(project());
@@ -134,7 +137,32 @@ TEST_F(PlotWords, OfTheMonitorAreTranslated) {
   EXPECT_GT(words_.marked(), 200);
 }
 
-TEST_F(PlotWords, OfTheTimingOfACycleAreTranslated) {
+/// All pages, one slave of each device, while the machine runs.
+TEST_F(ShownWords, OfThePagesAreTranslated) {
+  goOnline();
+  run(kSecond);
+  words_.addNames(project());
+  workspace_.setExpert(true);
+  window_.resize(1600, 1000);
+  strip().hide();  // it has its own test
+  std::set<std::uint32_t> seen;
+  for (int node = -1; node < static_cast<int>(project().slaves.size()); ++node) {
+    if (node >= 0 && !seen.insert(project().slaves[static_cast<std::size_t>(node)].device.identity.product_code).second)
+      continue;
+    window_.selectNode(node);
+    auto* tabs = window_.editor().tabs();
+    for (int i = 0; i < tabs->count(); ++i) {
+      tabs->setCurrentIndex(i);
+      EXPECT_TRUE(test::waitFor([this] { return !workspace_.eni().isComputing(); }));
+      SCOPED_TRACE(qPrintable(QStringLiteral("node %1 %2").arg(node).arg(tabs->currentWidget()->objectName())));
+      look(*tabs->currentWidget());
+    }
+  }
+  EXPECT_GT(words_.seen(), 1'000);
+  EXPECT_GT(words_.marked(), 500);
+}
+
+TEST_F(ShownWords, OfTheTimingOfACycleAreTranslated) {
   goOnline();
   words_.addNames(project());
   show(kServo, "slaveDcPage");
