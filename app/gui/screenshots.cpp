@@ -55,7 +55,7 @@ constexpr int kMostReadingTicks = 600;  // of 50 ms of the machine
 /// Names pages like "light-slave3-process-data.png" and counts what could not be written.
 class Camera {
  public:
-  explicit Camera(QDir folder) : folder_(std::move(folder)) {}
+  explicit Camera(const QDir& folder) : folder_(folder) {}
   void take(QWidget& widget, const QString& name) {
     for (int round = 0; round < 3; ++round) QApplication::processEvents();  // layouts ask for another one
     if (!widget.grab().save(folder_.filePath(name + QStringLiteral(".png")))) ++failures_;

@@ -204,7 +204,8 @@ void FaultLog::clear(Nanoseconds now) {
 FaultEpisode& FaultLog::episode_at(Nanoseconds time) {
   const auto found = std::find_if(episodes_.rbegin(), episodes_.rend(), [time](const FaultEpisode& episode) {
     const bool near = time >= episode.begin - kQuiet && time <= episode.end + kQuiet;
-    return near || std::ranges::any_of(episode.faults, [time](const Fault& f) { return f.over && follows(*f.over, time); });
+    return near ||
+           std::ranges::any_of(episode.faults, [time](const Fault& f) { return f.over && follows(*f.over, time); });
   });
   if (found != episodes_.rend()) return *found;
   ++count_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every word of the pages, plots and views of the monitor goes through a translation: shown in a language in which each letter
-// has a mark, those that have none are names of the machine, units and the few words that are the same everywhere.
+// Every word of the pages, plots and views of the monitor goes through a translation: shown in a language in which each
+// letter has a mark, those that have none are names of the machine, units and the few words that are the same
+// everywhere.
 #include <gtest/gtest.h>
 
 #include <QLabel>

@@ -44,7 +44,7 @@ void NodeTree::arrange(Shape shape) {
   rows_.assign(slaves_.size(), 0);
   below_.assign(slaves_.size() + 1, {});
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    auto& siblings = below_[static_cast<std::size_t>(parents_[i] + 1)];
+    auto& siblings = below_[placeOf(parents_[i])];
     rows_[i] = static_cast<int>(siblings.size());
     siblings.push_back(static_cast<int>(i));
   }

@@ -42,7 +42,7 @@ class NodeTree {
   }
   [[nodiscard]] int parent(int slave) const { return parents_[static_cast<std::size_t>(slave)]; }
   [[nodiscard]] int row(int slave) const { return slave < 0 ? 0 : rows_[static_cast<std::size_t>(slave)]; }
-  [[nodiscard]] const Slaves& below(int slave) const { return below_[static_cast<std::size_t>(slave + 1)]; }
+  [[nodiscard]] const Slaves& below(int slave) const { return below_[placeOf(slave)]; }
   /// The slave with a station address, -1 = none.
   [[nodiscard]] int slave_at(int address) const;
 
@@ -59,6 +59,12 @@ class NodeTree {
   Slaves set_snapshot(const Snapshot& snapshot, const std::vector<int>& positions);
 
  private:
+  /// In `below_`; -1: the master.
+  static std::size_t placeOf(int slave) {
+    const int place = slave + 1;
+    return static_cast<std::size_t>(place);
+  }
+
   Node master_;
   std::vector<Node> slaves_;
   std::vector<int> classic_;                            // whom each slave stands below in the classic tree

@@ -155,7 +155,7 @@ void SlaveEepromPage::takePiece(std::uint16_t position, std::uint32_t word, cons
     for (std::uint32_t next = 1; next < pieces_; ++next) readPiece(position, next * kPieceWords);
   }
   const auto room = reading_.size() - std::min(reading_.size(), std::size_t{2} * word);
-  std::copy_n(piece.begin(), std::min(room, piece.size()), reading_.begin() + static_cast<std::ptrdiff_t>(2 * word));
+  std::copy_n(piece.begin(), std::min(room, piece.size()), reading_.begin() + 2 * static_cast<std::ptrdiff_t>(word));
   ++pieces_done_;
   say(tr("%1 of %2")
           .arg(bitsText(8 * 2 * kPieceWords * pieces_done_),

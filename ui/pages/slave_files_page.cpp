@@ -205,7 +205,7 @@ void SlaveFilesPage::writeFrom(const QString& path) {
 }
 
 /// Asked for by the workspace and not by this page: whoever looks at another slave meanwhile does not end it.
-void SlaveFilesPage::begin(Transfer transfer, SlaveRequest request) {
+void SlaveFilesPage::begin(const Transfer& transfer, SlaveRequest request) {
   going_ = transfer;
   request_ = workspace().requests().post(std::move(request), workspace(),
                                          [page = QPointer(this), transfer](const RequestOutcome& outcome) {

@@ -52,7 +52,7 @@ class SlaveFilesPage final : public OnlinePage {
   void askWhereFrom();
   /// The password field's number; nothing, and told, where it holds none.
   std::optional<std::uint32_t> password();
-  void begin(Transfer transfer, SlaveRequest request);
+  void begin(const Transfer& transfer, SlaveRequest request);
   void settle(const Transfer& transfer, const RequestOutcome& outcome);
   void note(const Transfer& transfer, const QString& became);
   void showProgress();

@@ -89,7 +89,7 @@ std::optional<CsvRows> CsvExport::take() {
   return rows;
 }
 
-void CsvExport::write(const std::string& path, std::string head) {
+void CsvExport::write(const std::string& path, const std::string& head) {
   auto file = OutputFile::create(path);
   Status status = file ? file->write(head) : Status(tl::unexpected(file.error()));
   std::string text;

@@ -42,7 +42,7 @@ class CsvExport final : public QObject {
 
  private:
   void openDialog(const QString& path);
-  void write(const std::string& path, std::string head);
+  void write(const std::string& path, const std::string& head);
   /// For the writing thread: the next portion; nothing: no more comes.
   [[nodiscard]] std::optional<CsvRows> take();
   void feed();

@@ -324,24 +324,24 @@ std::vector<CsvColumn> FreePlot::columns() {
   return columns;
 }
 
-void FreePlot::change(ViewPlot plot) { Q_EMIT edited(plot); }
+void FreePlot::change(const ViewPlot& plot) { Q_EMIT edited(plot); }
 
 void FreePlot::setScale(ValueScale scale) {
   auto plot = shown_;
   plot.scale = scale;
-  change(std::move(plot));
+  change(plot);
 }
 
 void FreePlot::setLimits(TracePlot::Side side, const std::optional<AxisLimits>& limits) {
   auto plot = shown_;
   (side == TracePlot::kLeft ? plot.left : plot.right) = limits;
-  change(std::move(plot));
+  change(plot);
 }
 
 void FreePlot::setOwnTime(bool own) {
   auto plot = shown_;
   plot.own_time = own;
-  change(std::move(plot));
+  change(plot);
 }
 
 void FreePlot::fillMenu(QMenu& menu) {
@@ -368,13 +368,13 @@ void FreePlot::fillMenu(QMenu& menu) {
     out->addAction(name, this, [this, i] {
       auto plot = shown_;
       plot.signals.erase(plot.signals.begin() + static_cast<std::ptrdiff_t>(i));
-      change(std::move(plot));
+      change(plot);
     });
     if (isState(signal)) continue;
     auto* side = right->addAction(name, this, [this, i](bool on) {
       auto plot = shown_;
       plot.signals[i].right = on;
-      change(std::move(plot));
+      change(plot);
     });
     side->setCheckable(true);
     side->setChecked(signal.right);

@@ -87,7 +87,7 @@ class FreePlot final : public TracePanel {
   void layAxes();
   void showLimit();
   void fillMenu(QMenu& menu);
-  void change(ViewPlot plot);
+  void change(const ViewPlot& plot);
 
   ViewPlot shown_;
   int number_ = 0, count_ = 1, most_derived_ = 0, drawn_derived_ = 0;

@@ -235,9 +235,10 @@ void FreeView::changePlot(int number, const ViewPlot& plot) {
 
 void FreeView::movePlot(int number, int by) {
   auto view = current();
+  const int place = number + by;
   const auto from = static_cast<std::size_t>(number);
-  const auto to = static_cast<std::size_t>(number + by);
-  if (number + by < 0 || to >= view.plots.size()) return;
+  const auto to = static_cast<std::size_t>(place);
+  if (place < 0 || to >= view.plots.size()) return;
   std::swap(view.plots[from], view.plots[to]);
   change(std::move(view));
 }

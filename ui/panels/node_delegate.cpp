@@ -21,7 +21,7 @@ int drawNumber(QPainter& painter, const QRect& area, const QFont& font, const QC
                Qt::Alignment side) {
   painter.setFont(font);
   painter.setPen(color);
-  painter.drawText(area, side | Qt::AlignVCenter, number);
+  painter.drawText(area, static_cast<int>(side | Qt::AlignVCenter), number);
   const QFontMetrics metrics(font);
   return std::max(metrics.horizontalAdvance(number), metrics.horizontalAdvance(QStringLiteral("00"))) + kMargin + 2;
 }

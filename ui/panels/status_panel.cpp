@@ -177,7 +177,9 @@ void StatusPanel::showOthers() {
   }
   others_->setVisible(!lines.isEmpty());
   if (lines.isEmpty()) return;
-  others_->setState(tone, lines.size() == 1 ? lines.front() : tr("%n other network(s) online", nullptr, lines.size()));
+  others_->setState(tone, lines.size() == 1
+                              ? lines.front()
+                              : tr("%n other network(s) online", nullptr, static_cast<int>(lines.size())));
   others_->setToolTip(tr("Networks that run beside the one in work:") + u'\n' + lines.join(u'\n'));
 }
 

@@ -28,7 +28,8 @@ std::vector<std::size_t> fromTheMaster(const WiringTree& tree) {
 std::array<Port, 4> portsOf(const WiringTree& tree, std::size_t slave) {
   std::array<Port, 4> ports{};
   const auto next = tree.next(slave);
-  for (std::uint8_t port = 0; port < ports.size(); ++port) {
+  for (std::size_t place = 0; place < ports.size(); ++place) {
+    const auto port = static_cast<std::uint8_t>(place);
     const auto there = tree.at_port(slave, port);
     if (port == tree.slaves()[slave].entry) {
       ports[port] = Port::kEntry;

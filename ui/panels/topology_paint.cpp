@@ -74,7 +74,7 @@ void drawBox(QPainter& painter, const QRectF& box, const QPalette& palette, cons
   painter.setPen(palette.color(QPalette::Text));
   const auto name =
       painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, static_cast<int>(area.width()));
-  painter.drawText(area, slave ? Qt::AlignTop | Qt::AlignLeft : Qt::AlignVCenter | Qt::AlignLeft, name);
+  painter.drawText(area, static_cast<int>((slave ? Qt::AlignTop : Qt::AlignVCenter) | Qt::AlignLeft), name);
   if (!slave) return;
   painter.setFont(scaled(0.78));
   painter.setPen(theme::mutedText(palette));

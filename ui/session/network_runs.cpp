@@ -12,8 +12,8 @@
 
 namespace syncline::ui {
 
-NetworkSession::NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> file_name,
-                               QObject* parent)
+NetworkSession::NetworkSession(const Environment& environment,
+                               const std::function<QString(const NetworkSession&)>& file_name, QObject* parent)
     : QObject(parent),
       run(environment.open_master),
       findings(run),

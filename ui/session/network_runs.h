@@ -22,7 +22,7 @@ class ProjectDocument;
 /// What one network of the machine runs, is found to mean and keeps on disk, whichever network is in work.
 struct NetworkSession final : QObject {
   /// `file_name`: what the files of its black box and its logs begin with.
-  NetworkSession(const Environment& environment, std::function<QString(const NetworkSession&)> file_name,
+  NetworkSession(const Environment& environment, const std::function<QString(const NetworkSession&)>& file_name,
                  QObject* parent);
 
   NetworkRun run;

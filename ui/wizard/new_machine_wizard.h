@@ -30,7 +30,6 @@ class NewMachineWizard final : public QDialog {
   [[nodiscard]] int step() const;
   [[nodiscard]] MachineDraft& draft() { return *draft_; }
 
- public Q_SLOTS:
   /// Asks when there is something to lose.
   void reject() override;
 
