@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QDialog>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -18,6 +19,7 @@
 #include <QUndoStack>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include "eni/project/project_file.h"
 #include "findings/run_codes.h"
@@ -222,6 +224,17 @@ TEST_F(RecordingWindow, ACaptureIsImportedAsARecording) {
   workspace_.recording().cancel();
   ASSERT_TRUE(waitFor([&] { return !workspace_.recording().isReading(); }));
   EXPECT_FALSE(QFile::exists(path("cancelled.slrec")));
+  EXPECT_EQ(workspace_.recording().path(), path("capture2.slrec"));
+  // Also where it was written already, and only not yet shown.
+  commands->importCapture(capture, path("late.slrec"));
+  for (QElapsedTimer since; !QFile::exists(path("late.slrec"));) {
+    if (!since.isValid()) since.start();
+    ASSERT_LT(since.elapsed(), 20'000);
+    std::this_thread::yield();
+  }
+  workspace_.recording().cancel();
+  ASSERT_TRUE(waitFor([&] { return !workspace_.recording().isReading(); }));
+  EXPECT_FALSE(QFile::exists(path("late.slrec")));
   EXPECT_EQ(workspace_.recording().path(), path("capture2.slrec"));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/opened_recording.h"
 
+#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <utility>
@@ -45,6 +46,7 @@ void OpenedRecording::importCapture(const QString& capture, const QString& path,
                                     const CaptureImporter& importer) {
   begin(path, [this, capture, path, limits, importer]() -> Outcome {
     if (auto made = makeRecording(capture, path, limits, importer); !made) return tl::unexpected(made.error());
+    made_ = true;
     return load(path);
   });
 }
@@ -68,6 +70,7 @@ void OpenedRecording::begin(const QString& path, std::function<Outcome()> work) 
   if (worker_.joinable()) worker_.join();
   reading_ = true;
   cancelled_ = false;
+  made_ = false;
   read_file_.hold(path);
   Q_EMIT started(path);
   worker_ = std::thread([this, path, work = std::move(work)] {
@@ -144,6 +147,7 @@ void OpenedRecording::deliver(const QString& path, Outcome outcome) {
   reading_ = false;
   if (cancelled_ || !outcome) read_file_.hold({});
   if (cancelled_) {
+    if (made_) QFile::remove(path);  // it was whole already, and nobody wants it
     Q_EMIT failed(path, Error{ErrorCode::kCancelled});
   } else if (outcome) {
     next_ = std::make_unique<Whole>(std::move(*outcome));

@@ -107,6 +107,7 @@ class OpenedRecording final : public QObject {
 
   std::thread worker_;
   std::atomic<bool> cancelled_{false};
+  bool made_ = false;  // the worker's, until it is over: the file that is read is one that it wrote
   FirstPictures pictures_;
   bool reading_ = false;
   QString path_, next_path_;
