@@ -53,8 +53,7 @@ void CsvExport::start(const QString& path, CsvTable table) {
   portion_.reset();
   last_ = stopped_ = false;
   ++number_;
-  thread_ = std::thread(
-      [this, path = path.toStdString(), head = std::move(head)]() mutable { write(path, std::move(head)); });
+  thread_ = std::thread([this, path = path.toStdString(), head = std::move(head)] { write(path, head); });
   feed();
 }
 
