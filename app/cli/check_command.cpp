@@ -6,12 +6,12 @@
 #include <set>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/options.h"
 #include "app/cli/terminal_reason.h"
 #include "check/check_network.h"
 #include "eni/check/eni_check.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

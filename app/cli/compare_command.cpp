@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/difference_json.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
@@ -17,6 +16,7 @@
 #include "engine/compare_bus.h"
 #include "engine/opened_link.h"
 #include "eni/project/project_file.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

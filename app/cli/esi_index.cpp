@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/interrupt.h"
@@ -12,6 +11,7 @@
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/catalogue/usual_sources.h"
 #include "eni/xml/file_warning.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

@@ -2,11 +2,11 @@
 #include <memory>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/options.h"
 #include "eni/catalogue/catalogue_entry.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

@@ -2,13 +2,13 @@
 #include <memory>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/esi_command.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
 #include "engine/try_esi.h"
 #include "eni/trial/eni_trial_files.h"
 #include "findings/error_text.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

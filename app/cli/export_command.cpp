@@ -9,7 +9,6 @@
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
@@ -21,6 +20,7 @@
 #include "findings/recovered_words.h"
 #include "findings/sentence.h"
 #include "recover/recover_project.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

@@ -9,6 +9,7 @@
 #include "app/cli/visit_options.h"
 #include "master/mailbox/foe_client.h"
 #include "master/startup/slave_visit.h"
+#include "support/text_bytes.h"
 #include "support/whole_file.h"
 
 namespace syncline::cli {

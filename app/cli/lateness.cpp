@@ -9,9 +9,9 @@
 #include <iterator>
 #include <map>
 
-#include "app/cli/counted.h"
 #include "channels/cycle_sample.h"
 #include "protocol/al_state.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

@@ -9,10 +9,10 @@
 #include "advice/cycle_time_help.h"
 #include "advice/image_report.h"
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/options.h"
 #include "app/composition/load_config.h"
 #include "compile/compile.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/difference_json.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/identity_text.h"
@@ -23,6 +22,7 @@
 #include "findings/error_text.h"
 #include "recover/recover_project.h"
 #include "settings/settings_keys.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

@@ -12,7 +12,6 @@
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/milliseconds.h"
 #include "app/cli/options.h"
 #include "app/cli/record_figures.h"
@@ -24,6 +23,7 @@
 #include "record/recorded_signals.h"
 #include "record/recording_reader.h"
 #include "record/trigger_document.h"
+#include "support/counted.h"
 #include "support/output_file.h"
 #include "trace/csv.h"
 #include "trace/signal_quality.h"

@@ -9,13 +9,13 @@
 #include <optional>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/interval_json.h"
 #include "app/cli/milliseconds.h"
 #include "app/cli/terminal_reason.h"
 #include "channels/event_text.h"
 #include "record/recording_reader.h"
 #include "record/replay_run.h"
+#include "support/counted.h"
 #include "trace/range_figures.h"
 #include "trace/slaves_standing.h"
 

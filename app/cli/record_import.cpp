@@ -11,13 +11,13 @@
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/milliseconds.h"
 #include "app/cli/options.h"
 #include "app/cli/record_range.h"
 #include "app/cli/terminal_reason.h"
 #include "capture/import_capture.h"
 #include "record/import_run.h"
+#include "support/counted.h"
 #include "support/whole_file.h"
 
 namespace syncline::cli {

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/cli/counted.h"
 #include "app/cli/options.h"
 #include "app/cli/terminal_reason.h"
 #include "channels/master_channels.h"
 #include "findings/error_text.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/duration.h"
 #include "app/cli/event_lines.h"
 #include "app/cli/event_text.h"
@@ -33,6 +32,7 @@
 #include "protocol/object_value.h"
 #include "record/dcm_log_session.h"
 #include "sim/scenario/host_profile_file.h"
+#include "support/counted.h"
 #include "support/jitter_profile.h"
 #include "support/output_file.h"
 #include "support/whole_file.h"

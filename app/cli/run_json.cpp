@@ -8,7 +8,6 @@
 #include <iterator>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/evidence_json.h"
 #include "app/cli/interval_json.h"
 #include "channels/sync_standing.h"
@@ -16,6 +15,7 @@
 #include "diagnosis/run_diagnosis.h"
 #include "findings/finding.h"
 #include "protocol/dcm_error.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

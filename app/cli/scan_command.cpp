@@ -6,7 +6,6 @@
 
 #include "app/cli/command_files.h"
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/esi_folders.h"
 #include "app/cli/event_text.h"
 #include "app/cli/findings_text.h"
@@ -21,6 +20,7 @@
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 #include "protocol/al_state.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

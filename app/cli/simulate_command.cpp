@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/cli/context.h"
-#include "app/cli/counted.h"
 #include "app/cli/duration.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/options.h"
@@ -18,6 +17,7 @@
 #include "findings/fold.h"
 #include "link/pcap_link.h"
 #include "protocol/al_state.h"
+#include "support/counted.h"
 
 namespace syncline::cli {
 namespace {

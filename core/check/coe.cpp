@@ -5,6 +5,7 @@
 #include <map>
 
 #include "check/network_view.h"
+#include "config/init_cmd.h"
 #include "config/mailbox_config.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
@@ -65,10 +66,6 @@ class CoeCheck {
     return has_transition(cmd.command, Transition::kPS) &&
            (is_assignment(cmd.command.index) || is_mapping(cmd.command.index));
   }
-  static bool has_transition(const StartupCommand& command, Transition transition) {
-    return std::ranges::find(command.transitions, transition) != command.transitions.end();
-  }
-
   void check_command(std::size_t i, const CoeInitCmd& cmd) {
     const StartupCommand& command = cmd.command;
     const auto object = fmt::format("0x{:04x}:{}", command.index, command.sub_index);

@@ -63,7 +63,7 @@ class OrderCheck {
     if (!request) return;
     for (std::size_t i = *request + 1; i < config_.init_cmds.size(); ++i) {
       const InitCmd& cmd = config_.init_cmds[i];
-      if (!has(cmd, transition) || !writes(cmd.command) || is_logical(cmd.command)) continue;
+      if (!has_transition(cmd, transition) || !writes(cmd.command) || is_logical(cmd.command)) continue;
       const auto on = fig::text<"transition">(std::string(transition_name(transition)));
       const auto wanted = fig::text<"state">(std::string(al_state_name(target(transition))));
       if (in(cmd.ado, reg::kSyncManager, 0x80)) {
@@ -82,7 +82,7 @@ class OrderCheck {
     bool has_address = false;
     for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
       const InitCmd& cmd = config_.init_cmds[i];
-      if (!has(cmd, Transition::kIP)) continue;
+      if (!has_transition(cmd, Transition::kIP)) continue;
       has_address = has_address || writes_register(cmd, reg::kStationAddress);
       if (is_fixed_address(cmd.command) && !has_address) {
         add("ENI-ORD-04", i, fig::text<"command">(address_text(cmd)));
@@ -100,7 +100,7 @@ class OrderCheck {
     const auto request = state_request(config_, Transition::kIP);
     for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
       const InitCmd& cmd = config_.init_cmds[i];
-      if (!has(cmd, Transition::kIP)) continue;
+      if (!has_transition(cmd, Transition::kIP)) continue;
       if (const auto value = written_number(cmd, reg::kSiiConfiguration, 1)) {
         owner = (*value & 1) != 0 ? Owner::kSlave : Owner::kMaster;
       }
@@ -125,7 +125,7 @@ class OrderCheck {
     bool valid = false;  // an answer is there, perhaps read already
     for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
       const InitCmd& cmd = config_.init_cmds[i];
-      if (!has(cmd, Transition::kIP) || is_logical(cmd.command)) continue;
+      if (!has_transition(cmd, Transition::kIP) || is_logical(cmd.command)) continue;
       if (const auto control = written_number(cmd, reg::kSiiControl, 2)) {
         unread();
         valid = *control == kSiiRead && written_number(cmd, reg::kSiiAddress, 4).value_or(0) <= kLastWord;
@@ -168,7 +168,8 @@ void check_master(const NetworkView& view, Findings& findings) {
        {Cleared{reg::kStationAddress, "station addresses (0x0010)"}, Cleared{reg::kFmmu, "FMMUs (0x0600)"},
         Cleared{reg::kSyncManager, "SyncManagers (0x0800)"}}) {
     const bool cleared = std::ranges::any_of(view.config.master.init_cmds, [&](const InitCmd& cmd) {
-      return cmd.command == Command::kBwr && has(cmd, Transition::kIP) && writes_register(cmd, cleared_area.ado);
+      return cmd.command == Command::kBwr && has_transition(cmd, Transition::kIP) &&
+             writes_register(cmd, cleared_area.ado);
     });
     if (!cleared) {
       findings.add("ENI-ORD-08", {PlaceKind::kMaster}, fig::phrase<"registers">(cleared_area.what));

@@ -54,7 +54,7 @@ class DcSlaveCheck {
   [[nodiscard]] std::optional<Written> last_written(std::uint16_t ado, std::size_t bytes) const {
     std::optional<Written> found;
     for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
-      if (!has(config_.init_cmds[i], Transition::kPS)) continue;
+      if (!has_transition(config_.init_cmds[i], Transition::kPS)) continue;
       if (const auto value = written_number(config_.init_cmds[i], ado, bytes)) found = Written{*value, i};
     }
     return found;
@@ -85,7 +85,7 @@ class DcSlaveCheck {
   void check_switched_off(const Written& written) {
     for (const Transition transition : {Transition::kSP, Transition::kSI}) {
       const bool off = std::ranges::any_of(config_.init_cmds, [&](const InitCmd& cmd) {
-        return has(cmd, transition) && (written_number(cmd, reg::kActivation, 1) == 0U);
+        return has_transition(cmd, transition) && (written_number(cmd, reg::kActivation, 1) == 0U);
       });
       if (off) return;
     }

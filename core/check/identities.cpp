@@ -58,7 +58,7 @@ void check_identity(const NetworkView& view, std::size_t slave, Findings& findin
   std::optional<std::uint16_t> word;
   for (std::size_t i = 0; i < config.init_cmds.size(); ++i) {
     const InitCmd& cmd = config.init_cmds[i];
-    if (!has(cmd, Transition::kIP)) continue;
+    if (!has_transition(cmd, Transition::kIP)) continue;
     if (const auto control = written_number(cmd, reg::kSiiControl, 2); control && (*control & kSiiRead) != 0) {
       if (const auto address = written_number(cmd, reg::kSiiAddress, 2)) word = static_cast<std::uint16_t>(*address);
     }
@@ -93,8 +93,9 @@ struct ExpectedAlias {
 std::optional<ExpectedAlias> expected_alias(const SlaveConfig& config) {
   for (std::size_t i = 0; i < config.init_cmds.size(); ++i) {
     const InitCmd& cmd = config.init_cmds[i];
-    if (!has(cmd, Transition::kIP) || cmd.ado != reg::kStationAlias || is_logical(cmd.command) || writes(cmd.command) ||
-        !cmd.validate || cmd.validate->type != ValidateType::kEqual || cmd.validate->data.size() != 2 ||
+    if (!has_transition(cmd, Transition::kIP) || cmd.ado != reg::kStationAlias || is_logical(cmd.command) ||
+        writes(cmd.command) || !cmd.validate || cmd.validate->type != ValidateType::kEqual ||
+        cmd.validate->data.size() != 2 ||
         std::ranges::any_of(cmd.validate->mask, [](auto byte) { return byte != 0xFF; })) {
       continue;
     }

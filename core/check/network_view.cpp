@@ -42,7 +42,7 @@ SlaveRegisters read_registers(const SlaveConfig& slave) {
   for (const Transition transition : {Transition::kIP, Transition::kPS, Transition::kSO}) {
     for (std::size_t i = 0; i < slave.init_cmds.size(); ++i) {
       const InitCmd& cmd = slave.init_cmds[i];
-      if (!has(cmd, transition)) {
+      if (!has_transition(cmd, transition)) {
         continue;
       }
       for_each_record<Fmmu::kSize>(cmd, reg::kFmmu, [&](unsigned number, auto bytes) {
@@ -109,16 +109,12 @@ std::optional<std::size_t> NetworkView::addressee(Command command, std::uint16_t
 std::uint16_t NetworkView::assign_activate(std::size_t slave) const {
   std::uint16_t value = 0;
   for (const InitCmd& cmd : config.slaves[slave].init_cmds) {
-    if (!has(cmd, Transition::kPS)) continue;
+    if (!has_transition(cmd, Transition::kPS)) continue;
     if (const auto written = written_number(cmd, reg::kCyclicUnitControl, 2)) {
       value = static_cast<std::uint16_t>(*written);
     }
   }
   return value;
-}
-
-bool has(const InitCmd& cmd, Transition transition) {
-  return std::ranges::find(cmd.transitions, transition) != cmd.transitions.end();
 }
 
 bool has(const CyclicCmd& cmd, AlState state) { return std::ranges::find(cmd.states, state) != cmd.states.end(); }

@@ -107,7 +107,6 @@ class Findings {
   std::vector<Finding>& out_;
 };
 
-[[nodiscard]] bool has(const InitCmd& cmd, Transition transition);
 [[nodiscard]] bool has(const CyclicCmd& cmd, AlState state);
 /// Writes to a register of the slave, and the datagram touches `ado`.
 [[nodiscard]] bool writes_register(const InitCmd& cmd, std::uint16_t ado);

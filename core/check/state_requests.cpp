@@ -109,7 +109,7 @@ class StateCheck {
     };
     for (std::size_t i = 0; i < config_.init_cmds.size(); ++i) {
       const InitCmd& cmd = config_.init_cmds[i];
-      if (!has(cmd, transition)) continue;
+      if (!has_transition(cmd, transition)) continue;
       if (const auto request = requested_state(cmd)) {
         unanswered();
         open = *request == there ? kNone : i;
@@ -152,7 +152,7 @@ std::optional<AlState> requested_state(const InitCmd& cmd) {
 std::optional<std::size_t> state_request(const SlaveConfig& slave, Transition transition) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < slave.init_cmds.size(); ++i) {
-    if (has(slave.init_cmds[i], transition) && requested_state(slave.init_cmds[i])) found = i;
+    if (has_transition(slave.init_cmds[i], transition) && requested_state(slave.init_cmds[i])) found = i;
   }
   return found;
 }

@@ -11,28 +11,10 @@
 namespace syncline::compiler {
 namespace {
 
-const Pdo* find(const std::vector<Pdo>& pdos, std::uint16_t index) {
-  const auto found = std::ranges::find(pdos, index, &Pdo::index);
-  return found == pdos.end() ? nullptr : &*found;
-}
-
-/// The device's PDO, with the entries that the user gave it.
-Pdo effective(const SlaveSettings& slave, const Pdo& of_device) {
-  Pdo pdo = of_device;
-  if (const Pdo* changed = find(slave.changed_pdos, pdo.index)) {
-    pdo.entries = changed->entries;
-  }
-  return pdo;
-}
-
-const std::vector<std::uint16_t>& assigned(const SlaveSettings& slave, PdoDirection direction) {
-  return direction == PdoDirection::kRx ? slave.assigned_rx_pdos : slave.assigned_tx_pdos;
-}
-
 void append(std::vector<ConfiguredPdo>& out, const SlaveSettings& slave, PdoDirection direction) {
-  const auto& chosen = assigned(slave, direction);
+  const auto& chosen = slave.assigned_pdos(direction);
   for (const Pdo& of_device : slave.device.pdos(direction)) {
-    Pdo pdo = effective(slave, of_device);
+    Pdo pdo = effective_pdo(slave, of_device);
     const bool is_assigned = std::ranges::find(chosen, pdo.index) != chosen.end();
     pdo.sync_manager = is_assigned ? sync_manager_of(slave, direction, of_device) : std::nullopt;
     out.push_back({direction, std::move(pdo)});
@@ -59,13 +41,13 @@ std::vector<ProcessDataChannel> process_data_channels(const SlaveSettings& slave
     }
   }
   for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
-    for (const std::uint16_t index : assigned(slave, direction)) {
-      const Pdo* of_device = find(slave.device.pdos(direction), index);
+    for (const std::uint16_t index : slave.assigned_pdos(direction)) {
+      const Pdo* of_device = find_pdo(slave.device.pdos(direction), index);
       const auto number = of_device ? sync_manager_of(slave, direction, *of_device) : std::nullopt;
       const auto channel = std::ranges::find_if(channels, [&](const auto& c) { return number && c.number == *number; });
       if (channel != channels.end() && std::ranges::find(channel->pdos, index) == channel->pdos.end()) {
         channel->pdos.push_back(index);
-        channel->bit_length += effective(slave, *of_device).bit_length();
+        channel->bit_length += effective_pdo(slave, *of_device).bit_length();
       }
     }
   }

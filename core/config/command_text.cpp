@@ -8,6 +8,20 @@
 
 namespace syncline {
 
+namespace {
+
+template <class Value, class NameOf>
+std::string joined_names(const std::vector<Value>& list, NameOf name_of) {
+  std::string out;
+  for (const Value value : list) {
+    out += out.empty() ? "" : ",";
+    out += name_of(value);
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string hex_text(std::span<const std::uint8_t> bytes) {
   std::string out;
   for (const std::uint8_t byte : bytes) {
@@ -16,23 +30,8 @@ std::string hex_text(std::span<const std::uint8_t> bytes) {
   return out;
 }
 
-std::string transitions_text(const std::vector<Transition>& list) {
-  std::string out;
-  for (const Transition transition : list) {
-    out += out.empty() ? "" : ",";
-    out += transition_name(transition);
-  }
-  return out;
-}
-
-std::string states_text(const std::vector<AlState>& list) {
-  std::string out;
-  for (const AlState state : list) {
-    out += out.empty() ? "" : ",";
-    out += al_state_name(state);
-  }
-  return out;
-}
+std::string transitions_text(const std::vector<Transition>& list) { return joined_names(list, transition_name); }
+std::string states_text(const std::vector<AlState>& list) { return joined_names(list, al_state_name); }
 
 template <class Cmd>
 std::string address_text(const Cmd& cmd) {

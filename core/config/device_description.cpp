@@ -5,6 +5,11 @@
 
 namespace syncline {
 
+const Pdo* find_pdo(const std::vector<Pdo>& pdos, std::uint16_t index) {
+  const auto found = std::ranges::find(pdos, index, &Pdo::index);
+  return found == pdos.end() ? nullptr : &*found;
+}
+
 std::uint32_t Pdo::bit_length() const {
   std::uint32_t bits = 0;
   for (const PdoEntry& entry : entries) bits += entry.bit_length;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -53,5 +54,11 @@ struct InitCmd {
   }
   bool requires_frame = false;  // Requires = frame: not together with others in one frame
 };
+
+/// Of an InitCmd, or of any other command that has a list of transitions.
+template <class Cmd>
+[[nodiscard]] bool has_transition(const Cmd& cmd, Transition transition) {
+  return std::ranges::find(cmd.transitions, transition) != cmd.transitions.end();
+}
 
 }  // namespace syncline

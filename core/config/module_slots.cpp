@@ -107,7 +107,7 @@ std::optional<std::uint16_t> gap_pdo(const ModulePdoGroup& group, PdoDirection d
 
 /// Groups in their order, and the PDO that fills up to the alignment in front of a group that would start odd.
 void order_assignment(SlaveSettings& slave, PdoDirection direction) {
-  Indices& assigned = direction == PdoDirection::kRx ? slave.assigned_rx_pdos : slave.assigned_tx_pdos;
+  Indices& assigned = slave.assigned_pdos(direction);
   const auto& groups = slave.device.slots->pdo_groups;
   for (const ModulePdoGroup& group : groups) {
     if (const auto gap = gap_pdo(group, direction)) std::erase(assigned, *gap);

@@ -55,4 +55,7 @@ struct Pdo {
   [[nodiscard]] std::uint32_t bit_length() const;
 };
 
+/// Null: there is none of that index.
+[[nodiscard]] const Pdo* find_pdo(const std::vector<Pdo>& pdos, std::uint16_t index);
+
 }  // namespace syncline

@@ -15,11 +15,6 @@ bool contains(const std::vector<std::uint16_t>& indices, std::uint16_t index) {
   return std::ranges::find(indices, index) != indices.end();
 }
 
-const Pdo* find_pdo(const std::vector<Pdo>& pdos, std::uint16_t index) {
-  const auto found = std::ranges::find(pdos, index, &Pdo::index);
-  return found == pdos.end() ? nullptr : &*found;
-}
-
 bool conflicts(const Pdo& pdo, const std::vector<std::uint16_t>& chosen, const std::vector<Pdo>& pdos) {
   return std::ranges::any_of(chosen, [&](std::uint16_t other) {
     const Pdo* assigned = find_pdo(pdos, other);
@@ -33,7 +28,7 @@ void assign(SlaveSettings& slave, PdoDirection direction, const OpModeSyncManage
   const bool all_known =
       std::ranges::all_of(wanted.pdos, [&](std::uint16_t i) { return find_pdo(pdos, i) != nullptr; });
   if (wanted.pdos.empty() || !all_known) return;
-  auto& assigned = direction == PdoDirection::kRx ? slave.assigned_rx_pdos : slave.assigned_tx_pdos;
+  auto& assigned = slave.assigned_pdos(direction);
   std::erase_if(assigned, [&](std::uint16_t index) {
     const Pdo* pdo = find_pdo(pdos, index);
     return contains(wanted.pdos, index) || (pdo && pdo->sync_manager == wanted.number);
@@ -42,6 +37,12 @@ void assign(SlaveSettings& slave, PdoDirection direction, const OpModeSyncManage
 }
 
 }  // namespace
+
+Pdo effective_pdo(const SlaveSettings& slave, const Pdo& of_device) {
+  Pdo pdo = of_device;
+  if (const Pdo* changed = find_pdo(slave.changed_pdos, pdo.index)) pdo.entries = changed->entries;
+  return pdo;
+}
 
 std::vector<std::uint16_t> default_assignment(const DeviceDescription& device, PdoDirection direction) {
   const auto& pdos = device.pdos(direction);

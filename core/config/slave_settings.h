@@ -27,6 +27,12 @@ struct SlaveSettings {
   /// anywhere, and are known by this slave's alias. Empty: the slave has its place.
   std::string hot_connect;
   std::vector<std::uint16_t> assigned_rx_pdos, assigned_tx_pdos;
+  [[nodiscard]] std::vector<std::uint16_t>& assigned_pdos(PdoDirection direction) {
+    return direction == PdoDirection::kRx ? assigned_rx_pdos : assigned_tx_pdos;
+  }
+  [[nodiscard]] const std::vector<std::uint16_t>& assigned_pdos(PdoDirection direction) const {
+    return direction == PdoDirection::kRx ? assigned_rx_pdos : assigned_tx_pdos;
+  }
   /// Changed mappings of PDOs that are not fixed; others as in the device.
   std::vector<Pdo> changed_pdos;
   DcSlaveSettings dc;
@@ -52,6 +58,9 @@ struct SlaveSettings {
   std::vector<OutputPin> output_pins;  // pin ascending, one a pin
   bool operator==(const SlaveSettings&) const = default;
 };
+
+/// A PDO of the slave's device or modules, with the entries that the user gave it.
+[[nodiscard]] Pdo effective_pdo(const SlaveSettings& slave, const Pdo& of_device);
 
 /// PDOs that the ESI assigns (Sm attribute) or demands (Mandatory), in its order, without those that exclude each
 /// other.

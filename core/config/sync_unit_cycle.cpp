@@ -11,12 +11,10 @@ namespace syncline::compiler {
 namespace {
 
 /// Whether a PDO is assigned that has bits, with the entries that the user gave it.
-bool exchanges(const SlaveSettings& slave, const std::vector<std::uint16_t>& assigned) {
-  return std::ranges::any_of(assigned, [&slave](std::uint16_t index) {
-    const auto changed = std::ranges::find(slave.changed_pdos, index, &Pdo::index);
-    if (changed != slave.changed_pdos.end()) return changed->bit_length() > 0;
+bool exchanges(const SlaveSettings& slave, PdoDirection direction) {
+  return std::ranges::any_of(slave.assigned_pdos(direction), [&slave](std::uint16_t index) {
     const auto pdo = pdo_of(slave, index);
-    return pdo && pdo->bit_length() > 0;
+    return pdo && effective_pdo(slave, *pdo).bit_length() > 0;
   });
 }
 
@@ -50,7 +48,7 @@ Nanoseconds sync_unit_cycle(const MasterSettings& master, const SlaveSettings& s
   const auto out = task_cycle(master, tasks[sync_unit_number(master, slave.output_unit)]);
   const auto in = task_cycle(master, tasks[sync_unit_number(master, slave.input_unit)]);
   if (out == in && out == master.cycle_time) return out;
-  const bool writes = exchanges(slave, slave.assigned_rx_pdos), reads = exchanges(slave, slave.assigned_tx_pdos);
+  const bool writes = exchanges(slave, PdoDirection::kRx), reads = exchanges(slave, PdoDirection::kTx);
   if (writes && reads) return std::min(out, in);
   return writes ? out : reads ? in : master.cycle_time;
 }

@@ -5,6 +5,7 @@
 
 #include "protocol/delay_difference.h"
 #include "protocol/dl_status.h"
+#include "protocol/first_port.h"
 
 namespace syncline::dc {
 namespace {
@@ -31,20 +32,6 @@ bool passes_processing_unit(unsigned from, unsigned to) {
   return false;
 }
 
-/// Active port that the frame reached first; 0 when that cannot be told.
-unsigned entry_port(const DelayNode& node) {
-  for (const unsigned candidate : kPortOrder) {
-    if (!node.active[candidate]) continue;
-    bool first = true;
-    for (const unsigned other : kPortOrder) {
-      if (other == candidate || !node.active[other]) continue;
-      first = first && difference(node.receive_time[candidate], node.receive_time[other]) <= 0;
-    }
-    if (first) return candidate;
-  }
-  return 0;
-}
-
 /// Active ports in the order in which the frame reaches them, the entry first.
 std::vector<unsigned> ports_in_frame_order(const DelayNode& node, unsigned entry) {
   std::vector<unsigned> ports{entry};
@@ -61,7 +48,9 @@ class Measurement {
     arrival_.resize(nodes.size());
     result_.entry_port.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      result_.entry_port[i] = has_times(i) ? static_cast<std::uint8_t>(entry_port(nodes[i])) : nodes[i].entry_port & 3U;
+      result_.entry_port[i] =
+          has_times(i) ? static_cast<std::uint8_t>(first_port(nodes[i].active, nodes[i].receive_time).value_or(0))
+                       : nodes[i].entry_port & 3U;
       if (result_.entry_port[i] != 0) report(i, DelayWarning::kReversedCable, result_.entry_port[i]);
       ports_.push_back(ports_in_frame_order(nodes[i], result_.entry_port[i]));
     }

@@ -12,6 +12,7 @@
 #include "master/exchange/slave_address.h"
 #include "master/sii/sii_writer.h"
 #include "reasons/because.h"
+#include "support/text_bytes.h"
 #include "support/whole_file.h"
 
 namespace syncline {

@@ -15,6 +15,7 @@
 #include "exports/exports.h"
 #include "protocol/object_value.h"
 #include "protocol/register_layout.h"
+#include "protocol/soe.h"
 
 namespace syncline::exports {
 namespace {
@@ -82,17 +83,12 @@ InitCommandRow row_of(int slave, const CoeInitCmd& cmd) {
           .comment = command.comment};
 }
 
-/// "S-0-0001", "P-2-0017": parameter set in bits 12 to 14, the device's own where bit 15 is set (IEC 61800-7-204).
-std::string idn_text(std::uint16_t idn) {
-  return fmt::format("{}-{}-{:04}", (idn & 0x8000U) != 0 ? 'P' : 'S', idn >> 12 & 7, idn & 0x0FFF);
-}
-
 InitCommandRow row_of(int slave, const SoeInitCmd& cmd) {
   return {.slave = slave,
           .transitions = transitions_text(cmd.transitions),
           .protocol = "SoE",
           .command = cmd.op_code == 3 ? "write" : "read",
-          .target = fmt::format("drive {} {}", cmd.drive_no, idn_text(cmd.idn)),
+          .target = fmt::format("drive {} {}", cmd.drive_no, soe::idn_text(cmd.idn)),
           .address = cmd.idn,
           .data = cmd.data,
           .timeout_ms = cmd.timeout_ms,

@@ -8,6 +8,7 @@
 #include "exports/html_table.h"
 #include "exports/report_sections.h"
 #include "findings/fold.h"
+#include "support/counted.h"
 
 namespace syncline::exports {
 namespace {
@@ -21,17 +22,13 @@ std::string place_of(const FoldedFinding& folded) {
   return text;
 }
 
-std::string count_of(std::ptrdiff_t count, std::string_view word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 std::string finding_counts(std::span<const Finding> findings) {
   std::string text;
   for (const auto severity : {Severity::kError, Severity::kWarning, Severity::kNote}) {
     const auto count = std::ranges::count(findings, severity, &Finding::severity);
-    if (count > 0) text += (text.empty() ? "" : ", ") + count_of(count, severity_name(severity));
+    if (count > 0) text += (text.empty() ? "" : ", ") + counted(count, severity_name(severity));
   }
   return text.empty() ? "none" : text;
 }

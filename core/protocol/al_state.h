@@ -14,6 +14,15 @@ enum class AlState : std::uint8_t { kNone = 0, kInit = 1, kPreop = 2, kBoot = 3,
   return static_cast<int>(state) > static_cast<int>(target);
 }
 
+/// Mailboxes work, but for FoE, which works in BOOT too (ETG.1000.6, 6.4.1: PREOP and above).
+[[nodiscard]] constexpr bool has_mailbox_communication(AlState state) {
+  return state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp;
+}
+/// Inputs at least are exchanged (ETG.1000.6, 6.4.1).
+[[nodiscard]] constexpr bool has_process_data_communication(AlState state) {
+  return state == AlState::kSafeop || state == AlState::kOp;
+}
+
 inline constexpr std::uint16_t kAlErrorFlag = 0x0010;  // status: error indication, control: acknowledge
 
 [[nodiscard]] constexpr AlState al_state_of(std::uint16_t al_status) { return static_cast<AlState>(al_status & 0x0F); }

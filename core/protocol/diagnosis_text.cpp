@@ -64,11 +64,6 @@ double real_of(const DiagParameter& parameter) {
   return std::bit_cast<double>(bits);
 }
 
-std::int64_t signed_of(const DiagParameter& parameter) {
-  const auto shift = 64 - 8 * static_cast<int>(parameter.data.size());
-  return static_cast<std::int64_t>(le_number(parameter.data) << shift) >> shift;
-}
-
 struct Conversion {
   bool left = false, zeros = false, plus = false, prefix = false;
   unsigned width = 0;
@@ -144,8 +139,9 @@ std::string whole_number(const DiagParameter& parameter, const coe::DataType& ty
     default:
       break;
   }
-  const bool negative = type.kind == coe::ValueKind::kSigned && signed_of(parameter) < 0;
-  return with_sign(negative ? fmt::format("{}", signed_of(parameter)) : fmt::format("{}", bits), conversion);
+  const bool negative = type.kind == coe::ValueKind::kSigned && le_signed_number(parameter.data) < 0;
+  return with_sign(negative ? fmt::format("{}", le_signed_number(parameter.data)) : fmt::format("{}", bits),
+                   conversion);
 }
 
 std::string real_figures(double value, const Conversion& conversion) {

@@ -6,13 +6,10 @@
 #include "reasons/brief_reason.h"
 #include "support/brief_error.h"
 #include "support/byte_order.h"
+#include "support/text_bytes.h"
 
 namespace syncline::foe {
 namespace {
-
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
 
 /// Text without the zeros that some devices put behind it.
 std::string text_of(std::span<const std::uint8_t> bytes) {

@@ -241,11 +241,6 @@ void append_counters(std::vector<RegisterLayout>& all) {
     counter(address, std::string(name(address)));
 }
 
-std::int64_t signed_of(std::uint64_t value, std::size_t bytes) {
-  const auto shift = 64 - 8 * static_cast<int>(bytes);
-  return static_cast<std::int64_t>(value << shift) >> shift;
-}
-
 }  // namespace
 
 std::string_view register_group_name(RegisterGroup group) {
@@ -279,11 +274,11 @@ std::string register_text(const RegisterLayout& layout, std::span<const std::uin
     case kNumber:
       return fmt::format("{}", value);
     case kSignedNumber:
-      return fmt::format("{}", signed_of(value, bytes.size()));
+      return fmt::format("{}", le_signed_number(bytes));
     case kNanoseconds:
       return fmt::format("{} ns", value);
     case kSignedNanoseconds:
-      return fmt::format("{} ns", signed_of(value, bytes.size()));
+      return fmt::format("{} ns", le_signed_number(bytes));
     case kSignMagnitudeNanoseconds:
       return fmt::format("{}{} ns", (value & 0x8000'0000U) != 0 ? "-" : "", value & 0x7FFF'FFFFU);
     case kTenNanoseconds:

@@ -11,6 +11,7 @@
 #include "reasons/brief_reason.h"
 #include "support/brief_error.h"
 #include "support/byte_order.h"
+#include "support/text_bytes.h"
 
 namespace syncline::coe {
 namespace {
@@ -42,10 +43,6 @@ std::string read_text(ByteReader& reader) {
   // Some devices end the name with a zero, the specification does not.
   const auto end = std::find(bytes.begin(), bytes.end(), std::uint8_t{0});
   return {bytes.begin(), end};
-}
-
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 struct ResponseWriter {

@@ -33,4 +33,8 @@ Result<Header> decode(std::span<const std::uint8_t> data) {
   return header;
 }
 
+std::string idn_text(std::uint16_t idn) {
+  return fmt::format("{}-{}-{:04}", (idn & 0x8000U) != 0 ? 'P' : 'S', idn >> 12 & 7U, idn & 0x0FFFU);
+}
+
 }  // namespace syncline::soe

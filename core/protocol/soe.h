@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "support/result.h"
@@ -37,5 +38,9 @@ struct Header {
 [[nodiscard]] std::vector<std::uint8_t> encode(const Header& header);
 /// The first four bytes behind the mailbox header. kMalformedData.
 [[nodiscard]] Result<Header> decode(std::span<const std::uint8_t> data);
+
+/// "S-0-0047", "P-3-0100": standard or the device's own where bit 15 is set, parameter set in bits 12 to 14, block
+/// number (IEC 61800-7-204).
+[[nodiscard]] std::string idn_text(std::uint16_t idn);
 
 }  // namespace syncline::soe

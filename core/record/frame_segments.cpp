@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "reasons/because.h"
+#include "support/followed_path.h"
 #include "support/pcapng_block.h"
 
 namespace syncline {
@@ -37,11 +38,6 @@ constexpr std::size_t kLongestName =
 
 Error not_writable(const std::string& file, Reason why) {
   return Error{.code = ErrorCode::kFileNotWritable, .detail = std::move(why), .file = file};
-}
-
-std::string folder_of(const std::string& name) {
-  const auto folder = fs::path(name).parent_path().string();
-  return folder.empty() ? "." : folder;
 }
 
 /// A folder's name means files in it, a capture's name what stands before its extension.

@@ -19,12 +19,6 @@ namespace {
 
 using compiler::FindingList;
 
-const Pdo* find_pdo(const DeviceDescription& device, PdoDirection direction, std::uint16_t index) {
-  const auto& pdos = device.pdos(direction);
-  const auto found = std::ranges::find(pdos, index, &Pdo::index);
-  return found == pdos.end() ? nullptr : &*found;
-}
-
 bool same_mapping(const Pdo& left, const Pdo& right) {
   return std::ranges::equal(left.entries, right.entries, [](const PdoEntry& l, const PdoEntry& r) {
     return l.index == r.index && l.sub_index == r.sub_index && l.bit_length == r.bit_length;
@@ -42,7 +36,7 @@ std::string misfit(const DeviceDescription& device, const SlaveConfig& slave) {
   }
   for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
     for (const std::uint16_t index : assigned_pdos(slave, direction)) {
-      const Pdo* pdo = find_pdo(device, direction, index);
+      const Pdo* pdo = find_pdo(device.pdos(direction), index);
       if (pdo == nullptr) return fmt::format("it has no PDO 0x{:04X}", index);
       const auto used = std::ranges::find_if(slave.pdos, [&](const ConfiguredPdo& configured) {
         return configured.direction == direction && configured.pdo.index == index;
@@ -112,7 +106,7 @@ void recover_pdos(SlaveSettings& settings, const SlaveConfig& slave) {
   settings.assigned_rx_pdos = assigned_pdos(slave, PdoDirection::kRx);
   settings.assigned_tx_pdos = assigned_pdos(slave, PdoDirection::kTx);
   for (const auto direction : {PdoDirection::kRx, PdoDirection::kTx}) {
-    auto& assigned = direction == PdoDirection::kRx ? settings.assigned_rx_pdos : settings.assigned_tx_pdos;
+    auto& assigned = settings.assigned_pdos(direction);
     if (!assigned.empty() || !slave.pdos.empty()) continue;
     for (const Pdo& pdo : settings.device.pdos(direction)) {
       if (pdo.sync_manager) assigned.push_back(pdo.index);
@@ -120,7 +114,7 @@ void recover_pdos(SlaveSettings& settings, const SlaveConfig& slave) {
   }
   const auto device = device_with_modules(settings);
   for (const auto& [direction, pdo] : slave.pdos) {
-    const Pdo* of_device = find_pdo(device, direction, pdo.index);
+    const Pdo* of_device = find_pdo(device.pdos(direction), pdo.index);
     if (of_device != nullptr && !of_device->fixed && !same_mapping(*of_device, pdo)) {
       settings.changed_pdos.push_back(pdo);
     }

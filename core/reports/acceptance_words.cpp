@@ -7,6 +7,7 @@
 #include "findings/acceptance_words.h"
 #include "protocol/al_state.h"
 #include "reports/acceptance.h"
+#include "support/counted.h"
 #include "trace/signals.h"
 
 namespace syncline::reports {
@@ -18,10 +19,6 @@ static_assert(std::size(words::kCriteria) == static_cast<std::size_t>(Kind::kFin
 static_assert(std::size(words::kVerdicts) == static_cast<std::size_t>(Verdict::kNotJudged) + 1);
 
 std::string time_text(Nanoseconds time) { return fmt::format("{:.3f} s", static_cast<double>(time) / 1e9); }
-
-std::string counted(std::int64_t count, std::string_view word) {
-  return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
 
 std::string sync_found(const Criterion& criterion) {
   if (criterion.verdict == Verdict::kNotJudged) return "not monitored";

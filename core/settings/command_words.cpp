@@ -38,14 +38,6 @@ Status parse_transitions(std::string_view text, std::vector<Transition>& transit
   }
 }
 
-std::string format_transitions(const std::vector<Transition>& transitions) {
-  std::string text;
-  for (const auto transition : transitions) {
-    text += fmt::format("{}{}", text.empty() ? "" : ",", transition_name(transition));
-  }
-  return text;
-}
-
 Result<std::vector<std::uint8_t>> parse_hex_data(std::string_view digits) {
   std::vector<std::uint8_t> data;
   for (std::size_t i = 0; i < digits.size(); i += 2) {
@@ -58,6 +50,10 @@ Result<std::vector<std::uint8_t>> parse_hex_data(std::string_view digits) {
 
 std::optional<std::string_view> value_of(std::string_view word, std::string_view name) {
   return word.starts_with(name) ? std::optional(word.substr(name.size())) : std::nullopt;
+}
+
+Status no_usual_option(std::string_view word) {
+  return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
 }
 
 std::optional<std::uint32_t> parse_milliseconds(std::string_view text) {

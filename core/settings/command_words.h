@@ -17,7 +17,7 @@ namespace syncline::settings {
 [[nodiscard]] std::string_view next_word(std::string_view& text);
 /// What stands behind `name` in `word`; nothing where another word stands there.
 [[nodiscard]] std::optional<std::string_view> value_of(std::string_view word, std::string_view name);
-[[nodiscard]] std::string format_transitions(const std::vector<Transition>& transitions);
+/// "PS,SP" as transitions_text() writes them.
 [[nodiscard]] Status parse_transitions(std::string_view text, std::vector<Transition>& transitions);
 /// Bytes in wire order, two digits each.
 [[nodiscard]] Result<std::vector<std::uint8_t>> parse_hex_data(std::string_view digits);
@@ -28,6 +28,9 @@ namespace syncline::settings {
 [[nodiscard]] std::string format_comment(const std::string& comment);
 /// The comment goes into `comment`; what stands before it is left. kBadValue for what is no UTF-8.
 [[nodiscard]] Result<std::string_view> take_comment(std::string_view text, std::string& comment);
+
+/// The error of a word that is none of the usual options.
+[[nodiscard]] Status no_usual_option(std::string_view word);
 
 inline constexpr std::string_view kTimeoutWord = "timeout=";
 
@@ -48,6 +51,12 @@ template <class Command>
   return true;
 }
 
+/// An option of a command that has the usual ones only; kBadValue where the word is none of them.
+template <class Command>
+[[nodiscard]] Status parse_usual_option(std::string_view word, Command& command) {
+  return take_usual_option(word, command) ? Status{} : no_usual_option(word);
+}
+
 /// Those of them that are set, each behind a space; `between`: stands before the time-out.
 template <class Command>
 [[nodiscard]] std::string format_usual_options(const Command& command, std::string_view between = "") {
@@ -57,6 +66,20 @@ template <class Command>
   text += between;
   if (command.timeout_ms != 0) text.append(" ").append(kTimeoutWord).append(std::to_string(command.timeout_ms));
   return text;
+}
+
+/// Reads "TRANSITIONS WHAT OPTIONS # comment", which is the form of all commands. `what` takes what is sent off the
+/// front of the text, `option` one word behind it; both give a Status. kBadValue with what is wrong in it.
+template <class Command, class What, class Option>
+[[nodiscard]] Result<Command> parse_command(std::string_view text, What what, Option option) {
+  Command command;
+  auto rest = take_comment(text, command.comment);
+  if (!rest) return tl::unexpected(rest.error());
+  auto status = parse_transitions(next_word(*rest), command.transitions);
+  if (status) status = what(*rest, command);
+  for (auto word = next_word(*rest); status && !word.empty(); word = next_word(*rest)) status = option(word, command);
+  if (!status) return tl::unexpected(status.error());
+  return command;
 }
 
 }  // namespace syncline::settings

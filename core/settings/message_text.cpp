@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "config/command_text.h"
 #include "config/mailbox_config.h"
 #include "config/register_command.h"
 #include "protocol/frame.h"
@@ -20,9 +21,18 @@ namespace {
 constexpr std::string_view kData = "data=", kExpect = "expect=", kMask = "mask=", kWithin = "within=";
 constexpr std::int64_t kRegisters = 0x10000;
 
-Status parse_message_option(std::string_view word, MailboxInitCmd& message) {
-  if (take_usual_option(word, message)) return {};
-  return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
+Status parse_bytes(std::string_view text, std::vector<std::uint8_t>& bytes) {
+  auto data = parse_hex_data(text);
+  if (!data) return tl::unexpected(data.error());
+  bytes = std::move(*data);
+  return {};
+}
+
+Status parse_data(std::string_view& rest, MailboxInitCmd& message) {
+  const auto word = next_word(rest);
+  const auto digits = value_of(word, kData);
+  if (!digits) return bad_value(because("\"{text}\" is no data=HEX like data=0200", word));
+  return parse_bytes(*digits, message.data);
 }
 
 /// "0x09a8=0100" of a write, "0x0130*2" of a read.
@@ -49,11 +59,13 @@ Status parse_register_place(std::string_view text, RegisterCommand& command) {
   return {};
 }
 
-Status parse_bytes(std::string_view text, std::vector<std::uint8_t>& bytes) {
-  auto data = parse_hex_data(text);
-  if (!data) return tl::unexpected(data.error());
-  bytes = std::move(*data);
-  return {};
+/// "write" or "read", and where.
+Status parse_access(std::string_view& rest, RegisterCommand& command) {
+  const auto direction = next_word(rest);
+  command.read = direction == "read";
+  if (!command.read && direction != "write")
+    return bad_value(because("\"{text}\" is neither write nor read", direction));
+  return parse_register_place(next_word(rest), command);
 }
 
 Status parse_register_option(std::string_view word, RegisterCommand& command) {
@@ -85,29 +97,16 @@ Status check_expected(const RegisterCommand& command) {
 }  // namespace
 
 std::string format_message(const MailboxInitCmd& message) {
-  return fmt::format("{} {}{:02x}{}{}", format_transitions(message.transitions), kData, fmt::join(message.data, ""),
+  return fmt::format("{} {}{:02x}{}{}", transitions_text(message.transitions), kData, fmt::join(message.data, ""),
                      format_usual_options(message), format_comment(message.comment));
 }
 
 Result<MailboxInitCmd> parse_message(std::string_view text) {
-  MailboxInitCmd message;
-  auto rest = take_comment(text, message.comment);
-  if (!rest) return tl::unexpected(rest.error());
-  if (auto status = parse_transitions(next_word(*rest), message.transitions); !status) {
-    return tl::unexpected(status.error());
-  }
-  const auto word = next_word(*rest);
-  const auto digits = value_of(word, kData);
-  if (!digits) return bad_value(because("\"{text}\" is no data=HEX like data=0200", word));
-  if (auto status = parse_bytes(*digits, message.data); !status) return tl::unexpected(status.error());
-  for (auto option = next_word(*rest); !option.empty(); option = next_word(*rest)) {
-    if (auto status = parse_message_option(option, message); !status) return tl::unexpected(status.error());
-  }
-  return message;
+  return parse_command<MailboxInitCmd>(text, parse_data, parse_usual_option<MailboxInitCmd>);
 }
 
 std::string format_register(const RegisterCommand& command) {
-  std::string text = fmt::format("{} {} 0x{:04x}", format_transitions(command.transitions),
+  std::string text = fmt::format("{} {} 0x{:04x}", transitions_text(command.transitions),
                                  command.read ? "read" : "write", command.address);
   if (command.read) {
     text += fmt::format("*{}", command.data.size());
@@ -123,21 +122,9 @@ std::string format_register(const RegisterCommand& command) {
 }
 
 Result<RegisterCommand> parse_register(std::string_view text) {
-  RegisterCommand command;
-  auto rest = take_comment(text, command.comment);
-  if (!rest) return tl::unexpected(rest.error());
-  if (auto status = parse_transitions(next_word(*rest), command.transitions); !status) {
-    return tl::unexpected(status.error());
-  }
-  const auto direction = next_word(*rest);
-  command.read = direction == "read";
-  if (!command.read && direction != "write")
-    return bad_value(because("\"{text}\" is neither write nor read", direction));
-  if (auto status = parse_register_place(next_word(*rest), command); !status) return tl::unexpected(status.error());
-  for (auto word = next_word(*rest); !word.empty(); word = next_word(*rest)) {
-    if (auto status = parse_register_option(word, command); !status) return tl::unexpected(status.error());
-  }
-  if (auto status = check_expected(command); !status) return tl::unexpected(status.error());
+  auto command = parse_command<RegisterCommand>(text, parse_access, parse_register_option);
+  if (!command) return command;
+  if (auto status = check_expected(*command); !status) return tl::unexpected(status.error());
   return command;
 }
 

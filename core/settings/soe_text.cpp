@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "config/command_text.h"
+#include "protocol/soe.h"
 #include "reasons/because.h"
 #include "settings/command_words.h"
 #include "settings/number_text.h"
@@ -10,23 +12,8 @@
 namespace syncline::settings {
 namespace {
 
-/// "S-0-0047", "P-3-0100": standard or product, parameter set, block number.
-std::string format_idn(std::uint16_t idn) {
-  return fmt::format("{}-{}-{:04}", (idn & 0x8000) != 0 ? 'P' : 'S', idn >> 12 & 7, idn & 0xFFF);
-}
-
-std::optional<std::uint16_t> parse_idn(std::string_view text) {
-  if (text.size() < 5 || (text[0] != 'S' && text[0] != 'P') || text[1] != '-' || text[3] != '-') {
-    const auto number = parse_integer(text);
-    return number && *number >= 0 && *number <= 0xFFFF ? std::optional(static_cast<std::uint16_t>(*number))
-                                                       : std::nullopt;
-  }
-  const auto set = parse_integer(text.substr(2, 1)), block = parse_integer(text.substr(4));
-  if (!set || *set < 0 || *set > 7 || !block || *block < 0 || *block > 0xFFF) return std::nullopt;
-  return static_cast<std::uint16_t>((text[0] == 'P' ? 0x8000 : 0) | *set << 12 | *block);
-}
-
-Status parse_target(std::string_view text, SoeCommand& command) {
+Status parse_target(std::string_view& rest, SoeCommand& command) {
+  const auto text = next_word(rest);
   const auto colon = text.find(':');
   const auto equals = text.find('=');
   if (colon == std::string_view::npos || equals == std::string_view::npos || colon > equals) {
@@ -45,31 +32,27 @@ Status parse_target(std::string_view text, SoeCommand& command) {
   return {};
 }
 
-Status parse_option(std::string_view word, SoeCommand& command) {
-  if (take_usual_option(word, command)) return {};
-  return bad_value(because("\"{text}\" is none of fixed, off, timeout=MS", word));
-}
-
 }  // namespace
 
+std::optional<std::uint16_t> parse_idn(std::string_view text) {
+  if (text.size() < 5 || (text[0] != 'S' && text[0] != 'P') || text[1] != '-' || text[3] != '-') {
+    const auto number = parse_integer(text);
+    return number && *number >= 0 && *number <= 0xFFFF ? std::optional(static_cast<std::uint16_t>(*number))
+                                                       : std::nullopt;
+  }
+  const auto set = parse_integer(text.substr(2, 1)), block = parse_integer(text.substr(4));
+  if (!set || *set < 0 || *set > 7 || !block || *block < 0 || *block > 0xFFF) return std::nullopt;
+  return static_cast<std::uint16_t>((text[0] == 'P' ? 0x8000 : 0) | *set << 12 | *block);
+}
+
 std::string format_soe(const SoeCommand& command) {
-  return fmt::format("{} {}:{}={:02x}{}{}", format_transitions(command.transitions), command.drive,
-                     format_idn(command.idn), fmt::join(command.data, ""), format_usual_options(command),
+  return fmt::format("{} {}:{}={:02x}{}{}", transitions_text(command.transitions), command.drive,
+                     soe::idn_text(command.idn), fmt::join(command.data, ""), format_usual_options(command),
                      format_comment(command.comment));
 }
 
 Result<SoeCommand> parse_soe(std::string_view text) {
-  SoeCommand command;
-  auto rest = take_comment(text, command.comment);
-  if (!rest) return tl::unexpected(rest.error());
-  if (auto status = parse_transitions(next_word(*rest), command.transitions); !status) {
-    return tl::unexpected(status.error());
-  }
-  if (auto status = parse_target(next_word(*rest), command); !status) return tl::unexpected(status.error());
-  for (auto word = next_word(*rest); !word.empty(); word = next_word(*rest)) {
-    if (auto status = parse_option(word, command); !status) return tl::unexpected(status.error());
-  }
-  return command;
+  return parse_command<SoeCommand>(text, parse_target, parse_usual_option<SoeCommand>);
 }
 
 }  // namespace syncline::settings

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "config/command_text.h"
 #include "reasons/because.h"
 #include "settings/command_words.h"
 #include "settings/number_text.h"
@@ -11,7 +12,8 @@
 namespace syncline::settings {
 namespace {
 
-Status parse_object(std::string_view text, StartupCommand& command) {
+Status parse_object(std::string_view& rest, StartupCommand& command) {
+  const auto text = next_word(rest);
   const auto colon = text.find(':');
   const auto equals = text.find('=');
   if (colon == std::string_view::npos || equals == std::string_view::npos || colon > equals) {
@@ -45,7 +47,7 @@ Status parse_option(std::string_view word, StartupCommand& command) {
 }  // namespace
 
 std::string format_startup(const StartupCommand& command) {
-  std::string text = format_transitions(command.transitions);
+  std::string text = transitions_text(command.transitions);
   text += fmt::format(" 0x{:04x}:{:02x}={:02x}", command.index, command.sub_index, fmt::join(command.data, ""));
   if (command.complete_access) text += " complete";
   text += format_usual_options(command, command.adapt_automatically ? " adapt" : "");
@@ -53,16 +55,7 @@ std::string format_startup(const StartupCommand& command) {
 }
 
 Result<StartupCommand> parse_startup(std::string_view text) {
-  StartupCommand command;
-  auto rest = take_comment(text, command.comment);
-  if (!rest) return tl::unexpected(rest.error());
-  if (auto status = parse_transitions(next_word(*rest), command.transitions); !status)
-    return tl::unexpected(status.error());
-  if (auto status = parse_object(next_word(*rest), command); !status) return tl::unexpected(status.error());
-  for (auto word = next_word(*rest); !word.empty(); word = next_word(*rest)) {
-    if (auto status = parse_option(word, command); !status) return tl::unexpected(status.error());
-  }
-  return command;
+  return parse_command<StartupCommand>(text, parse_object, parse_option);
 }
 
 }  // namespace syncline::settings

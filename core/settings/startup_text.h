@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,5 +20,7 @@ namespace syncline::settings {
 /// As format_startup() for SoE: "PS 0:S-0-0047=0a00 fixed off timeout=500 # comment"; drive, IDN, data in wire order.
 [[nodiscard]] std::string format_soe(const SoeCommand& command);
 [[nodiscard]] Result<SoeCommand> parse_soe(std::string_view text);
+/// An IDN as soe::idn_text() writes it, or as a number of 16 bits; nothing for what is neither.
+[[nodiscard]] std::optional<std::uint16_t> parse_idn(std::string_view text);
 
 }  // namespace syncline::settings

@@ -14,4 +14,11 @@ namespace syncline {
   return value;
 }
 
+/// The same in two's complement; of none 0.
+[[nodiscard]] constexpr std::int64_t le_signed_number(std::span<const std::uint8_t> bytes) {
+  if (bytes.empty()) return 0;
+  const auto unused = bytes.size() < sizeof(std::uint64_t) ? 8 * (sizeof(std::uint64_t) - bytes.size()) : 0U;
+  return static_cast<std::int64_t>(le_number(bytes) << unused) >> unused;
+}
+
 }  // namespace syncline

@@ -15,6 +15,10 @@ inline constexpr Nanoseconds kMicrosecond = 1'000;
 inline constexpr Nanoseconds kMillisecond = 1'000'000;
 inline constexpr Nanoseconds kSecond = 1'000'000'000;
 
+[[nodiscard]] constexpr double to_milliseconds(Nanoseconds time) {
+  return static_cast<double>(time) / static_cast<double>(kMillisecond);
+}
+
 /// Seconds between the Unix epoch and the distributed-clocks epoch.
 inline constexpr std::int64_t kDcEpochUnixSeconds = 946'684'800;
 

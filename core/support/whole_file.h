@@ -21,8 +21,4 @@ inline constexpr std::size_t kLargestWholeFile = 128U << 20;
 [[nodiscard]] Status write_whole_file(const std::string& path, std::string_view content);
 [[nodiscard]] Status write_whole_file(const std::string& path, std::span<const std::uint8_t> bytes);
 
-[[nodiscard]] inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 }  // namespace syncline

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/floor_to.h"
 #include "support/large_pages.h"
 
 namespace syncline {
@@ -49,12 +50,6 @@ void put(std::vector<T>& ring, std::size_t slot, std::span<const T> values) {
   if (known == values.size()) return;
   grow(ring, values.size() - known);
   ring.insert(ring.end(), values.begin() + static_cast<std::ptrdiff_t>(known), values.end());
-}
-
-/// Largest multiple of `width` that is not above `time`.
-Nanoseconds floor_to(Nanoseconds time, Nanoseconds width) {
-  const auto rest = time % width;
-  return time - (rest < 0 ? rest + width : rest);
 }
 
 }  // namespace

@@ -14,14 +14,10 @@
 namespace syncline::eni {
 namespace {
 
-bool has(const InitCmd& cmd, Transition transition) {
-  return std::ranges::find(cmd.transitions, transition) != cmd.transitions.end();
-}
-
 /// Time-out of the check of `state` on a transition, as compile() derives the checks from the ESI's time-outs.
 void derive_timeout(const SlaveConfig& slave, Transition transition, AlState state, std::uint32_t& timeout) {
   for (const InitCmd& cmd : slave.init_cmds) {
-    if (has(cmd, transition) && cmd.ado == reg::kAlStatus && cmd.validate && !cmd.validate->data.empty() &&
+    if (has_transition(cmd, transition) && cmd.ado == reg::kAlStatus && cmd.validate && !cmd.validate->data.empty() &&
         al_state_of(cmd.validate->data.front()) == state) {
       timeout = cmd.validate->timeout_ms;
       return;
@@ -32,7 +28,7 @@ void derive_timeout(const SlaveConfig& slave, Transition transition, AlState sta
 void derive_op_only(SlaveConfig& slave) {
   for (auto& manager : slave.sync_managers) {
     manager.description.op_only = std::ranges::any_of(slave.init_cmds, [&](const InitCmd& cmd) {
-      return has(cmd, Transition::kSO) && cmd.ado == reg::sync_manager(manager.number);
+      return has_transition(cmd, Transition::kSO) && cmd.ado == reg::sync_manager(manager.number);
     });
   }
 }
@@ -42,7 +38,7 @@ void derive_assign_activate(SlaveConfig& slave) {
     return;
   }
   for (const InitCmd& cmd : slave.init_cmds) {
-    if (has(cmd, Transition::kPS) && cmd.ado == reg::kCyclicUnitControl && cmd.data.size() >= 2) {
+    if (has_transition(cmd, Transition::kPS) && cmd.ado == reg::kCyclicUnitControl && cmd.data.size() >= 2) {
       slave.dc->assign_activate = load_le<std::uint16_t>(cmd.data);
     }
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/byte_order.h"
+#include "support/text_bytes.h"
 #include "support/types.h"
 #include "support/whole_file.h"
 

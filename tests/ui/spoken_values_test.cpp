@@ -53,7 +53,7 @@ QSet<QString> paintedClasses() {
     names.insert(QStringLiteral("syncline::ui::") + last);
   }
   // They paint a background, and their parts stand on it; or Qt knows how to say what they hold.
-  for (const char* name : {"Card", "OverlayBar", "RecordingBar", "RunBar", "TopologyView", "ReplaySlider"}) {
+  for (const char* name : {"Card", "NoticeBar", "OverlayBar", "TopologyView", "ReplaySlider"}) {
     EXPECT_TRUE(names.remove(QStringLiteral("syncline::ui::") + QLatin1String(name))) << name;
   }
   return names;

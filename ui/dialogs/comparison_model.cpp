@@ -64,7 +64,7 @@ bool isName(const std::string& key) { return key.ends_with(".name") || key.start
 
 }  // namespace
 
-ComparisonModel::ComparisonModel(QObject* parent) : QAbstractItemModel(parent) {}
+ComparisonModel::ComparisonModel(QObject* parent) : GroupedModel(parent) {}
 
 void ComparisonModel::setCompared(const Compared& compared, const QString& left, const QString& right,
                                   std::optional<bool> project_is_left) {
@@ -122,27 +122,11 @@ int ComparisonModel::differences() const {
   return static_cast<int>(count);
 }
 
-QModelIndex ComparisonModel::index(int row, int column, const QModelIndex& parent) const {
-  if (!hasIndex(row, column, parent)) return {};
-  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : quintptr{0});
-}
-
-QModelIndex ComparisonModel::parent(const QModelIndex& child) const {
-  if (!child.isValid() || child.internalId() == 0) return {};
-  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
-}
-
-int ComparisonModel::rowCount(const QModelIndex& parent) const {
-  if (!parent.isValid()) return static_cast<int>(nodes_.size());
-  if (parent.internalId() != 0 || parent.column() != 0) return 0;
-  return static_cast<int>(nodes_[static_cast<std::size_t>(parent.row())].lines.size());
-}
-
 int ComparisonModel::columnCount(const QModelIndex&) const { return kColumns; }
 
 const ComparisonModel::Line* ComparisonModel::line(const QModelIndex& index) const {
-  if (index.internalId() == 0) return nullptr;
-  return &nodes_[index.internalId() - 1].lines[static_cast<std::size_t>(index.row())];
+  const auto member = memberOf(index);
+  return member ? &nodes_[groupOf(index)].lines[*member] : nullptr;
 }
 
 int ComparisonModel::projectNode(const Node& node) const {
@@ -186,7 +170,7 @@ QVariant ComparisonModel::nodeData(const Node& node, int column, int role) const
 QVariant ComparisonModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const auto* one = line(index);
-  const auto& node = nodes_[one == nullptr ? static_cast<std::size_t>(index.row()) : index.internalId() - 1];
+  const auto& node = nodes_[groupOf(index)];
   if (role == kNodeRole) return projectNode(node);
   if (one == nullptr) return nodeData(node, index.column(), role);
   switch (role) {

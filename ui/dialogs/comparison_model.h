@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QAbstractItemModel>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -9,6 +8,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "ui/models/grouped_model.h"
 
 namespace syncline {
 struct ConfigDifference;
@@ -20,7 +21,7 @@ namespace syncline::ui {
 struct Compared;
 
 /// What two machines have otherwise: the network and its slaves, and below each what differs.
-class ComparisonModel final : public QAbstractItemModel {
+class ComparisonModel final : public GroupedModel {
   Q_OBJECT
 
  public:
@@ -40,12 +41,13 @@ class ComparisonModel final : public QAbstractItemModel {
                    std::optional<bool> project_is_left);
   [[nodiscard]] int differences() const;
 
-  [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ protected:
+  [[nodiscard]] int groups() const override { return static_cast<int>(nodes_.size()); }
+  [[nodiscard]] int members(std::size_t group) const override { return static_cast<int>(nodes_[group].lines.size()); }
 
  private:
   struct Line {

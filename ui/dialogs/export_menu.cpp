@@ -16,6 +16,7 @@
 #include "ui/files/held_file.h"
 #include "ui/files/save_name.h"
 #include "ui/session/workspace.h"
+#include "ui/text/units.h"
 
 namespace syncline::ui {
 namespace {
@@ -30,8 +31,6 @@ constexpr std::array<std::pair<std::string_view, const char*>, 6> kTitles{{
     {"svg", QT_TRANSLATE_NOOP("ExportMenu", "&Topology (SVG)…")},
 }};
 
-QString fromTable(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())); }
-
 }  // namespace
 
 ExportMenu::ExportMenu(Workspace& workspace, const FileCommands& files, QWidget& window, std::function<bool()> commit)
@@ -44,9 +43,9 @@ ExportMenu::ExportMenu(Workspace& workspace, const FileCommands& files, QWidget&
   for (const auto& format : exports::formats()) {
     const auto title = std::ranges::find(kTitles, format.name, [](const auto& one) { return one.first; });
     const auto text =
-        title == kTitles.end() ? fromTable(format.what) : QCoreApplication::translate("ExportMenu", title->second);
+        title == kTitles.end() ? fromView(format.what) : QCoreApplication::translate("ExportMenu", title->second);
     auto* action = addAction(text);
-    action->setObjectName(QStringLiteral("export-") + fromTable(format.name));
+    action->setObjectName(QStringLiteral("export-") + fromView(format.name));
     connect(action, &QAction::triggered, this, [this, &format, text] { ask(format, text); });
   }
   const auto update = [this] {
@@ -59,7 +58,7 @@ ExportMenu::ExportMenu(Workspace& workspace, const FileCommands& files, QWidget&
 
 void ExportMenu::ask(const exports::Format& format, const QString& title) {
   if (!commit_()) return;
-  const auto suffix = fromTable(format.suffix);
+  const auto suffix = fromView(format.suffix);
   const auto name = QString(title).remove(u'&').remove(u'…');
   const auto path = QFileDialog::getSaveFileName(&window_, name, files_.proposedExport(suffix),
                                                  QStringLiteral("*.%1").arg(QFileInfo(suffix).suffix()));

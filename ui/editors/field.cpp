@@ -17,11 +17,25 @@ Field* fieldOf(QWidget* widget) {
   return nullptr;
 }
 
-bool isCommandKey(const QWidget& field, const QKeyEvent& event) {
-  const QKeySequence keys(event.keyCombination());
+bool leavesToCommand(const QWidget& field, QEvent& event) {
+  if (event.type() != QEvent::ShortcutOverride) return false;
+  const QKeySequence keys(static_cast<QKeyEvent&>(event).keyCombination());
   const auto actions = field.window()->findChildren<QAction*>();
-  return std::ranges::any_of(
+  const bool command = std::ranges::any_of(
       actions, [&](const QAction* action) { return action->isEnabled() && action->shortcuts().contains(keys); });
+  if (command) event.ignore();
+  return command;
+}
+
+FieldKey takeKey(Field& field, QKeyEvent& event) {
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+    event.accept();
+    return field.commit() ? FieldKey::kTaken : FieldKey::kRefused;
+  }
+  if (event.key() != Qt::Key_Escape || !field.pending()) return FieldKey::kNone;
+  event.accept();
+  field.revert();
+  return FieldKey::kGivenUp;
 }
 
 void markField(QWidget& field, const QString& reason) {

@@ -22,9 +22,19 @@ class Field {
 /// The field that `widget` is or belongs to; null when there is none.
 [[nodiscard]] Field* fieldOf(QWidget* widget);
 
-/// The key belongs to a command of the window (an enabled action with that shortcut), so that the field must not take
-/// it for itself: undo, redo, export ...
-[[nodiscard]] bool isCommandKey(const QWidget& field, const QKeyEvent& event);
+/// A key that belongs to a command of the window (an enabled action with that shortcut: undo, redo, export ...) must
+/// not be taken by the field for itself. True: that was it, and the event is over for the field.
+[[nodiscard]] bool leavesToCommand(const QWidget& field, QEvent& event);
+
+/// What a field does on a key, by itself.
+enum class FieldKey {
+  kNone,     // nothing: it is typing
+  kTaken,    // Enter, the value was taken
+  kRefused,  // Enter, but it was not
+  kGivenUp,  // Escape
+};
+/// Enter offers what was typed, Escape gives it up where something is pending; the event is accepted then.
+FieldKey takeKey(Field& field, QKeyEvent& event);
 
 /// A menu that opens over the field does not end the typing.
 [[nodiscard]] inline bool leavesField(const QFocusEvent& event) { return event.reason() != Qt::PopupFocusReason; }

@@ -120,25 +120,12 @@ QSize NumberEdit::sizeHint() const {
   return style()->sizeFromContents(QStyle::CT_SpinBox, &option, text, this);
 }
 
-bool NumberEdit::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && isCommandKey(*this, static_cast<QKeyEvent&>(*event))) {
-    event->ignore();
-    return true;
-  }
-  return QAbstractSpinBox::event(event);
-}
+bool NumberEdit::event(QEvent* event) { return leavesToCommand(*this, *event) || QAbstractSpinBox::event(event); }
 
 void NumberEdit::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-    if (commit()) selectAll();
-    event->accept();
-  } else if (event->key() == Qt::Key_Escape && pending_) {
-    revert();
-    selectAll();
-    event->accept();
-  } else {
-    QAbstractSpinBox::keyPressEvent(event);
-  }
+  const auto key = takeKey(*this, *event);
+  if (key == FieldKey::kTaken || key == FieldKey::kGivenUp) selectAll();
+  if (key == FieldKey::kNone) QAbstractSpinBox::keyPressEvent(event);
 }
 
 void NumberEdit::focusOutEvent(QFocusEvent* event) {

@@ -50,24 +50,12 @@ void PresetEdit::revert() {
   markField(*this, {});
 }
 
-bool PresetEdit::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && isCommandKey(*this, static_cast<QKeyEvent&>(*event))) {
-    event->ignore();
-    return true;
-  }
-  return ChoiceEdit::event(event);
-}
+bool PresetEdit::event(QEvent* event) { return leavesToCommand(*this, *event) || ChoiceEdit::event(event); }
 
 void PresetEdit::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-    if (commit()) lineEdit()->selectAll();
-    event->accept();
-  } else if (event->key() == Qt::Key_Escape && pending_) {
-    revert();
-    event->accept();
-  } else {
-    ChoiceEdit::keyPressEvent(event);
-  }
+  const auto key = takeKey(*this, *event);
+  if (key == FieldKey::kTaken) lineEdit()->selectAll();
+  if (key == FieldKey::kNone) ChoiceEdit::keyPressEvent(event);
 }
 
 void PresetEdit::focusOutEvent(QFocusEvent* event) {

@@ -31,24 +31,12 @@ void TextEdit::revert() {
   markField(*this, {});
 }
 
-bool TextEdit::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && isCommandKey(*this, static_cast<QKeyEvent&>(*event))) {
-    event->ignore();
-    return true;
-  }
-  return QLineEdit::event(event);
-}
+bool TextEdit::event(QEvent* event) { return leavesToCommand(*this, *event) || QLineEdit::event(event); }
 
 void TextEdit::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
-    if (commit()) selectAll();
-    event->accept();
-  } else if (event->key() == Qt::Key_Escape && pending()) {
-    revert();
-    event->accept();
-  } else {
-    QLineEdit::keyPressEvent(event);
-  }
+  const auto key = takeKey(*this, *event);
+  if (key == FieldKey::kTaken) selectAll();
+  if (key == FieldKey::kNone) QLineEdit::keyPressEvent(event);
 }
 
 void TextEdit::focusOutEvent(QFocusEvent* event) {

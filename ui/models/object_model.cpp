@@ -11,7 +11,7 @@
 
 namespace syncline::ui {
 
-ObjectModel::ObjectModel(QObject* parent) : QAbstractItemModel(parent) {}
+ObjectModel::ObjectModel(QObject* parent) : GroupedModel(parent) {}
 
 void ObjectModel::setDictionary(Dictionary dictionary) {
   beginResetModel();
@@ -102,15 +102,14 @@ std::vector<std::uint8_t> ObjectModel::value(coe::ObjectAddress object) const {
 
 const DictionaryEntry* ObjectModel::entry(const QModelIndex& index) const {
   if (!index.isValid()) return nullptr;
-  if (index.internalId() != 0)
-    return &dictionary_[index.internalId() - 1].entries[static_cast<std::size_t>(index.row())];
+  if (const auto member = memberOf(index)) return &dictionary_[groupOf(index)].entries[*member];
   const auto& object = dictionary_[static_cast<std::size_t>(index.row())];
   return object.single && !object.entries.empty() ? &object.entries.front() : nullptr;
 }
 
 coe::ObjectAddress ObjectModel::address(const QModelIndex& index) const {
   if (!index.isValid()) return {};
-  const auto at = index.internalId() != 0 ? index.internalId() - 1 : static_cast<std::size_t>(index.row());
+  const auto at = groupOf(index);
   const auto* one = entry(index);
   return {dictionary_[at].index, one == nullptr ? std::uint8_t{0} : one->sub_index};
 }
@@ -127,20 +126,8 @@ QModelIndex ObjectModel::find(coe::ObjectAddress object, int column) const {
 
 // ---- the tree -----------------------------------------------------------------------------------
 
-QModelIndex ObjectModel::index(int row, int column, const QModelIndex& parent) const {
-  if (!hasIndex(row, column, parent)) return {};
-  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : quintptr{0});
-}
-
-QModelIndex ObjectModel::parent(const QModelIndex& child) const {
-  if (!child.isValid() || child.internalId() == 0) return {};
-  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
-}
-
-int ObjectModel::rowCount(const QModelIndex& parent) const {
-  if (!parent.isValid()) return static_cast<int>(dictionary_.size());
-  if (parent.internalId() != 0 || parent.column() != 0) return 0;
-  const auto& object = dictionary_[static_cast<std::size_t>(parent.row())];
+int ObjectModel::members(std::size_t group) const {
+  const auto& object = dictionary_[group];
   return object.single ? 0 : static_cast<int>(object.entries.size());
 }
 
@@ -163,8 +150,8 @@ QVariant ObjectModel::headerData(int section, Qt::Orientation orientation, int r
 
 QVariant ObjectModel::text(const QModelIndex& index) const {
   const auto* one = entry(index);
-  const auto top = index.internalId() == 0;
-  const auto& object = dictionary_[top ? static_cast<std::size_t>(index.row()) : index.internalId() - 1];
+  const bool top = !memberOf(index);
+  const auto& object = dictionary_[groupOf(index)];
   const auto address = this->address(index);
   switch (index.column()) {
     case kObject:
@@ -240,7 +227,7 @@ QVariant ObjectModel::data(const QModelIndex& index, int role) const {
       QString words = objectText(address(index));
       for (int column = kName; column < kColumnCount; ++column)
         words += u' ' + text(index.siblingAtColumn(column)).toString();
-      return index.internalId() == 0 ? words : words + u' ' + text(index.parent().siblingAtColumn(kName)).toString();
+      return !memberOf(index) ? words : words + u' ' + text(index.parent().siblingAtColumn(kName)).toString();
     }
     default:
       return {};

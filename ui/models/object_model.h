@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QAbstractItemModel>
 #include <map>
 #include <vector>
 
 #include "protocol/coe.h"
 #include "support/types.h"
 #include "ui/models/dictionary.h"
+#include "ui/models/grouped_model.h"
 
 namespace syncline::ui {
 
 /// Objects of a slave, below each its entries, with what was read of them. The first column is ticked where an entry is
 /// watched.
-class ObjectModel final : public QAbstractItemModel {
+class ObjectModel final : public GroupedModel {
   Q_OBJECT
 
  public:
@@ -48,9 +48,6 @@ class ObjectModel final : public QAbstractItemModel {
   /// What was read; empty: nothing yet.
   [[nodiscard]] std::vector<std::uint8_t> value(coe::ObjectAddress object) const;
 
-  [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
@@ -60,6 +57,10 @@ class ObjectModel final : public QAbstractItemModel {
  Q_SIGNALS:
   /// By the user's tick.
   void watchedChanged();
+
+ protected:
+  [[nodiscard]] int groups() const override { return static_cast<int>(dictionary_.size()); }
+  [[nodiscard]] int members(std::size_t group) const override;
 
  private:
   struct Reading {

@@ -15,27 +15,14 @@
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
-namespace {
-
-const std::vector<std::uint16_t>& assigned(const SlaveSettings& slave, PdoDirection direction) {
-  return direction == PdoDirection::kRx ? slave.assigned_rx_pdos : slave.assigned_tx_pdos;
-}
-
-const Pdo& effective(const SlaveSettings& slave, const Pdo& pdo) {
-  const auto changed = std::ranges::find(slave.changed_pdos, pdo.index, &Pdo::index);
-  return changed == slave.changed_pdos.end() ? pdo : *changed;
-}
-
-}  // namespace
-
 PdoModel::PdoModel(PdoDirection direction, QObject* parent) : QAbstractTableModel(parent), direction_(direction) {}
 
 void PdoModel::setSlave(const SlaveSettings& slave) {
-  chosen_ = assigned(slave, direction_);
+  chosen_ = slave.assigned_pdos(direction_);
   std::vector<Row> rows;
   for (const auto& pdo : pdos_of(slave, direction_)) {  // those of its modules, too
     const bool chosen = std::ranges::find(chosen_, pdo.index) != chosen_.end();
-    auto& row = rows.emplace_back(Row{effective(slave, pdo), chosen, {}});
+    auto& row = rows.emplace_back(Row{effective_pdo(slave, pdo), chosen, {}});
     row.pdo.sync_manager = chosen ? sync_manager_of(slave, direction_, pdo) : std::nullopt;  // as the ENI says it
   }
   const bool same_rows = std::ranges::equal(

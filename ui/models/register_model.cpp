@@ -12,7 +12,7 @@
 
 namespace syncline::ui {
 
-RegisterModel::RegisterModel(QObject* parent) : QAbstractItemModel(parent) { setUnits(8, 8); }
+RegisterModel::RegisterModel(QObject* parent) : GroupedModel(parent) { setUnits(8, 8); }
 
 void RegisterModel::setUnits(unsigned fmmus, unsigned sync_managers) {
   beginResetModel();
@@ -57,7 +57,7 @@ void RegisterModel::setNow(std::optional<Nanoseconds> now) {
 
 const reg::RegisterLayout* RegisterModel::layout(const QModelIndex& index) const {
   if (!index.isValid()) return nullptr;
-  return &layouts_[index.internalId() != 0 ? index.internalId() - 1 : static_cast<std::size_t>(index.row())];
+  return &layouts_[groupOf(index)];
 }
 
 std::vector<std::uint8_t> RegisterModel::value(std::uint16_t address) const {
@@ -67,22 +67,6 @@ std::vector<std::uint8_t> RegisterModel::value(std::uint16_t address) const {
 }
 
 // ---- the tree -----------------------------------------------------------------------------------
-
-QModelIndex RegisterModel::index(int row, int column, const QModelIndex& parent) const {
-  if (!hasIndex(row, column, parent)) return {};
-  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : quintptr{0});
-}
-
-QModelIndex RegisterModel::parent(const QModelIndex& child) const {
-  if (!child.isValid() || child.internalId() == 0) return {};
-  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
-}
-
-int RegisterModel::rowCount(const QModelIndex& parent) const {
-  if (!parent.isValid()) return static_cast<int>(layouts_.size());
-  if (parent.internalId() != 0 || parent.column() != 0) return 0;
-  return static_cast<int>(layouts_[static_cast<std::size_t>(parent.row())].fields.size());
-}
 
 int RegisterModel::columnCount(const QModelIndex&) const { return kColumnCount; }
 
@@ -110,7 +94,7 @@ QString RegisterModel::fieldText(const reg::RegisterLayout& layout, int field, i
 
 QString RegisterModel::text(const QModelIndex& index) const {
   const auto& one = *layout(index);
-  if (index.internalId() != 0) return fieldText(one, index.row(), index.column());
+  if (memberOf(index)) return fieldText(one, index.row(), index.column());
   const auto& reading = readings_[static_cast<std::size_t>(index.row())];
   switch (index.column()) {
     case kAddress:
@@ -135,7 +119,7 @@ QString RegisterModel::text(const QModelIndex& index) const {
 QVariant RegisterModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const auto& one = *layout(index);
-  const bool top = index.internalId() == 0;
+  const bool top = !memberOf(index);
   switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:

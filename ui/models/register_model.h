@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QAbstractItemModel>
 #include <QString>
 #include <optional>
 #include <vector>
 
 #include "protocol/register_layout.h"
 #include "support/types.h"
+#include "ui/models/grouped_model.h"
 
 namespace syncline::ui {
 
 /// Registers of an ESC, below each its bit fields, with what was read of them and how long ago.
-class RegisterModel final : public QAbstractItemModel {
+class RegisterModel final : public GroupedModel {
   Q_OBJECT
 
  public:
@@ -34,12 +34,15 @@ class RegisterModel final : public QAbstractItemModel {
   /// Empty: not read.
   [[nodiscard]] std::vector<std::uint8_t> value(std::uint16_t address) const;
 
-  [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ protected:
+  [[nodiscard]] int groups() const override { return static_cast<int>(layouts_.size()); }
+  [[nodiscard]] int members(std::size_t group) const override {
+    return static_cast<int>(layouts_[group].fields.size());
+  }
 
  private:
   struct Reading {

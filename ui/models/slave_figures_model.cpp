@@ -17,8 +17,6 @@ namespace {
 
 constexpr double kNoNumber = -std::numeric_limits<double>::infinity();
 
-Nanoseconds whole(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
-
 /// Two digits that count: "12 %", "0.031 %".
 QString shareText(double share) {
   if (share == 0) return QStringLiteral("0\u00A0%");
@@ -51,13 +49,13 @@ QString SlaveFiguresModel::textOf(int row, int column) const {
   if (column == kNow && one.role == ClockRole::kReference) return tr("reference");
   if (column == kNow && one.role == ClockRole::kNoDc) return tr("no DC");
   if (column == kNow)
-    return figures.is_present ? signedTimeText(whole(static_cast<double>(figures.newest->value))) : noText();
+    return figures.is_present ? signedTimeText(wholeNs(static_cast<double>(figures.newest->value))) : noText();
   if (column == kAge) return figures.newest ? timeText(figures.age) : noText();
   const auto& statistics = figures.statistics;
   if (statistics.count() == 0) return noText();
-  if (column == kMax) return timeText(whole(statistics.max_magnitude()));
-  if (column == kMean) return signedTimeText(whole(statistics.mean()));
-  if (column == kRms) return timeText(whole(statistics.rms()));
+  if (column == kMax) return timeText(wholeNs(statistics.max_magnitude()));
+  if (column == kMean) return signedTimeText(wholeNs(statistics.mean()));
+  if (column == kRms) return timeText(wholeNs(statistics.rms()));
   const auto share = figures.share_over(limit_);
   return share ? shareText(*share) : noText();
 }

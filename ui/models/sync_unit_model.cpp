@@ -10,13 +10,9 @@
 #include "ui/text/glossary.h"
 
 namespace syncline::ui {
-namespace {
+namespace {}  // namespace
 
-constexpr quintptr kUnitRow = 0;  // internal id; below a unit: its row + 1
-
-}  // namespace
-
-SyncUnitModel::SyncUnitModel(QObject* parent) : QAbstractItemModel(parent) {}
+SyncUnitModel::SyncUnitModel(QObject* parent) : GroupedModel(parent) {}
 
 void SyncUnitModel::setProject(const Project& project) {
   std::vector<Unit> units(1);
@@ -46,13 +42,13 @@ void SyncUnitModel::setProject(const Project& project) {
 }
 
 const UnitMember* SyncUnitModel::member(const QModelIndex& index) const {
-  if (!index.isValid() || index.internalId() == kUnitRow) return nullptr;
-  return &units_[index.internalId() - 1].members[static_cast<std::size_t>(index.row())];
+  const auto row = index.isValid() ? memberOf(index) : std::nullopt;
+  return row ? &units_[groupOf(index)].members[*row] : nullptr;
 }
 
 QString SyncUnitModel::unit(const QModelIndex& index) const {
   if (!index.isValid()) return {};
-  return units_[index.internalId() == kUnitRow ? static_cast<std::size_t>(index.row()) : index.internalId() - 1].name;
+  return units_[groupOf(index)].name;
 }
 
 QModelIndexList SyncUnitModel::find(int address) const {
@@ -60,26 +56,10 @@ QModelIndexList SyncUnitModel::find(int address) const {
   for (std::size_t unit = 0; unit < units_.size(); ++unit) {
     const auto& members = units_[unit].members;
     for (std::size_t row = 0; row < members.size(); ++row) {
-      if (members[row].address == address) found << createIndex(static_cast<int>(row), 0, unit + 1);
+      if (members[row].address == address) found << index(static_cast<int>(row), 0, index(static_cast<int>(unit), 0));
     }
   }
   return found;
-}
-
-QModelIndex SyncUnitModel::index(int row, int column, const QModelIndex& parent) const {
-  if (!hasIndex(row, column, parent)) return {};
-  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : kUnitRow);
-}
-
-QModelIndex SyncUnitModel::parent(const QModelIndex& index) const {
-  if (!index.isValid() || index.internalId() == kUnitRow) return {};
-  return createIndex(static_cast<int>(index.internalId()) - 1, 0, kUnitRow);
-}
-
-int SyncUnitModel::rowCount(const QModelIndex& parent) const {
-  if (!parent.isValid()) return static_cast<int>(units_.size());
-  if (parent.internalId() != kUnitRow || parent.column() != 0) return 0;
-  return static_cast<int>(units_[static_cast<std::size_t>(parent.row())].members.size());
 }
 
 int SyncUnitModel::columnCount(const QModelIndex&) const { return kColumns; }

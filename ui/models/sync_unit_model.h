@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QAbstractItemModel>
 #include <QString>
 #include <vector>
+
+#include "ui/models/grouped_model.h"
 
 namespace syncline {
 struct Project;
@@ -22,7 +23,7 @@ struct UnitMember {
 /// The slaves of each Sync Unit: above the units, the unnamed one of the base task first, and below each what is in it.
 /// Slaves without process data are in none. Dragged onto a unit, they are wanted there; nothing changes here before the
 /// edited project comes back.
-class SyncUnitModel final : public QAbstractItemModel {
+class SyncUnitModel final : public GroupedModel {
   Q_OBJECT
 
  public:
@@ -37,9 +38,6 @@ class SyncUnitModel final : public QAbstractItemModel {
   /// Rows of a slave: one, or two where its outputs are elsewhere than its inputs.
   [[nodiscard]] QModelIndexList find(int address) const;
 
-  [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
@@ -54,6 +52,10 @@ class SyncUnitModel final : public QAbstractItemModel {
 
  Q_SIGNALS:
   void moveWanted(const std::vector<syncline::ui::UnitMember>& members, const QString& unit);
+
+ protected:
+  [[nodiscard]] int groups() const override { return static_cast<int>(units_.size()); }
+  [[nodiscard]] int members(std::size_t group) const override { return static_cast<int>(units_[group].members.size()); }
 
  private:
   struct Unit {

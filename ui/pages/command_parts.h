@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "config/command_text.h"
 #include "settings/command_words.h"
 #include "settings/setting_type.h"
 #include "ui/editors/record_part.h"
@@ -73,9 +74,8 @@ RecordPart transitionPart(const CommandCodec<Command>& codec, const char* name) 
           .tip = CommandWords::tr("State changes at which the command is sent (ENI InitCmd/Transition)"),
           .kind = RecordPart::Kind::kSet,
           .width = 78,
-          .text = codec.text([](const Command& command) {
-            return QString::fromStdString(settings::format_transitions(command.transitions));
-          }),
+          .text = codec.text(
+              [](const Command& command) { return QString::fromStdString(transitions_text(command.transitions)); }),
           .put = codec.put([](Command& command, const QString& typed) -> Status {
             return settings::parse_transitions(typed.toStdString(), command.transitions);
           }),

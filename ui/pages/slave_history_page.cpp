@@ -131,8 +131,7 @@ QString SlaveHistoryPage::ownObstacle(const RunningSlave& slave) const {
   if (!slave.config->mailbox || !slave.config->mailbox->coe) {
     return tr("This slave does not speak CoE: it keeps no diagnosis history.");
   }
-  const auto state = slave.state();
-  if (state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp) return {};
+  if (has_mailbox_communication(slave.state())) return {};
   return tr("The history can be read from PREOP on: lead the slave there first.");
 }
 

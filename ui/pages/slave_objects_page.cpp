@@ -161,8 +161,7 @@ QString SlaveObjectsPage::ownObstacle(const RunningSlave& slave) const {
   if (!slave.config->mailbox || !slave.config->mailbox->coe) {
     return tr("This slave does not speak CoE: it has no objects. Its registers and EEPROM can be read all the same.");
   }
-  const auto state = slave.state();
-  if (state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp) return {};
+  if (has_mailbox_communication(slave.state())) return {};
   return tr("Objects can be read from PREOP on: lead the slave there first.");
 }
 

@@ -7,6 +7,7 @@
 #include "config/startup_origin.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
+#include "protocol/soe.h"
 #include "settings/startup_text.h"
 #include "ui/editors/record_part.h"
 #include "ui/pages/command_parts.h"
@@ -56,20 +57,15 @@ RecordPart valuePart(const ValueType& type) {
           })};
 }
 
-/// "S-0-0047" of "PS 0:S-0-0047=0a00".
-QString idnText(const SoeCommand& command) {
-  const auto text = QString::fromStdString(settings::format_soe(command));
-  return text.section(u':', 1).section(u'=', 0, 0);
-}
+QString idnText(const SoeCommand& command) { return QString::fromStdString(soe::idn_text(command.idn)); }
 
 Status setIdn(SoeCommand& command, const QString& typed) {
-  auto text = QString::fromStdString(settings::format_soe(command));
-  text.replace(u':' + idnText(command) + u'=', u':' + typed.trimmed() + u'=');
-  auto changed = settings::parse_soe(text.toStdString());
-  if (!changed)
+  const auto idn = settings::parse_idn(typed.trimmed().toStdString());
+  if (!idn) {
     return settings::bad_value(
         Reason::verbatim(CommandWords::tr("\"%1\" is no IDN like S-0-0047").arg(typed).toStdString()));
-  command.idn = changed->idn;
+  }
+  command.idn = *idn;
   return {};
 }
 

@@ -17,45 +17,29 @@ namespace {
 
 constexpr std::size_t kDeviationsShown = 3;  // what fits the legend beside the estimate
 constexpr std::size_t kCountersShown = 4;
-Nanoseconds rounded(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
-
-void colorSlots(const std::vector<SeriesItem*>& items, const SlaveSlots& slots_shown, const QPalette& palette) {
-  for (std::size_t i = 0; i < slots_shown.slots().size(); ++i) {
-    items[i]->setColor(plot_colors::trace(palette, slots_shown.slots()[i].color));
-  }
-}
-
-void hideAll(const std::vector<SeriesItem*>& items) {
-  for (auto* item : items) {
-    item->setSeries(nullptr);
-    item->setVisible(false);
-  }
-}
 
 }  // namespace
 
 // ---- deviation --------------------------------------------------------------------------------
 
 DeviationPanel::DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent)
-    : TracePanel(tr("DC deviation"), {tr("Deviation"), TracePlot::Quantity::kTime, 20, false}, view, cursors, parent),
-      largest_(plot()->addItem(tr("largest"), SeriesItem::Shape::kEnvelope)),
-      slots_(kDeviationsShown) {
+    : WorstSlavesPanel(tr("DC deviation"), {tr("Deviation"), TracePlot::Quantity::kTime, 20, false}, kDeviationsShown,
+                       view, cursors, parent),
+      largest_(plot()->addItem(tr("largest"), SeriesItem::Shape::kEnvelope)) {
   setObjectName(QStringLiteral("deviationPanel"));
   plot()->setObjectName(QStringLiteral("deviationPlot"));
   plot()->setToolTip(
       tr("Register 0x092C (System Time Difference) of the slaves that follow the reference clock. Largest: the "
          "wire-or of all of them read by BRD where nothing else is in it, else the largest of their latest "
          "readings. Lines: signed values of single slaves."));
-  for (int i = 0; i < kMostSlaves; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kLine));
-  hideAll(slaves_);
+  addCurves(SeriesItem::Shape::kLine);
   other_ = addOverlayItem(SeriesItem::Shape::kEnvelope);
 }
 
 void DeviationPanel::attachOverlay() { drawOverlay(*other_, largest_->title().text(), Signal::kDeviation); }
 
 void DeviationPanel::attach() {
-  slots_.clear();
-  hideAll(slaves_);
+  forgetWorst();
   largest_->setSeries(nullptr);
   if (!hasSource()) return;
   draw(*largest_, Signal::kDeviation);
@@ -70,45 +54,30 @@ void DeviationPanel::choose() {
     if (extent)
       scores[i] = std::max(std::abs(static_cast<double>(extent->min)), std::abs(static_cast<double>(extent->max)));
   }
-  if (!slots_.update(scores, pickedSlave())) return;
-  hideAll(slaves_);
-  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
-    const int slave = slots_.slots()[i].slave;
-    draw(*slaves_[i], Signal::kSlaveDeviation, static_cast<std::size_t>(slave));
-    slaves_[i]->setTitle(slaveName(slave));
-    slaves_[i]->setVisible(true);
-  }
+  if (!chooseWorst(scores, Signal::kSlaveDeviation)) return;
   colorItems();
   plot()->markDirty();
 }
 
-void DeviationPanel::setSlavesShown(int count) {
-  slots_.clear();
-  slots_.setCount(static_cast<std::size_t>(count));
-  hideAll(slaves_);
-  plot()->markDirty();
-  refreshText(true);
-}
-
 void DeviationPanel::colorItems() {
   largest_->setColor(plot_colors::envelope(palette()));
-  colorSlots(slaves_, slots_, palette());
+  colorWorst();
 }
 
 std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
   std::vector<LegendBar::Entry> result{entry(*largest_, time)};
   if (const auto reading = store().value(Signal::kDeviation, time)) {
-    result.front().value = timeText(rounded(static_cast<double>(reading->value)));
+    result.front().value = timeText(wholeNs(static_cast<double>(reading->value)));
   }
   nameOwn(result.front());
   if (other_->isVisible()) {
     result.push_back(overlayEntry(*other_, largest_->title().text(), time));
     // A magnitude has no sign.
     if (const auto reading = other_->valueAt(time))
-      result.back().value = timeText(rounded(static_cast<double>(reading->value)));
+      result.back().value = timeText(wholeNs(static_cast<double>(reading->value)));
   }
-  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
-    result.push_back(slaveEntry(*slaves_[i], slots_.slots()[i].slave, time));
+  for (std::size_t i = 0; i < worst().size(); ++i) {
+    result.push_back(slaveEntry(curve(i), worst()[i].slave, time));
   }
   return result;
 }
@@ -116,37 +85,32 @@ std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
 QString DeviationPanel::summary(Nanoseconds) const {
   const auto extent = store().series(Signal::kDeviation).extent(view().begin(), view().end() + 1);
   if (!extent) return {};
-  return tr("peak %1").arg(timeText(rounded(static_cast<double>(extent->max))));
+  return tr("peak %1").arg(timeText(wholeNs(static_cast<double>(extent->max))));
 }
 
 QString DeviationPanel::unitText(const SeriesItem&) const { return QStringLiteral("ns"); }
-QString DeviationPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
-QString DeviationPanel::spreadText(double half) const { return timeText(rounded(std::ceil(half))); }
+QString DeviationPanel::valueText(double value) const { return signedTimeText(wholeNs(value)); }
+QString DeviationPanel::spreadText(double half) const { return timeText(wholeNs(std::ceil(half))); }
 
 // ---- SM2 misses -------------------------------------------------------------------------------
 
 Sm2Panel::Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent)
-    : TracePanel(tr("SM2 events missed"), {tr("Events"), TracePlot::Quantity::kCount, 4, true}, view, cursors, parent),
-      slots_(kCountersShown) {
+    : WorstSlavesPanel(tr("SM2 events missed"), {tr("Events"), TracePlot::Quantity::kCount, 4, true}, kCountersShown,
+                       view, cursors, parent) {
   setObjectName(QStringLiteral("sm2Panel"));
   plot()->setObjectName(QStringLiteral("sm2Plot"));
   plot()->setToolTip(tr("SM event missed counter, object 0x1C32:0B or 0x1C32:0C of the slaves that have one."));
-  for (int i = 0; i < kMostSlaves; ++i) slaves_.push_back(plot()->addItem({}, SeriesItem::Shape::kStep));
-  hideAll(slaves_);
+  addCurves(SeriesItem::Shape::kStep);
   for (int i = 0; i < kMostSlaves; ++i) others_.push_back(addOverlayItem(SeriesItem::Shape::kStep));
 }
 
 void Sm2Panel::attachOverlay() {
   hideAll(others_);
-  for (std::size_t i = 0; i < slots_.slots().size(); ++i)
-    drawOverlay(*others_[i], slaves_[i]->title().text(), Signal::kSm2Missed,
-                static_cast<std::size_t>(slots_.slots()[i].slave));
+  for (std::size_t i = 0; i < worst().size(); ++i)
+    drawOverlay(*others_[i], curve(i).title().text(), Signal::kSm2Missed, static_cast<std::size_t>(worst()[i].slave));
 }
 
-void Sm2Panel::attach() {
-  slots_.clear();
-  hideAll(slaves_);
-}
+void Sm2Panel::attach() { forgetWorst(); }
 
 void Sm2Panel::choose() {
   std::vector<double> scores(store().slave_count(), -1);
@@ -155,29 +119,13 @@ void Sm2Panel::choose() {
     if (const auto last = series.at(view().last()))
       scores[i] = rate(series, view().end()) * 1e9 + static_cast<double>(last->value);
   }
-  if (!slots_.update(scores, pickedSlave())) return;
-  hideAll(slaves_);
-  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
-    const int slave = slots_.slots()[i].slave;
-    draw(*slaves_[i], Signal::kSm2Missed, static_cast<std::size_t>(slave));
-    slaves_[i]->setTitle(slaveName(slave));
-    slaves_[i]->setVisible(true);
-  }
+  if (!chooseWorst(scores, Signal::kSm2Missed)) return;
   attachOverlay();
   colorItems();
   plot()->markDirty();
 }
 
-void Sm2Panel::setSlavesShown(int count) {
-  slots_.clear();
-  slots_.setCount(static_cast<std::size_t>(count));
-  hideAll(slaves_);
-  hideAll(others_);
-  plot()->markDirty();
-  refreshText(true);
-}
-
-void Sm2Panel::colorItems() { colorSlots(slaves_, slots_, palette()); }
+void Sm2Panel::colorItems() { colorWorst(); }
 
 double Sm2Panel::rate(const MinMaxSeries& series, Nanoseconds until) const {
   const auto now = series.at(until);
@@ -192,9 +140,9 @@ double Sm2Panel::rate(const MinMaxSeries& series, Nanoseconds until) const {
 
 std::vector<LegendBar::Entry> Sm2Panel::entries(Nanoseconds time) const {
   std::vector<LegendBar::Entry> result;
-  for (std::size_t i = 0; i < slots_.slots().size(); ++i) {
-    const auto slave = slots_.slots()[i].slave;
-    result.push_back(slaveEntry(*slaves_[i], slave, time));
+  for (std::size_t i = 0; i < worst().size(); ++i) {
+    const auto slave = worst()[i].slave;
+    result.push_back(slaveEntry(curve(i), slave, time));
     nameOwn(result.back());
     if (!others_[i]->isVisible()) continue;
     const auto number = u'#' + QString::number(slave);
@@ -206,25 +154,22 @@ std::vector<LegendBar::Entry> Sm2Panel::entries(Nanoseconds time) const {
 
 QString Sm2Panel::summary(Nanoseconds time) const {
   double highest = 0;
-  const SeriesItem* worst = nullptr;
-  for (const auto* item : slaves_) {
-    if (!item->isVisible()) continue;
-    const double found = rate(*item->series(), std::min(time, view().end()));
-    if (worst == nullptr || found > highest) {
-      worst = item;
+  const SeriesItem* fastest = nullptr;
+  for (std::size_t i = 0; i < worst().size(); ++i) {
+    const auto& item = curve(i);
+    if (!item.isVisible()) continue;
+    const double found = rate(*item.series(), std::min(time, view().end()));
+    if (fastest == nullptr || found > highest) {
+      fastest = &item;
       highest = found;
     }
   }
-  if (worst == nullptr) return tr("no slave has this counter");
+  if (fastest == nullptr) return tr("no slave has this counter");
   if (highest == 0) return tr("none", "SM2 events missed in the range shown");
-  return tr("%1: %2/s").arg(worst->title().text(), QLocale().toString(highest, 'f', highest < 10 ? 2 : 0));
+  return tr("%1: %2/s").arg(fastest->title().text(), QLocale().toString(highest, 'f', highest < 10 ? 2 : 0));
 }
 
-const SeriesItem* Sm2Panel::primary() const {
-  const auto shown =
-      std::find_if(slaves_.begin(), slaves_.end(), [](const SeriesItem* item) { return item->isVisible(); });
-  return shown == slaves_.end() ? nullptr : *shown;
-}
+const SeriesItem* Sm2Panel::primary() const { return worst().empty() ? nullptr : &curve(0); }
 
 QString Sm2Panel::valueText(double value) const {
   return QLocale().toString(value, 'f', value == std::floor(value) ? 0 : 1);
@@ -287,8 +232,8 @@ QString DcmPanel::summary(Nanoseconds time) const {
 }
 
 QString DcmPanel::unitText(const SeriesItem&) const { return QStringLiteral("ns"); }
-QString DcmPanel::valueText(double value) const { return signedTimeText(rounded(value)); }
+QString DcmPanel::valueText(double value) const { return signedTimeText(wholeNs(value)); }
 QString DcmPanel::remark(Nanoseconds begin, Nanoseconds end) const { return stepText(source(), begin, end); }
-QString DcmPanel::spreadText(double half) const { return timeText(rounded(std::ceil(half))); }
+QString DcmPanel::spreadText(double half) const { return timeText(wholeNs(std::ceil(half))); }
 
 }  // namespace syncline::ui

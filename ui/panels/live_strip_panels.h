@@ -2,8 +2,7 @@
 #pragma once
 
 #include "record/run_record.h"
-#include "ui/plots/slave_slots.h"
-#include "ui/plots/trace_panel.h"
+#include "ui/panels/worst_slaves_panel.h"
 
 namespace syncline::ui {
 
@@ -11,15 +10,12 @@ class CursorSet;
 
 /// Wire-ored 0x092C of every cycle (an upper estimate of the largest deviation: magnitudes are ored, not
 /// compared) and the signed readings of the worst slaves, with the sync window.
-class DeviationPanel final : public TracePanel {
+class DeviationPanel final : public WorstSlavesPanel {
   Q_OBJECT
 
  public:
   DeviationPanel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
-  [[nodiscard]] const SlaveSlots& slots_shown() const { return slots_; }
   [[nodiscard]] std::optional<Signal> limitSignal() const override { return Signal::kDeviation; }
-  [[nodiscard]] int slavesShown() const override { return static_cast<int>(slots_.count()); }
-  void setSlavesShown(int count) override;
 
  protected:
   void attach() override;
@@ -36,24 +32,21 @@ class DeviationPanel final : public TracePanel {
 
  private:
   SeriesItem* largest_;
-  std::vector<SeriesItem*> slaves_;
   SeriesItem* other_;  // of the overlay
-  SlaveSlots slots_;
 };
 
 /// Counters of missed SM2 events of the slaves that have one, as steps, and their rate.
-class Sm2Panel final : public TracePanel {
+class Sm2Panel final : public WorstSlavesPanel {
   Q_OBJECT
 
  public:
   Sm2Panel(TimeView* view, CursorSet* cursors, QWidget* parent = nullptr);
-  [[nodiscard]] int slavesShown() const override { return static_cast<int>(slots_.count()); }
-  void setSlavesShown(int count) override;
 
  protected:
   void attach() override;
   void attachOverlay() override;
   void choose() override;
+  void cleared() override { hideAll(others_); }
   void colorItems() override;
   [[nodiscard]] std::vector<LegendBar::Entry> entries(Nanoseconds time) const override;
   [[nodiscard]] QString summary(Nanoseconds time) const override;
@@ -64,9 +57,7 @@ class Sm2Panel final : public TracePanel {
   /// Events a second of one slave over the stretch that is shown.
   [[nodiscard]] double rate(const MinMaxSeries& series, Nanoseconds until) const;
 
-  std::vector<SeriesItem*> slaves_;
   std::vector<SeriesItem*> others_;  // of the overlay, the same slaves
-  SlaveSlots slots_;
 };
 
 /// Error of the DCM controller: every cycle as an envelope, filtered as a line, and the drift.

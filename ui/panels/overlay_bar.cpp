@@ -16,7 +16,6 @@
 #include "ui/plots/plot_colors.h"
 #include "ui/session/recording_overlay.h"
 #include "ui/session/trigger_monitor.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/value_label.h"
 
@@ -29,7 +28,7 @@ constexpr int kSwatchSide = 10, kBarLeft = 14;
 }  // namespace
 
 OverlayBar::OverlayBar(RecordingOverlay& overlay, const TriggerMonitor& trigger, QWidget* parent)
-    : QFrame(parent), overlay_(overlay), trigger_(trigger) {
+    : NoticeBar(theme::Tone::kBusy, Qt::BottomEdge, parent), overlay_(overlay), trigger_(trigger) {
   setObjectName(QStringLiteral("overlayBar"));
   setAccessibleName(tr("Recording laid over the one that is shown"));
   auto* layout = new QHBoxLayout(this);
@@ -113,18 +112,10 @@ bool OverlayBar::eventFilter(QObject* watched, QEvent* event) {
   return QFrame::eventFilter(watched, event);
 }
 
-void OverlayBar::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.fillRect(rect(), theme::toneFill(palette(), theme::Tone::kBusy));
-  painter.fillRect(QRect(kBarLeft, (height() - kSwatchSide) / 2, kSwatchSide, kSwatchSide),
-                   plot_colors::overlay(palette()));
-  painter.setPen(theme::outline(palette()));
-  painter.drawLine(rect().bottomLeft(), rect().bottomRight());
-}
-
-void OverlayBar::changeEvent(QEvent* event) {
-  QFrame::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) update();
+void OverlayBar::paintEvent(QPaintEvent* event) {
+  NoticeBar::paintEvent(event);
+  QPainter(this).fillRect(QRect(kBarLeft, (height() - kSwatchSide) / 2, kSwatchSide, kSwatchSide),
+                          plot_colors::overlay(palette()));
 }
 
 }  // namespace syncline::ui

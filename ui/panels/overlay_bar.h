@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QFrame>
+#include "ui/widgets/notice_bar.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -14,7 +14,7 @@ class ValueLabel;
 
 /// Stands below the bar of the recording while another one lies over it: which, by what the two are aligned, by how
 /// much it is moved, and how to take it away.
-class OverlayBar final : public QFrame {
+class OverlayBar final : public NoticeBar {
   Q_OBJECT
 
  public:
@@ -25,7 +25,6 @@ class OverlayBar final : public QFrame {
   void refused(const QString& why);
 
  protected:
-  void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 

@@ -51,8 +51,6 @@ void addFigures(FigureCard& card) {
   card.addFigure(OverviewPanel::tr("max"), OverviewPanel::tr("Largest magnitude of all cycles since it was armed"));
 }
 
-Nanoseconds wholeNs(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
-
 }  // namespace
 
 OverviewPanel::OverviewPanel(QWidget* parent)

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/recording_bar.h"
 
-#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QPainter>
 #include <QToolButton>
 
 #include "ui/session/opened_recording.h"
 #include "ui/text/recorded_text.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/value_label.h"
 
@@ -21,7 +18,7 @@ constexpr int kLeastOfText = 14;  // of the text, so that it says what is shown
 }  // namespace
 
 RecordingBar::RecordingBar(OpenedRecording& recording, QWidget* transport, QWidget* parent)
-    : QFrame(parent), recording_(recording) {
+    : NoticeBar(theme::Tone::kBusy, Qt::BottomEdge, parent), recording_(recording) {
   setObjectName(QStringLiteral("recordingBar"));
   setAccessibleName(tr("Recording that is shown"));
   // One row, for height is what a small screen lacks: what it has no room for is told by pointing at it, and the title
@@ -52,18 +49,6 @@ void RecordingBar::refresh() {
   text_->setText(
       tr("Recording %1 (not live): %2").arg(QFileInfo(recording_.path()).fileName(), recordingText(recording_.run())));
   text_->setToolTip(recording_.path());
-}
-
-void RecordingBar::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.fillRect(rect(), theme::toneFill(palette(), theme::Tone::kBusy));
-  painter.setPen(theme::outline(palette()));
-  painter.drawLine(rect().bottomLeft(), rect().bottomRight());
-}
-
-void RecordingBar::changeEvent(QEvent* event) {
-  QFrame::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) update();
 }
 
 }  // namespace syncline::ui

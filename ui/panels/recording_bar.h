@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QFrame>
+#include "ui/widgets/notice_bar.h"
 
 namespace syncline::ui {
 
@@ -10,16 +10,12 @@ class ValueLabel;
 
 /// Stands above everything while a recording is shown: that it is one, of what, when, how long, its transport, and the
 /// way back.
-class RecordingBar final : public QFrame {
+class RecordingBar final : public NoticeBar {
   Q_OBJECT
 
  public:
   /// Takes the transport.
   RecordingBar(OpenedRecording& recording, QWidget* transport, QWidget* parent = nullptr);
-
- protected:
-  void changeEvent(QEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
 
  private:
   void refresh();

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/run_bar.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 
 #include "ui/session/run_difference.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/named.h"
 
 namespace syncline::ui {
 
-RunBar::RunBar(RunDifference& difference, QWidget* parent) : QFrame(parent), difference_(difference) {
+RunBar::RunBar(RunDifference& difference, QWidget* parent)
+    : NoticeBar(theme::Tone::kWarning, Qt::TopEdge, parent), difference_(difference) {
   setObjectName(QStringLiteral("runBar"));
   setAccessibleName(tr("Project and running machine"));
   auto* layout = new QHBoxLayout(this);
@@ -51,18 +49,6 @@ void RunBar::refresh() {
   apply_->setToolTip(difference_.applicable()
                          ? tr("Gives the parameters of the master synchronisation to the running machine")
                          : tr("Only parameters of the master synchronisation can be changed while the machine runs"));
-}
-
-void RunBar::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.fillRect(rect(), theme::toneFill(palette(), theme::Tone::kWarning));
-  painter.setPen(theme::outline(palette()));
-  painter.drawLine(rect().topLeft(), rect().topRight());
-}
-
-void RunBar::changeEvent(QEvent* event) {
-  QFrame::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) update();
 }
 
 }  // namespace syncline::ui

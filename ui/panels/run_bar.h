@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QFrame>
+#include "ui/widgets/notice_bar.h"
 
 class QLabel;
 class QPushButton;
@@ -11,7 +11,7 @@ namespace syncline::ui {
 class RunDifference;
 
 /// Stands above the pages while the project is not what the machine runs: what differs, and the ways to make them one.
-class RunBar final : public QFrame {
+class RunBar final : public NoticeBar {
   Q_OBJECT
 
  public:
@@ -21,10 +21,6 @@ class RunBar final : public QFrame {
   void differencesWanted();
   void restartWanted();
   void revertWanted();
-
- protected:
-  void changeEvent(QEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
 
  private:
   void refresh();

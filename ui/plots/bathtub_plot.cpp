@@ -10,8 +10,6 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
-#include "ui/plots/round_step.h"
-#include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/spoken_value.h"
@@ -19,8 +17,8 @@
 namespace syncline::ui {
 namespace {
 
-constexpr double kTubLeft = 52, kTubRight = 34, kTubTop = 20, kTubFoot = 20;
-constexpr int kTubMarks = 8, kDecades = 9;
+constexpr double kTubLeft = 52;
+constexpr int kDecades = 9;
 
 }  // namespace
 
@@ -39,39 +37,30 @@ void BathtubPlot::setPicture(Picture picture) {
   update();
 }
 
-QRectF BathtubPlot::area() const { return QRectF(rect()).adjusted(kTubLeft, kTubTop, -kTubRight, -kTubFoot); }
+Sync0Period BathtubPlot::period() const { return {*this, picture_.period, kTubLeft}; }
+QRectF BathtubPlot::area() const { return period().area(); }
 
 QPointF BathtubPlot::placeOf(double phase, double probability) const {
   const auto box = area();
-  return {box.left() + box.width() * phase / static_cast<double>(picture_.period),
-          box.top() - box.height() * std::log10(probability) / kDecades};
+  return {period().xOf(phase), box.top() - box.height() * std::log10(probability) / kDecades};
 }
 
 void BathtubPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (picture_.period <= 0) return;
-  drawAxes(painter);
+  period().drawMarks(painter);
+  drawDecades(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   drawWall(painter, picture_.bathtub.early, false);
   drawWall(painter, picture_.bathtub.late, true);
   painter.setRenderHint(QPainter::Antialiasing, false);
-  drawSync0(painter);
+  period().drawSync0(painter, picture_.calc_and_copy);
 }
 
-void BathtubPlot::drawAxes(QPainter& painter) const {
+void BathtubPlot::drawDecades(QPainter& painter) const {
   const auto box = area();
-  painter.setFont(smallFont(font()));
   const auto grid = QPen(plot_colors::grid(palette()), 0);
-  const double step = roundStep(static_cast<double>(picture_.period) / kTubMarks);
-  for (double at = 0; at <= static_cast<double>(picture_.period); at += step) {
-    const double x = placeOf(at, 1).x();
-    painter.setPen(grid);
-    painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
-    painter.setPen(theme::mutedText(palette()));
-    painter.drawText(QRectF(x - kTubRight, box.bottom() + 2, 2 * kTubRight, kTubFoot), Qt::AlignHCenter | Qt::AlignTop,
-                     cycleText(static_cast<Nanoseconds>(std::llround(at))));
-  }
   const int every = box.height() / kDecades < painter.fontMetrics().height() ? 3 : 1;
   for (int decade = 0; decade <= kDecades; ++decade) {
     const double y = placeOf(0, std::pow(10.0, -decade)).y();
@@ -98,23 +87,6 @@ void BathtubPlot::drawWall(QPainter& painter, const std::vector<ArrivalBathtub::
   QwtPainter::drawPolyline(&painter, QwtClipper::clippedPolygonF(area(), seen));
   painter.setPen(QPen(color, 1.6, Qt::DashLine));
   QwtPainter::drawPolyline(&painter, QwtClipper::clippedPolygonF(area(), guessed));
-}
-
-void BathtubPlot::drawSync0(QPainter& painter) const {
-  const auto box = area();
-  if (picture_.calc_and_copy) {
-    const double left =
-        placeOf(static_cast<double>(std::max<Nanoseconds>(picture_.period - *picture_.calc_and_copy, 0)), 1).x();
-    painter.fillRect(QRectF(left, box.top(), box.right() - left, box.height()), plot_colors::limitFill(palette()));
-    painter.setPen(QPen(plot_colors::limitLine(palette()), 0, Qt::DashLine));
-    painter.drawLine(QPointF(left, box.top()), QPointF(left, box.bottom()));
-  }
-  painter.setFont(smallFont(font()));
-  for (const double x : {box.left(), box.right()}) {
-    painter.setPen(QPen(palette().color(QPalette::Text), 2));
-    painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
-    painter.drawText(QRectF(x - kTubRight, 0, 2 * kTubRight, kTubTop), Qt::AlignCenter, QStringLiteral("SYNC0"));
-  }
 }
 
 }  // namespace syncline::ui

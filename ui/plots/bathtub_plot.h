@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "trace/arrival_bathtub.h"
+#include "ui/plots/sync0_period.h"
 
 namespace syncline::ui {
 
@@ -35,9 +36,9 @@ class BathtubPlot final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void drawAxes(QPainter& painter) const;
+  [[nodiscard]] Sync0Period period() const;
+  void drawDecades(QPainter& painter) const;
   void drawWall(QPainter& painter, const std::vector<ArrivalBathtub::Point>& wall, bool late) const;
-  void drawSync0(QPainter& painter) const;
 
   Picture picture_;
 };

@@ -8,18 +8,13 @@
 #include <utility>
 
 #include "ui/plots/plot_colors.h"
-#include "ui/plots/round_step.h"
 #include "ui/plots/small_font.h"
-#include "ui/text/units.h"
-#include "ui/theme/theme.h"
 #include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
 namespace {
 
 constexpr double kLeastStrength = 0.2;  // of the oldest
-constexpr double kCycleSide = 34, kCycleTop = 20, kCycleFoot = 20;
-constexpr int kMarks = 8;
 
 }  // namespace
 
@@ -39,34 +34,18 @@ void CyclePlot::setPicture(Picture picture) {
   update();
 }
 
-QRectF CyclePlot::area() const { return QRectF(rect()).adjusted(kCycleSide, kCycleTop, -kCycleSide, -kCycleFoot); }
-
-double CyclePlot::xOf(Nanoseconds phase) const {
-  return area().left() + area().width() * static_cast<double>(phase) / static_cast<double>(picture_.period);
-}
+Sync0Period CyclePlot::period() const { return {*this, picture_.period}; }
+QRectF CyclePlot::area() const { return period().area(); }
+double CyclePlot::xOf(Nanoseconds phase) const { return period().xOf(static_cast<double>(phase)); }
 
 void CyclePlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (picture_.period <= 0) return;
-  drawAxis(painter);
+  period().drawMarks(painter);
   drawBars(painter);
   drawNominal(painter);
-  drawSync0(painter);
-}
-
-void CyclePlot::drawAxis(QPainter& painter) const {
-  const auto box = area();
-  painter.setFont(smallFont(font()));
-  const double step = roundStep(static_cast<double>(picture_.period) / kMarks);
-  for (double at = 0; at <= static_cast<double>(picture_.period); at += step) {
-    const auto phase = static_cast<Nanoseconds>(std::llround(at));
-    painter.setPen(QPen(plot_colors::grid(palette()), 0));
-    painter.drawLine(QPointF(xOf(phase), box.top()), QPointF(xOf(phase), box.bottom()));
-    painter.setPen(theme::mutedText(palette()));
-    painter.drawText(QRectF(xOf(phase) - kCycleSide, box.bottom() + 2, 2 * kCycleSide, kCycleFoot),
-                     Qt::AlignHCenter | Qt::AlignTop, cycleText(phase));
-  }
+  period().drawSync0(painter, picture_.calc_and_copy);
 }
 
 void CyclePlot::drawBars(QPainter& painter) const {
@@ -98,24 +77,8 @@ void CyclePlot::drawNominal(QPainter& painter) const {
   painter.setFont(smallFont(font()));
   const auto word = tr("nominal");
   const double width = QFontMetricsF(painter.font()).horizontalAdvance(word) + 4;
-  if (x - width / 2 < box.left() + kCycleSide || x + width / 2 > box.right() - kCycleSide) return;
-  painter.drawText(QRectF(x - width / 2, 0, width, kCycleTop), Qt::AlignCenter, word);
-}
-
-void CyclePlot::drawSync0(QPainter& painter) const {
-  const auto box = area();
-  if (picture_.calc_and_copy) {
-    const double left = xOf(std::max<Nanoseconds>(picture_.period - *picture_.calc_and_copy, 0));
-    painter.fillRect(QRectF(left, box.top(), box.right() - left, box.height()), plot_colors::limitFill(palette()));
-    painter.setPen(QPen(plot_colors::limitLine(palette()), 0, Qt::DashLine));
-    painter.drawLine(QPointF(left, box.top()), QPointF(left, box.bottom()));
-  }
-  painter.setFont(smallFont(font()));
-  for (const double x : {box.left(), box.right()}) {
-    painter.setPen(QPen(palette().color(QPalette::Text), 2));
-    painter.drawLine(QPointF(x, box.top()), QPointF(x, box.bottom()));
-    painter.drawText(QRectF(x - kCycleSide, 0, 2 * kCycleSide, kCycleTop), Qt::AlignCenter, QStringLiteral("SYNC0"));
-  }
+  if (x - width / 2 < box.left() + Sync0Period::kSide || x + width / 2 > box.right() - Sync0Period::kSide) return;
+  painter.drawText(QRectF(x - width / 2, 0, width, Sync0Period::kTop), Qt::AlignCenter, word);
 }
 
 }  // namespace syncline::ui

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "trace/arrival_figures.h"
+#include "ui/plots/sync0_period.h"
 
 namespace syncline::ui {
 
@@ -39,10 +40,9 @@ class CyclePlot final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void drawAxis(QPainter& painter) const;
+  [[nodiscard]] Sync0Period period() const;
   void drawBars(QPainter& painter) const;
   void drawNominal(QPainter& painter) const;
-  void drawSync0(QPainter& painter) const;
 
   Picture picture_;
 };

@@ -14,17 +14,14 @@
 #include <limits>
 #include <utility>
 
+#include "support/floor_to.h"
+
 namespace syncline::ui {
 namespace {
 
 constexpr double kBreak = std::numeric_limits<double>::quiet_NaN();
 /// From this many samples a column on, columns are drawn instead of the samples.
 constexpr std::size_t kDense = 2;
-
-Nanoseconds floorTo(Nanoseconds time, Nanoseconds width) {
-  const auto rest = time % width;
-  return time - (rest < 0 ? rest + width : rest);
-}
 
 /// Screen place of a column's left edge.
 struct ColumnMap {
@@ -61,7 +58,7 @@ ColumnGrid ColumnGrid::of(Nanoseconds begin, Nanoseconds end, int columns) {
   grid.columns = std::max(columns, 1);
   grid.width = std::max<Nanoseconds>((end - begin + grid.columns / 2) / grid.columns, 1);
   // The newest sample lies in the last column.
-  grid.origin = floorTo(end, grid.width) - (grid.columns - 1) * grid.width;
+  grid.origin = floor_to(end, grid.width) - (grid.columns - 1) * grid.width;
   return grid;
 }
 

@@ -117,7 +117,6 @@ class TracePanel : public QWidget {
   void draw(SeriesItem& item, Signal signal, std::size_t slave = 0) const;
   [[nodiscard]] const TimeView& view() const { return *view_; }
   [[nodiscard]] LegendBar::Entry entry(const SeriesItem& item, Nanoseconds time) const;
-  /// The same for a slave's item, with its number as the short name.
   /// An item that draws the overlay, above the others and in its colour; nothing is drawn yet.
   [[nodiscard]] SeriesItem* addOverlayItem(SeriesItem::Shape shape);
   /// The item draws that signal of the overlay, and is titled by `name` and the file's; nothing where there is none, or
@@ -127,6 +126,7 @@ class TracePanel : public QWidget {
   [[nodiscard]] LegendBar::Entry overlayEntry(const SeriesItem& item, const QString& name, Nanoseconds time) const;
   /// Adds the file's name to an entry, while there is an overlay to tell it from.
   void nameOwn(LegendBar::Entry& entry) const;
+  /// As entry() for a slave's item, with its number as the short name.
   [[nodiscard]] LegendBar::Entry slaveEntry(const SeriesItem& item, int position, Nanoseconds time) const;
   [[nodiscard]] QString slaveName(int position) const;
 

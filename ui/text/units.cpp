@@ -42,6 +42,8 @@ QString timeText(Nanoseconds value) {
 
 QString signedTimeText(Nanoseconds value) { return value > 0 ? u'+' + timeText(value) : timeText(value); }
 
+Nanoseconds wholeNs(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
+
 QString runTimeText(Nanoseconds since_begin) {
   return withUnit(QLocale().toString(static_cast<double>(since_begin) / 1e9, 'f', 3), QStringLiteral("s"));
 }

@@ -27,8 +27,6 @@ constexpr int kStaleRounds = 4;
 /// counts in any case where the slave works.
 constexpr Nanoseconds kCatchingUp = 300 * kMillisecond, kMostCatchingUp = 500 * kMillisecond;
 
-double in_ms(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
-
 SyncState state_of(dc::SyncVerdict::State state) {
   switch (state) {
     case dc::SyncVerdict::State::kNotMonitored:
@@ -172,8 +170,7 @@ void SlavesSync::note_catching_up(std::size_t slave, Nanoseconds time) {
 /// just set drifts away before its loop has learned the quartz.
 bool SlavesSync::is_back(std::size_t slave, Nanoseconds time) const {
   const auto& [since, near_since] = returns_[slave];
-  const auto state = al_state_of(snapshot_.slaves[slave].al_status);
-  const bool works = state == AlState::kSafeop || state == AlState::kOp;
+  const bool works = has_process_data_communication(al_state_of(snapshot_.slaves[slave].al_status));
   if (works) return near_since.has_value() || (since && time - *since >= kMostCatchingUp);
   return near_since && time - *near_since >= kCatchingUp;
 }
@@ -206,7 +203,7 @@ void SlavesSync::report(Nanoseconds time, CycleSample& sample) {
   if (evidence.worst >= 0) dc.deviation_ns = evidence.worst_ns;
   dc.newest_age_ns = evidence.newest > 0 ? time - evidence.newest : -1;
   dc.oldest_age_ns = evidence.followers > 0 ? time - evidence.oldest : -1;
-  if (const auto settled = verdict_.settled_after()) dc.settled_after_ms = in_ms(*settled);
+  if (const auto settled = verdict_.settled_after()) dc.settled_after_ms = to_milliseconds(*settled);
   sample.slaves_sync = dc.state;
   const auto position = static_cast<std::size_t>(sample.slave_position);
   if (sample.slave_position >= 0 && readings_[position].follows) sample.flags |= CycleSample::kSlaveFollows;

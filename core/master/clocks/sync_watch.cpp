@@ -28,8 +28,6 @@ constexpr int kStaleCycles = 10;
 /// More is no drift of quartzes.
 constexpr double kMaxDriftPpm = 1'000;
 
-double milliseconds(Nanoseconds time) { return static_cast<double>(time) / static_cast<double>(kMillisecond); }
-
 }  // namespace
 
 SyncWatch::SyncWatch(const NetworkConfig& config, Snapshot& snapshot, const SlaveStates& states, EventTeller& teller,
@@ -224,7 +222,7 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
   dcm.obstacle = verdict_.obstacle();
   if (verdict_.in_sync()) {
     dcm.state = SyncState::kInSync;
-    if (!dcm.in_sync_after_ms) dcm.in_sync_after_ms = milliseconds(observation.send_time - start_);
+    if (!dcm.in_sync_after_ms) dcm.in_sync_after_ms = to_milliseconds(observation.send_time - start_);
   } else {
     // An error is no way to in sync.
     dcm.state = dcm.in_sync_after_ms || state.error_code != 0 ? SyncState::kOutOfSync : SyncState::kBusy;

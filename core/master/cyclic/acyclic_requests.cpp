@@ -81,8 +81,7 @@ std::optional<BriefError> AcyclicRequests::mailbox_refusal(const RequestTicket& 
   if (!mailbox) return none(brief("it has no mailbox"));
   if (!file && !mailbox->coe) return none(brief("it does not speak CoE"));
   const auto state = al_state_of(snapshot_.slaves[slave].al_status);
-  const bool up = state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp;
-  if (up || (file && state == AlState::kBoot)) return std::nullopt;
+  if (has_mailbox_communication(state) || (file && state == AlState::kBoot)) return std::nullopt;
   auto why = none(brief("its mailbox works from PREOP on, and it is in {state}; lead it there first"));
   why.why.word = al_state_name(state);
   return why;

@@ -27,8 +27,7 @@ bool CyclicMailbox::ready_for(std::size_t slave) const {
     return false;
   if (mailbox.wanted && mailbox.own_last) return false;  // by turns, however long each takes
   const auto& status = snapshot_.slaves[slave];
-  const auto state = al_state_of(status.al_status);
-  return status.present && (state == AlState::kPreop || state == AlState::kSafeop || state == AlState::kOp);
+  return status.present && has_mailbox_communication(al_state_of(status.al_status));
 }
 
 void CyclicMailbox::begin(std::size_t slave, coe::ObjectAddress object) {

@@ -33,8 +33,7 @@ constexpr Nanoseconds kLeadPatience = 10 * kSecond;
 /// Below SAFEOP a slave's clock may be in the middle of being set up.
 bool ReferenceClock::can_lead(std::size_t slave) const {
   const auto& status = snapshot_.slaves[slave];
-  const auto state = al_state_of(status.al_status);
-  return status.present && status.dc_enabled && (state == AlState::kSafeop || state == AlState::kOp);
+  return status.present && status.dc_enabled && has_process_data_communication(al_state_of(status.al_status));
 }
 
 void ReferenceClock::start(std::uint16_t home, std::uint16_t leader, bool by_place) {

@@ -117,8 +117,7 @@ void Sm2Reader::begin(Nanoseconds now) {
   next_start_ = now + kPeriod / static_cast<Nanoseconds>(counters_.size());
   current_ = (current_ + 1) % counters_.size();
   auto& counter = counters_[current_];
-  const auto state = al_state_of(snapshot_.slaves[counter.slave].al_status);
-  const bool counting = state == AlState::kSafeop || state == AlState::kOp;
+  const bool counting = has_process_data_communication(al_state_of(snapshot_.slaves[counter.slave].al_status));
   if (!counting || counter.has == 0 || !mailbox_.ready_for(counter.slave)) return;
   choose(counter);
   if ((counter.has & bit(counter.turn)) != 0) mailbox_.upload(counter.slave, object(counter));

@@ -63,8 +63,7 @@ bool WatchedValues::exchanges(const Place& place) const {
   if (place.what.slave < 0) return true;
   if (static_cast<std::size_t>(place.what.slave) >= snapshot_.slaves.size()) return false;
   const auto& slave = snapshot_.slaves[static_cast<std::size_t>(place.what.slave)];
-  const auto state = al_state_of(slave.al_status);
-  return slave.present && (state == AlState::kSafeop || state == AlState::kOp);
+  return slave.present && has_process_data_communication(al_state_of(slave.al_status));
 }
 
 void WatchedValues::take_outputs() {

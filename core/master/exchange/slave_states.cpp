@@ -41,7 +41,7 @@ void SlaveStates::set_al_status(std::size_t slave, std::uint16_t status, std::ui
   }
   const bool failed = (status & kAlErrorFlag) != 0;
   // From BOOT a slave goes by itself, with new firmware.
-  const bool operated = al_state_of(old) == AlState::kSafeop || al_state_of(old) == AlState::kOp;
+  const bool operated = has_process_data_communication(al_state_of(old));
   if (watched_for_others_ && operated && !failed && al_state_rank(state) < al_state_rank(al_state_of(old)))
     teller_.tell(time, position, events::LeftUnasked{al_state_of(old), state});
   const bool news = (old & kAlErrorFlag) == 0 || old_code != code || al_state_of(old) != al_state_of(status);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "protocol/foe.h"
+#include "support/text_bytes.h"
 
 namespace syncline {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 constexpr Nanoseconds kBusyPause = 20 * kMillisecond;
 constexpr Nanoseconds kBusyPatience = 60 * kSecond;
 constexpr int kMostDuplicates = 64;
-
-std::span<const std::uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
 
 }  // namespace
 

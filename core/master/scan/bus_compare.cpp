@@ -17,10 +17,7 @@ namespace {
 using comparison::DifferenceList;
 using Group = DifferenceGroup;
 
-bool runs(const ScannedSlave& slave) {
-  const AlState state = al_state_of(slave.al_status);
-  return state == AlState::kSafeop || state == AlState::kOp;
-}
+bool runs(const ScannedSlave& slave) { return has_process_data_communication(al_state_of(slave.al_status)); }
 
 class BusComparison {
  public:

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "config/device_description.h"
+#include "protocol/first_port.h"
 
 namespace syncline {
 namespace {
@@ -184,14 +185,12 @@ class EntrySearch {
 }  // namespace
 
 std::uint8_t entry_port(const PortReport& slave) {
-  std::optional<std::uint8_t> first;
-  for (std::uint8_t port = 0; port < kPortCount; ++port) {
-    if (!slave.dl_status.active(port)) continue;
-    const bool earlier = first && slave.receive_times &&
-                         static_cast<std::int32_t>((*slave.receive_times)[port] - (*slave.receive_times)[*first]) < 0;
-    if (!first || earlier) first = port;
-  }
-  return first.value_or(0);
+  std::array<bool, kPortCount> active{};
+  for (unsigned port = 0; port < kPortCount; ++port) active[port] = slave.dl_status.active(port);
+  const auto first = slave.receive_times ? first_port(active, *slave.receive_times) : std::nullopt;
+  if (first) return static_cast<std::uint8_t>(*first);
+  const auto any = std::ranges::find(active, true);
+  return any == active.end() ? std::uint8_t{0} : static_cast<std::uint8_t>(any - active.begin());
 }
 
 std::vector<SlaveWiring> find_wiring(std::span<const PortReport> slaves) {

@@ -7,6 +7,7 @@
 
 #include "config/network_config.h"
 #include "master/exchange/bus.h"
+#include "master/exchange/slave_name.h"
 #include "master/scan/bus_match.h"
 #include "master/sii/sii_access.h"
 #include "protocol/registers.h"
@@ -39,20 +40,15 @@ Status read_identities(Bus& bus, const std::vector<std::uint16_t>& positions, st
   return status;
 }
 
-std::string name_of(const NetworkConfig& config, std::size_t slave) {
-  const auto& name = config.slaves[slave].name;
-  return name.empty() ? fmt::format("slave {}", slave) : fmt::format("slave {} ({})", slave, name);
-}
-
 /// Where a missing slave should be, by its neighbours.
 Reason place_of(const NetworkConfig& config, std::size_t slave) {
   const auto& previous = config.slaves[slave].previous;
   if (!previous || previous->position >= config.slaves.size()) {
     return slave == 0 ? because("it should be the first on the bus")
-                      : because("it should follow {slave}", name_of(config, slave - 1));
+                      : because("it should follow {slave}", slave_name(config, slave - 1));
   }
   return because("it should hang at port {port} of {slave}", static_cast<char>('A' + (previous->port & 3)),
-                 name_of(config, previous->position));
+                 slave_name(config, previous->position));
 }
 
 }  // namespace
@@ -97,15 +93,16 @@ WantedDevice wanted_device(const NetworkConfig& config, std::size_t index) {
 std::vector<Error> explain(const BusMatch& match, const NetworkConfig& config, const std::vector<FoundDevice>& found) {
   std::vector<Error> errors;
   for (const auto& [first, second] : match.swapped) {
-    errors.push_back({ErrorCode::kSlavesSwapped, name_of(config, first), Reason::verbatim(name_of(config, second))});
+    errors.push_back(
+        {ErrorCode::kSlavesSwapped, slave_name(config, first), Reason::verbatim(slave_name(config, second))});
   }
   for (const auto slave : match.wrong) {
-    errors.push_back({ErrorCode::kIdentityMismatch, name_of(config, slave),
+    errors.push_back({ErrorCode::kIdentityMismatch, slave_name(config, slave),
                       because("expected {wanted}, found {found}", to_string(config.slaves[slave].identity),
                               to_string(found[slave].identity))});
   }
   for (const auto slave : match.missing) {
-    errors.push_back({ErrorCode::kSlaveMissing, name_of(config, slave), place_of(config, slave)});
+    errors.push_back({ErrorCode::kSlaveMissing, slave_name(config, slave), place_of(config, slave)});
   }
   for (const auto position : match.extra) {
     errors.push_back({ErrorCode::kSlaveExtra, to_string(found[position].identity),

@@ -31,10 +31,6 @@ std::string hex_bytes(std::span<const std::uint8_t> bytes) { return fmt::format(
 
 }  // namespace
 
-bool has_transition(const InitCmd& command, Transition transition) {
-  return std::ranges::find(command.transitions, transition) != command.transitions.end();
-}
-
 bool requests_state(const InitCmd& command, AlState state) {
   return command.ado == reg::kAlControl && writes(command.command) && !is_logical(command.command) &&
          !command.data.empty() && al_state_of(command.data[0]) == state;

@@ -73,7 +73,6 @@ Status run_init_cmd(Bus& bus, const InitCmd& command, const std::string& subject
 /// Time between two tries: cycles bring their own, without them a millisecond.
 [[nodiscard]] Nanoseconds init_cmd_pause(const Bus& bus);
 
-[[nodiscard]] bool has_transition(const InitCmd& command, Transition transition);
 /// Writes AL control with this state (the error acknowledge bit does not matter).
 [[nodiscard]] bool requests_state(const InitCmd& command, AlState state);
 

@@ -206,7 +206,7 @@ void Device::al_control_written(Nanoseconds time) {
     const auto control = esc_.al().control();
     state_ = al_state_of(control);
     esc_.al().set_status(control & 0x000F);
-    if (state_ == AlState::kSafeop || state_ == AlState::kOp) process_data_.map();
+    if (exchanges_process_data()) process_data_.map();
     on_state(state_);
     return;
   }

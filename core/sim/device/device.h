@@ -167,7 +167,7 @@ class Device : public Esc::Listener {
   [[nodiscard]] bool needs_outputs() const { return process_data_.byte_length(PdoDirection::kRx) > 0; }
   [[nodiscard]] std::uint16_t check(AlState from, AlState to);
   void answer_mail();
-  [[nodiscard]] bool exchanges_process_data() const { return state_ == AlState::kSafeop || state_ == AlState::kOp; }
+  [[nodiscard]] bool exchanges_process_data() const { return has_process_data_communication(state_); }
   /// Adds the objects that every device has; they must be there before the PDOs map them.
   const DeviceDescription& identify();
 

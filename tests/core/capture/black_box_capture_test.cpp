@@ -3,6 +3,7 @@
 
 #include "capture/pcap_reader.h"
 #include "support/random.h"
+#include "support/text_bytes.h"
 #include "support/whole_file.h"
 #include "tests/support/black_box_file.h"
 #include "tests/support/pcapng_file.h"

@@ -14,6 +14,7 @@
 
 #include "config/network_config.h"
 #include "support/random.h"
+#include "support/text_bytes.h"
 #include "support/whole_file.h"
 #include "tests/support/black_box_file.h"
 #include "tests/support/pcapng_file.h"

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/sync0_period.h"
+
+#include <QPainter>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/plot_colors.h"
+#include "ui/plots/round_step.h"
+#include "ui/plots/small_font.h"
+#include "ui/text/units.h"
+#include "ui/theme/theme.h"
+
+namespace syncline::ui {
+namespace {
+
+constexpr int kMarks = 8;  // at most
+
+}  // namespace
+
+Sync0Period::Sync0Period(const QWidget& plot, Nanoseconds period, double left)
+    : plot_(plot), period_(period), area_(QRectF(plot.rect()).adjusted(left, kTop, -kSide, -kFoot)) {}
+
+void Sync0Period::drawMarks(QPainter& painter) const {
+  const auto palette = plot_.palette();
+  painter.setFont(smallFont(plot_.font()));
+  const double step = roundStep(static_cast<double>(period_) / kMarks);
+  for (double at = 0; at <= static_cast<double>(period_); at += step) {
+    const double x = xOf(at);
+    painter.setPen(QPen(plot_colors::grid(palette), 0));
+    painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
+    painter.setPen(theme::mutedText(palette));
+    painter.drawText(QRectF(x - kSide, area_.bottom() + 2, 2 * kSide, kFoot), Qt::AlignHCenter | Qt::AlignTop,
+                     cycleText(static_cast<Nanoseconds>(std::llround(at))));
+  }
+}
+
+void Sync0Period::drawSync0(QPainter& painter, std::optional<Nanoseconds> calc_and_copy) const {
+  const auto palette = plot_.palette();
+  if (calc_and_copy) {
+    const double left = xOf(static_cast<double>(std::max<Nanoseconds>(period_ - *calc_and_copy, 0)));
+    painter.fillRect(QRectF(left, area_.top(), area_.right() - left, area_.height()), plot_colors::limitFill(palette));
+    painter.setPen(QPen(plot_colors::limitLine(palette), 0, Qt::DashLine));
+    painter.drawLine(QPointF(left, area_.top()), QPointF(left, area_.bottom()));
+  }
+  painter.setFont(smallFont(plot_.font()));
+  for (const double x : {area_.left(), area_.right()}) {
+    painter.setPen(QPen(palette.color(QPalette::Text), 2));
+    painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
+    painter.drawText(QRectF(x - kSide, 0, 2 * kSide, kTop), Qt::AlignCenter, QStringLiteral("SYNC0"));
+  }
+}
+
+}  // namespace syncline::ui
