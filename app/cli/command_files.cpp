@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/composition/link_files.h"
+#include "sqlite/database_files.h"
 
 namespace syncline::cli {
 namespace {
@@ -32,6 +33,10 @@ void add_esi_files(std::vector<NamedFile>& files, const NamedFile& folder) {
   }
 }
 
+std::vector<std::string> files_of(const std::string& database) {
+  return database.empty() ? std::vector<std::string>{} : database_files(database);
+}
+
 }  // namespace
 
 CommandFiles& CommandFiles::reads(std::string_view option, const std::string& path) {
@@ -40,7 +45,7 @@ CommandFiles& CommandFiles::reads(std::string_view option, const std::string& pa
 }
 
 CommandFiles& CommandFiles::reads_recording(std::string_view option, const std::string& path) {
-  for (const char* const beside : {"", "-wal", "-journal"}) add(read_, option, path.empty() ? path : path + beside);
+  for (const auto& file : files_of(path)) add(read_, option, file);
   return *this;
 }
 
@@ -60,9 +65,7 @@ CommandFiles& CommandFiles::writes(std::string_view option, const std::string& p
 }
 
 CommandFiles& CommandFiles::writes_database(std::string_view option, const std::string& path) {
-  for (const char* const beside : {"", "-wal", "-shm", "-journal"}) {
-    add(written_, option, path.empty() ? path : path + beside);
-  }
+  for (const auto& file : files_of(path)) add(written_, option, file);
   return *this;
 }
 

@@ -65,6 +65,7 @@ void import_from(Context& context, ImportOptions& options) {
   const auto distinct = CommandFiles().reads("file", options.file).writes_database("out", options.out).check();
   if (!distinct) return context.fail_with(distinct.error());
   if (const auto status = take_range(options); !status) return context.fail_with(status.error());
+  if (const auto status = may_write_recording(options.out); !status) return context.fail_with(status.error());
   const auto run = imported_run(options);
   if (!run) return context.fail_with(run.error());
   if (const auto status = write_recording(*run, options.out); !status) return context.fail_with(status.error());

@@ -14,8 +14,10 @@
 #include "findings/recording_words.h"
 #include "findings/sentence.h"
 #include "reasons/because.h"
+#include "record/recording_schema.h"
 #include "record/recording_writer.h"
 #include "record/replay_run.h"
+#include "sqlite/database_files.h"
 #include "support/utf8.h"
 #include "trace/dcm_log.h"
 #include "trace/untold.h"
@@ -362,6 +364,18 @@ Result<ImportedRun> import_run_table(std::string_view text, const std::string& n
   return run;
 }
 
+Status write_all(const ImportedRun& run, RecordingWriter& writer) {
+  constexpr std::size_t kPortion = 1U << 14;
+  for (std::size_t i = 0; i < run.samples.size(); i += kPortion) {
+    const auto end = std::min(i + kPortion, run.samples.size());
+    RecordingBatch batch;
+    batch.samples.assign(run.samples.begin() + static_cast<std::ptrdiff_t>(i),
+                         run.samples.begin() + static_cast<std::ptrdiff_t>(end));
+    if (auto status = writer.write(batch); !status) return status;
+  }
+  return writer.finish("end of the file", recorded(run.findings));
+}
+
 }  // namespace
 
 std::optional<TableKind> table_kind(std::string_view text) {
@@ -412,18 +426,16 @@ ReplayedRun replayed(const ImportedRun& run) {
   return replayed;
 }
 
+Status may_write_recording(const std::string& path) { return check_new_recording(path); }
+
 Status write_recording(const ImportedRun& run, const std::string& path) {
-  constexpr std::size_t kPortion = 1U << 14;
   auto writer = RecordingWriter::create(path, run.about);
   if (!writer) return tl::unexpected(writer.error());
-  for (std::size_t i = 0; i < run.samples.size(); i += kPortion) {
-    const auto end = std::min(i + kPortion, run.samples.size());
-    RecordingBatch batch;
-    batch.samples.assign(run.samples.begin() + static_cast<std::ptrdiff_t>(i),
-                         run.samples.begin() + static_cast<std::ptrdiff_t>(end));
-    if (auto status = writer->write(batch); !status) return status;
-  }
-  return writer->finish("end of the file", recorded(run.findings));
+  auto status = write_all(run, *writer);
+  if (status) return status;
+  writer = tl::unexpected(status.error());  // closed before its file goes: half of an import is none
+  remove_database(path);
+  return status;
 }
 
 }  // namespace syncline

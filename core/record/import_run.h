@@ -51,7 +51,9 @@ void count_cycles(std::vector<CycleSample>& samples);
 
 /// As if it had been recorded and opened: with slaves by their numbers, no events, and findings about the file alone.
 [[nodiscard]] ReplayedRun replayed(const ImportedRun& run);
-/// To a new recording. As RecordingWriter::create().
+/// Before much is read for it: whether write_recording() would make a file of this name. kFileNotWritable.
+[[nodiscard]] Status may_write_recording(const std::string& path);
+/// To a new recording, or to none. As RecordingWriter::create() and write().
 [[nodiscard]] Status write_recording(const ImportedRun& run, const std::string& path);
 
 }  // namespace syncline

@@ -12,6 +12,7 @@
 #include "record/recorded_event.h"
 #include "record/recording_writer.h"
 #include "record/run_record.h"
+#include "sqlite/database_files.h"
 
 namespace syncline {
 namespace {
@@ -110,10 +111,7 @@ Status save_recent(const std::string& path, const RecentRun& run) {
   auto status = write_all(*writer, run);
   if (status) return {};
   // Half of it is none: what was there is still in memory.
-  for (const char* const beside : {"", "-wal", "-shm"}) {
-    std::error_code error;
-    std::filesystem::remove(path + beside, error);
-  }
+  remove_database(path);
   return status;
 }
 

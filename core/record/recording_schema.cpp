@@ -13,6 +13,7 @@
 #include "findings/recording_words.h"
 #include "findings/sentence.h"
 #include "reasons/because.h"
+#include "sqlite/database_files.h"
 #include "sqlite/sqlite_database.h"
 
 namespace syncline {
@@ -114,13 +115,16 @@ tl::unexpected<Error> no_cycle_left(const std::string& path) {
                     .file = path});
 }
 
-Result<SqlDatabase> create_recording(const std::string& path) {
+Status check_new_recording(const std::string& path) {
   std::error_code error;
-  if (std::filesystem::exists(path, error)) {
-    return fail(Error{.code = ErrorCode::kFileNotWritable,
-                      .detail = because("there is one of this name already, and a recording replaces nothing"),
-                      .file = path});
-  }
+  if (!std::filesystem::exists(path, error)) return {};
+  return fail(Error{.code = ErrorCode::kFileNotWritable,
+                    .detail = because("there is one of this name already, and a recording replaces nothing"),
+                    .file = path});
+}
+
+Result<SqlDatabase> create_recording(const std::string& path) {
+  if (auto status = check_new_recording(path); !status) return tl::unexpected(status.error());
   auto database = SqlDatabase::open(path);
   if (!database) {
     return fail(Error{.code = ErrorCode::kFileNotWritable, .detail = database.error().detail, .file = path});
@@ -129,7 +133,11 @@ Result<SqlDatabase> create_recording(const std::string& path) {
                                 kRecordingId, kRecordingVersion);
   // The tables before the log is begun: a file whose log is lost is a recording all the same.
   for (const char* const sql : {mark.c_str(), kTables, kConnection}) {
-    if (auto status = database->execute(sql); !status) return write_error(*database, status.error());
+    if (auto status = database->execute(sql); !status) {
+      database = write_error(*database, status.error());  // closed before its file goes
+      remove_database(path);
+      return database;
+    }
   }
   return database;
 }

@@ -30,6 +30,8 @@ inline constexpr std::int64_t kBusSeries = 256;
   return static_cast<std::int64_t>(signal) + (std::int64_t{slave} + 1) * kBusSeries;
 }
 
+/// kFileNotWritable: there is a file of this name.
+[[nodiscard]] Status check_new_recording(const std::string& path);
 /// A new file with empty tables, ready to be appended to. kFileNotWritable: it exists, or cannot be made.
 [[nodiscard]] Result<SqlDatabase> create_recording(const std::string& path);
 /// To be read. kFileNotFound, kNotThatKindOfFile: no recording, or one of a newer version; kFileNotReadable: damaged.

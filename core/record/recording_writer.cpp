@@ -12,6 +12,7 @@
 #include "record/recording_schema.h"
 #include "record/sample_columns.h"
 #include "record/watched_columns.h"
+#include "sqlite/database_files.h"
 
 namespace syncline {
 namespace {
@@ -280,14 +281,6 @@ Status RecordingWriter::finish(const std::string& why, std::span<const RecordedF
   return {};
 }
 
-std::uint64_t RecordingWriter::bytes() const {
-  std::uint64_t bytes = 0;
-  for (const char* const beside : {"", "-wal"}) {
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path() + beside, error);
-    if (!error) bytes += size;
-  }
-  return bytes;
-}
+std::uint64_t RecordingWriter::bytes() const { return database_bytes(path()); }
 
 }  // namespace syncline

@@ -41,7 +41,7 @@ struct RecordingBatch {
 /// Writes a recording, in the calling thread. Everything is whole up to the last commit, whatever kills the program.
 class RecordingWriter {
  public:
-  /// kFileNotWritable, also when there is a file of this name.
+  /// kFileNotWritable, also when there is a file of this name; nothing is left of what could not be begun.
   [[nodiscard]] static Result<RecordingWriter> create(const std::string& path, const RecordingAbout& about);
 
   /// One commit: a block for each stretch of samples, and what came with it.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reasons/because.h"
+#include "sqlite/database_files.h"
 #include "sqlite/sqlite_database.h"
 
 namespace syncline::eni {
@@ -118,9 +119,7 @@ Result<SqlDatabase> open_catalogue_database(const std::string& path, Reason& rep
     folders = remembered_folders(*database);
     *database = {};  // closed before its file goes
   }
-  std::error_code ignored;
-  std::filesystem::remove(path, ignored);
-  for (const char* const beside : {"-journal", "-wal", "-shm"}) std::filesystem::remove(path + beside, ignored);
+  remove_database(path);
   Reason again;
   database = try_open(path, again);
   if (database) {

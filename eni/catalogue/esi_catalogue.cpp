@@ -13,6 +13,7 @@
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 #include "reasons/because.h"
+#include "sqlite/database_files.h"
 
 namespace syncline::eni {
 
@@ -59,8 +60,7 @@ struct EsiCatalogue::State {
     warn_replaced(because("it was damaged: {words}", result.error().detail));
     const auto wanted = store->folders().value_or(std::vector<std::string>{});  // as far as they can be read
     store.reset();
-    std::error_code ignored;
-    for (const char* const beside : {"", "-journal", "-wal", "-shm"}) std::filesystem::remove(path + beside, ignored);
+    remove_database(path);
     if (auto status = open(); !status) return tl::unexpected(status.error());
     for (const auto& folder : wanted) {
       if (auto status = store->remember_folder(folder); !status) return tl::unexpected(status.error());

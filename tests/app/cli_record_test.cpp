@@ -258,6 +258,8 @@ TEST_F(CliRecord, ImportsWhatIsNoRecording) {
   EXPECT_THAT(other.err, HasSubstr("a log of the master synchronisation"));
   EXPECT_FALSE(std::filesystem::exists(folder.file("none.slrec")));
   EXPECT_EQ(cli_run({"record", "import", csv, table}).code, cli::kFailed) << "it replaces nothing";
+  // Which is said before hours are read for it.
+  EXPECT_THAT(cli_run({"record", "import", project, table}).err, HasSubstr("a recording replaces nothing"));
 }
 
 /// What the capture of a run tells is what the run's own table says.

@@ -238,6 +238,29 @@ TEST_F(RecordingWindow, ACaptureIsImportedAsARecording) {
   EXPECT_EQ(workspace_.recording().path(), path("capture2.slrec"));
 }
 
+TEST_F(RecordingWindow, WhereAFileIsNothingIsImported) {
+  QFile there(path("there.slrec"));
+  ASSERT_TRUE(there.open(QIODevice::WriteOnly));
+  there.write("mine");
+  there.close();
+  auto& recording = workspace_.recording();
+  QString failed;
+  QObject::connect(&recording, &OpenedRecording::failed, &window_, [&failed](const QString&, const Error& error) {
+    failed = QString::fromStdString(error.detail.text());
+  });
+  bool read = false;
+  recording.importCapture(QStringLiteral("long.pcapng"), path("there.slrec"), {},
+                          [&read](const QString&, const ImportLimits&, const ImportProgress&) -> Result<ImportedRun> {
+                            read = true;
+                            return fail(ErrorCode::kCancelled);
+                          });
+  ASSERT_TRUE(waitFor([&] { return !recording.isReading(); }));
+  EXPECT_TRUE(failed.contains(QStringLiteral("replaces nothing"))) << failed.toStdString();
+  EXPECT_FALSE(read) << "what cannot be kept is not read for hours first";
+  ASSERT_TRUE(there.open(QIODevice::ReadOnly));
+  EXPECT_EQ(there.readAll(), QByteArray("mine"));
+}
+
 TEST_F(RecordingWindow, WhatTheTriggerFoundIsInTheRecording) {
   goOnline();
   Trigger trigger;

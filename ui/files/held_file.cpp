@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reasons/because.h"
+#include "sqlite/database_files.h"
 #include "support/distinct_files.h"
 
 namespace syncline::ui {
@@ -26,10 +27,9 @@ Status mayWrite(const QString& path, const HeldFile* own) {
   const auto file = path.toStdString();
   for (const auto* held : all()) {
     if (held == own || held->path().isEmpty()) continue;
-    const auto of_held = held->path().toStdString();
     // What SQLite keeps beside a recording is as much of it.
-    const bool same = is_same_file(file, of_held) || is_same_file(file, of_held + "-wal");
-    if (!same) continue;
+    const auto files = database_files(held->path().toStdString());
+    if (std::ranges::none_of(files, [&](const std::string& one) { return is_same_file(file, one); })) continue;
     return fail(Error{.code = ErrorCode::kFileNotWritable,
                       .detail = because("it is {what}, which would be lost: choose another name", held->what()),
                       .file = file});

@@ -12,6 +12,7 @@
 #include "record/recording_session.h"
 #include "record/run_record.h"
 #include "record/trigger_document.h"
+#include "sqlite/database_files.h"
 #include "ui/files/held_file.h"
 #include "ui/session/network_run.h"
 #include "ui/session/post.h"
@@ -165,7 +166,7 @@ Nanoseconds DiskRecording::duration() const {
 }
 
 qint64 DiskRecording::bytes() const {
-  return path_.isEmpty() ? 0 : QFileInfo(path_).size() + QFileInfo(path_ + QStringLiteral("-wal")).size();
+  return path_.isEmpty() ? 0 : static_cast<qint64>(database_bytes(path_.toStdString()));
 }
 
 std::uint64_t DiskRecording::lostSamples() const { return session_ ? session_->lost_samples() : 0; }

@@ -10,6 +10,7 @@
 #include "record/import_run.h"
 #include "record/recorded_configuration.h"
 #include "record/recording_notes.h"
+#include "sqlite/database_files.h"
 #include "support/whole_file.h"
 #include "ui/models/message_model.h"
 #include "ui/session/file_kind.h"
@@ -53,6 +54,7 @@ void OpenedRecording::importCapture(const QString& capture, const QString& path,
 
 Status OpenedRecording::makeRecording(const QString& capture, const QString& path, const ImportLimits& limits,
                                       const CaptureImporter& importer) {
+  if (auto status = may_write_recording(path.toStdString()); !status) return status;
   int told = -1;
   const auto run = importer(capture, limits, [this, &told](std::uint64_t done, std::uint64_t all) {
     const int now = all == 0 ? 0 : static_cast<int>(std::min<std::uint64_t>(done * 1000 / all, 1000));
@@ -147,7 +149,7 @@ void OpenedRecording::deliver(const QString& path, Outcome outcome) {
   reading_ = false;
   if (cancelled_ || !outcome) read_file_.hold({});
   if (cancelled_) {
-    if (made_) QFile::remove(path);  // it was whole already, and nobody wants it
+    if (made_) remove_database(path.toStdString());  // it was whole already, and nobody wants it
     Q_EMIT failed(path, Error{ErrorCode::kCancelled});
   } else if (outcome) {
     next_ = std::make_unique<Whole>(std::move(*outcome));

@@ -3,8 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -203,6 +208,28 @@ TEST(ImportRun, AnImportIsARecordingLikeAnother) {
   EXPECT_EQ(is.deviation.margin(127), was.deviation.margin(127));
   EXPECT_TRUE(opened->record->samples().series(Signal::kRoundTrip).extent(0, INT64_MAX) == std::nullopt);
   EXPECT_FALSE(write_recording(*run, path).has_value()) << "it replaces nothing";
+}
+
+/// Half of an import is none: whoever finds the file would take it for the whole.
+TEST(ImportRun, OnAFullDiskNothingIsLeft) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("import.slrec");
+  const auto run = import_table(dcm_log_of(logged_cycles()), "run.dcm.csv", {127, 4000});
+  ASSERT_TRUE(run);
+  // No table fits, then not all samples do.
+  for (const rlim_t room : {rlim_t{4'096}, rlim_t{60'000}, rlim_t{90'000}}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit{room, room};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      ::_exit(write_recording(*run, path) ? 3 : 0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << room << ": " << status;
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << room;
+  }
 }
 
 TEST(ImportRun, SaysWhatIsWrong) {
