@@ -23,6 +23,7 @@
 #include "link/pcap_link.h"
 #include "master/sii/sii_writer.h"
 #include "reasons/because.h"
+#include "support/standard_streams.h"
 #include "support/state_folder.h"
 #include "support/stop_signals.h"
 #include "ui/dialogs/bus_commands.h"
@@ -38,6 +39,7 @@ namespace {
 
 using namespace syncline;
 
+constexpr int kRememberEveryMs = 5'000;
 const QString kThemeSetting = QStringLiteral("theme"), kExpertSetting = QStringLiteral("expert");
 
 /// A slave whose EEPROM is half written may not come up at its next power-on.
@@ -164,6 +166,7 @@ void show(ui::MainWindow& window) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  syncline::take_closed_streams();
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of that file
   if (only_asks(argc, argv)) {
     const QCoreApplication text(argc, argv);
@@ -227,10 +230,18 @@ int main(int argc, char* argv[]) {
   QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
   if (options.exit_after_ms > 0)
     QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
+  // A program that is killed has been left as it looked a moment ago.
+  const auto remember = [&] {
+    auto& memory = workspace.memory();
+    if (options.theme.isEmpty()) memory.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
+    memory.setValue(kExpertSetting, workspace.expert());
+    window.panels().remember();
+  };
+  QTimer now_and_then;
+  QObject::connect(&now_and_then, &QTimer::timeout, &window, remember);
+  now_and_then.start(kRememberEveryMs);
   const int result = QApplication::exec();
-  if (options.theme.isEmpty()) settings.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
-  settings.setValue(kExpertSetting, workspace.expert());
-  window.panels().remember();
+  remember();
   workspace.runs().shutDown();
   return result;
 }

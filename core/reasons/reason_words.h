@@ -57,6 +57,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     "the ESI files have revision 0x{revision}",
     "none of the {count} devices in the ESI files has this vendor and product",
     "it is no device catalogue",
+    "it is no ordinary file",
     "Permission denied",
     "Operation not permitted",
     "Is a directory",
@@ -228,7 +229,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     // of the window
     "no file can be made there",
     "no slaves",
-    "no unsaved work of Syncline",
+    "unsaved work of Syncline",
     "a recording is shown: close it first (File, Close Recording)",
     "the network \"{name}\" runs on it: choose another link or take that one offline",
     "a run holds {count} different ones: go offline and online again to watch others",

@@ -60,9 +60,15 @@ RecordingWriter::RecordingWriter(SqlDatabase database, const RecordingAbout& abo
 Result<RecordingWriter> RecordingWriter::create(const std::string& path, const RecordingAbout& about) {
   auto database = create_recording(path);
   if (!database) return tl::unexpected(database.error());
-  RecordingWriter writer(std::move(*database), about);
-  if (auto status = writer.begin(about); !status) return write_error(writer.database_, status.error());
-  return writer;
+  Error why;
+  {
+    RecordingWriter writer(std::move(*database), about);
+    const auto status = writer.begin(about);
+    if (status) return writer;
+    why = write_error(writer.database_, status.error()).value();
+  }
+  remove_database(path);  // closed by now
+  return tl::unexpected(std::move(why));
 }
 
 Status RecordingWriter::write(const RecordingBatch& batch) {

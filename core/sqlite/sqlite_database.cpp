@@ -4,9 +4,12 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
+#include <system_error>
 #include <utility>
 
+#include "reasons/because.h"
 #include "sqlite/row_check.h"
 
 namespace syncline {
@@ -22,6 +25,14 @@ tl::unexpected<Error> sql_error(sqlite3* database, int code) {
                     .detail = Reason::verbatim(std::string(database ? sqlite3_errmsg(database) : sqlite3_errstr(code))),
                     .file = name ? name : "",
                     .received = code & 0xFF});
+}
+
+/// SQLite would write its pages into a device, and its log beside it.
+Status check_ordinary(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (path.empty() || error || !std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return {};
+  return fail(Error{.code = ErrorCode::kFileNotWritable, .detail = because("it is no ordinary file"), .file = path});
 }
 
 }  // namespace
@@ -94,6 +105,7 @@ void SqlDatabase::Close::operator()(sqlite3* database) const { sqlite3_close_v2(
 void SqlDatabase::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Result<SqlDatabase> SqlDatabase::open(const std::string& path) {
+  if (auto status = check_ordinary(path); !status) return tl::unexpected(status.error());
   return open_with(path, path.empty() ? ":memory:" : path.c_str(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
 }
 

@@ -65,7 +65,7 @@ class SqlStatement {
 /// One connection; for one thread at a time.
 class SqlDatabase {
  public:
-  /// "" is a database in memory that ends with this object.
+  /// "" is a database in memory that ends with this object. kCatalogue; kFileNotWritable for a device or a folder.
   [[nodiscard]] static Result<SqlDatabase> open(const std::string& path);
   /// One that exists, to be looked at: what a killed program left in its log is read too.
   [[nodiscard]] static Result<SqlDatabase> open_to_read(const std::string& path);

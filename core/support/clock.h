@@ -58,7 +58,7 @@ class RealClock final : public Clock {
 /// both: what would go on meanwhile goes on at its end. The profile's stalls come by chance, from that generator too.
 class VirtualClock final : public Clock {
  public:
-  /// Default start: a fixed date in 2026, so that runs are repeatable.
+  /// Default start: 2025-12-25, the same each time, so that runs are repeatable.
   static constexpr Nanoseconds kDefaultStart = 820'000'000'000'000'000;
 
   explicit VirtualClock(Nanoseconds start = kDefaultStart);

@@ -7389,6 +7389,10 @@
         <translation>sie ist kein Gerätekatalog</translation>
     </message>
     <message>
+        <source>it is no ordinary file</source>
+        <translation>sie ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
         <source>Permission denied</source>
         <translation>keine Berechtigung</translation>
     </message>
@@ -7797,8 +7801,8 @@
         <translation>keine Slaves</translation>
     </message>
     <message>
-        <source>no unsaved work of Syncline</source>
-        <translation>keine ungesicherte Arbeit von Syncline</translation>
+        <source>unsaved work of Syncline</source>
+        <translation>ungesicherte Arbeit von Syncline</translation>
     </message>
     <message>
         <source>a recording is shown: close it first (File, Close Recording)</source>

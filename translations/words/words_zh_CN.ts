@@ -7389,6 +7389,10 @@
         <translation>它不是设备目录</translation>
     </message>
     <message>
+        <source>it is no ordinary file</source>
+        <translation>它不是普通文件</translation>
+    </message>
+    <message>
         <source>Permission denied</source>
         <translation>权限不足</translation>
     </message>
@@ -7797,8 +7801,8 @@
         <translation>没有从站</translation>
     </message>
     <message>
-        <source>no unsaved work of Syncline</source>
-        <translation>不是 Syncline 的未保存工作</translation>
+        <source>unsaved work of Syncline</source>
+        <translation>Syncline 的未保存工作</translation>
     </message>
     <message>
         <source>a recording is shown: close it first (File, Close Recording)</source>

@@ -20,7 +20,9 @@ Result<std::pair<QStringList, std::string>> parts(const QString& file) {
   const auto gap = content->find("\n\n");
   auto head = QString::fromStdString(content->substr(0, gap)).split(u'\n');
   if (gap == std::string::npos || head.front() != kTitle) {
-    return fail(ErrorCode::kNotThatKindOfFile, file.toStdString(), because("no unsaved work of Syncline"));
+    return fail(Error{.code = ErrorCode::kNotThatKindOfFile,
+                      .detail = because("unsaved work of Syncline"),
+                      .file = file.toStdString()});
   }
   return std::pair(std::move(head), content->substr(gap + 2));
 }

@@ -11,6 +11,7 @@ namespace {
 using R = FaultRule;
 using S = FaultRule::Subject;
 
+constexpr std::int64_t kDecades = 30 * 365 * 24 * 3600 * kSecond;  // a clock reaches no further
 constexpr std::int64_t kHour = 3600 * kSecond, kMinute = 60 * kSecond;
 constexpr std::int64_t kCycleMost = kSecond;  // of SYNC0
 
@@ -29,9 +30,10 @@ constexpr std::array kRules{
               -kHour, kHour},
     FaultRule{"temperature-ramp", FaultKind::kTemperatureRamp, S::kAny, R::kUntil | R::kPpm, R::kUntil | R::kPpm,
               R::kClock},
-    FaultRule{"clock-step", FaultKind::kClockStep, S::kSlave, R::kValue, R::kValue, R::kClock},
+    FaultRule{"clock-step", FaultKind::kClockStep, S::kSlave, R::kValue, R::kValue, R::kClock, -kDecades, kDecades},
     FaultRule{"ignored-clock-writes", FaultKind::kIgnoredClockWrites, S::kAny, R::kUntil, 0, R::kSystemTime},
-    FaultRule{"offset-step", FaultKind::kOffsetStep, S::kSlave, R::kValue, R::kValue, R::kSystemTime},
+    FaultRule{"offset-step", FaultKind::kOffsetStep, S::kSlave, R::kValue, R::kValue, R::kSystemTime, -kDecades,
+              kDecades},
     FaultRule{"noisy-delay", FaultKind::kNoisyDelay, S::kSlave, R::kUntil | R::kValue | R::kPeriod,
               R::kValue | R::kPeriod, R::kSystemTime, 1, kMillisecond},
     FaultRule{"stuck-port-time", FaultKind::kStuckPortTime, S::kSlave, R::kUntil | R::kPort, R::kPort, R::kClock},

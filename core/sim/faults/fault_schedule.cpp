@@ -254,7 +254,9 @@ void FaultSchedule::add_noisy_delay(const FaultConfig& fault) {
 void FaultSchedule::add_foreign_frames(double per_second) {
   auto random = std::make_shared<Random>(seed_ ^ 0x666F'7265'6967'6EU);
   const auto gap = [random, per_second] {
-    return std::max<Nanoseconds>(1, std::llround(-std::log(1 - random->uniform()) / per_second * 1e9));
+    constexpr double kNever = 1e18;  // ns: 31 years
+    return std::max<Nanoseconds>(1,
+                                 std::llround(std::min(-std::log(1 - random->uniform()) / per_second * 1e9, kNever)));
   };
   const auto place = repeated_.size();
   repeated_.push_back({start_ + gap(), 0, INT64_MAX, [this, place, gap](Nanoseconds time) {

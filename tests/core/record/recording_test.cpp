@@ -17,8 +17,10 @@
 #include "record/recorded_signals.h"
 #include "record/recorder.h"
 #include "record/recording_reader.h"
+#include "record/recording_writer.h"
 #include "record/replay_run.h"
 #include "record/typed_values.h"
+#include "sqlite/database_files.h"
 #include "support/whole_file.h"
 #include "tests/core/record/made_samples.h"
 #include "tests/core/record/older_recording.h"
@@ -626,6 +628,27 @@ TEST_F(RecordingFile, SurvivesADiskThatIsFull) {
   auto reader = RecordingReader::open(path());
   ASSERT_TRUE(reader);
   EXPECT_TRUE(reader->verify());
+}
+
+/// What could not be begun is no recording: nobody finds one that holds nothing.
+TEST_F(RecordingFile, OfWhatCannotBeBegunNothingIsLeft) {
+  for (const rlim_t room : {rlim_t{4'096}, rlim_t{40'000}, rlim_t{120'000}, rlim_t{200'000}}) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::signal(SIGXFSZ, SIG_IGN);
+      const rlimit limit{room, room};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      ::_exit(RecordingWriter::create(path(), machine()) ? 3 : 0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    if (WEXITSTATUS(status) == 0) {
+      EXPECT_FALSE(std::filesystem::exists(path())) << room;
+      EXPECT_FALSE(std::filesystem::exists(path() + "-wal")) << room;
+    }
+    remove_database(path());
+  }
 }
 
 /// Killed at any moment it is whole up to the last commit, and what it holds is what was recorded.

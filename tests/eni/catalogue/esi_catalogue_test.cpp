@@ -355,6 +355,17 @@ TEST_F(Catalogue, LeavesFilesOfOthersAlone) {
   EXPECT_EQ(std::filesystem::file_size(foreign), size);
 }
 
+/// SQLite would write its pages into it, whatever stands there.
+TEST_F(Catalogue, LeavesDevicesAlone) {
+  std::filesystem::create_symlink("/dev/null", file("device"));
+  for (const auto& path : {std::string("/dev/null"), file("device"), file("")}) {
+    const auto opened = EsiCatalogue::open(path);
+    ASSERT_FALSE(opened) << path;
+    EXPECT_THAT(describe(opened.error()), HasSubstr("no ordinary file")) << path;
+  }
+  EXPECT_FALSE(std::filesystem::exists(file("device-journal")));
+}
+
 TEST_F(Catalogue, WorksWithoutAPlaceForItsDatabase) {
   put("a.xml", esi_text({{1, 0x10, "A1"}}));
   put("nofolder", "a file where the cache's folder should be");
