@@ -842,8 +842,8 @@
             <translation>Alles, was sich öffnen lässt (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline-Projekte (*.syncline);;Aufzeichnungen (*.slrec);;Alle Dateien (*)</translation>
         </message>
         <message>
-            <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
-            <translation>Es ist weder ein Projekt noch eine ENI, eine ESI, eine Aufzeichnung, ein Mitschnitt oder ein Szenario.</translation>
+            <source>a project, an ENI, an ESI, a recording, a capture or a scenario</source>
+            <translation>ein Projekt, eine ENI, eine ESI, eine Aufzeichnung, ein Mitschnitt oder ein Szenario</translation>
         </message>
         <message>
             <source>Open %1, or compare the project with it?</source>
@@ -1341,6 +1341,22 @@
         <message>
             <source>Follow the newest sample (End)</source>
             <translation>Dem neuesten Wert folgen (Ende)</translation>
+        </message>
+        <message>
+            <source>Show the end of the run (End)</source>
+            <translation>Das Ende des Laufs zeigen (Ende)</translation>
+        </message>
+        <message>
+            <source>The run has ended: its picture stands still</source>
+            <translation>Der Lauf ist zu Ende: sein Bild steht</translation>
+        </message>
+        <message>
+            <source>Ended, %1 before the end</source>
+            <translation>Beendet, %1 vor dem Ende</translation>
+        </message>
+        <message>
+            <source>Ended</source>
+            <translation>Beendet</translation>
         </message>
         <message>
             <source>Freeze</source>
@@ -4307,6 +4323,10 @@ Einstellung %2</translation>
             <translation>Zeit vor jetzt</translation>
         </message>
         <message>
+            <source>Time before the end</source>
+            <translation>Zeit vor dem Ende</translation>
+        </message>
+        <message>
             <source>Time since start</source>
             <translation>Zeit seit Beginn</translation>
         </message>
@@ -7127,8 +7147,8 @@ Einstellung %2</translation>
             <translation>DC-Abweichung</translation>
         </message>
         <message>
-            <source>Register 0x092C of the slaves that follow the reference clock: the largest</source>
-            <translation>Register 0x092C der Slaves, die der Referenzuhr folgen: der größte Wert</translation>
+            <source>Register 0x092C of the slaves that follow the reference clock: the largest. With ≤ it is what the wire has or-ed of all of them: none is off by more, and perhaps none by so much</source>
+            <translation>Register 0x092C der Slaves, die der Referenzuhr folgen: der größte Wert. Mit ≤ ist es, was die Leitung von allen verodert hat: keiner liegt weiter daneben, und vielleicht keiner so weit</translation>
         </message>
         <message>
             <source>SM2 events missed</source>

@@ -840,8 +840,8 @@
             <translation>所有可打开的文件 (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline 项目 (*.syncline);;记录 (*.slrec);;所有文件 (*)</translation>
         </message>
         <message>
-            <source>It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario.</source>
-            <translation>它既不是项目、ENI、ESI、记录、抓包文件，也不是场景。</translation>
+            <source>a project, an ENI, an ESI, a recording, a capture or a scenario</source>
+            <translation>项目、ENI、ESI、记录、抓包文件或场景</translation>
         </message>
         <message>
             <source>Open %1, or compare the project with it?</source>
@@ -1338,6 +1338,22 @@
         <message>
             <source>Follow the newest sample (End)</source>
             <translation>跟随最新采样 (End)</translation>
+        </message>
+        <message>
+            <source>Show the end of the run (End)</source>
+            <translation>显示运行的末尾（End）</translation>
+        </message>
+        <message>
+            <source>The run has ended: its picture stands still</source>
+            <translation>运行已结束：画面静止</translation>
+        </message>
+        <message>
+            <source>Ended, %1 before the end</source>
+            <translation>已结束，距末尾 %1</translation>
+        </message>
+        <message>
+            <source>Ended</source>
+            <translation>已结束</translation>
         </message>
         <message>
             <source>Freeze</source>
@@ -4291,6 +4307,10 @@ Setting %2</source>
             <translation>距现在的时间</translation>
         </message>
         <message>
+            <source>Time before the end</source>
+            <translation>距结束的时间</translation>
+        </message>
+        <message>
             <source>Time since start</source>
             <translation>自启动起的时间</translation>
         </message>
@@ -7094,8 +7114,8 @@ Setting %2</source>
             <translation>DC 偏差</translation>
         </message>
         <message>
-            <source>Register 0x092C of the slaves that follow the reference clock: the largest</source>
-            <translation>跟随参考时钟的从站的寄存器 0x092C：最大值</translation>
+            <source>Register 0x092C of the slaves that follow the reference clock: the largest. With ≤ it is what the wire has or-ed of all of them: none is off by more, and perhaps none by so much</source>
+            <translation>跟随参考时钟的从站的寄存器 0x092C：最大值。带 ≤ 时是线路对全部数值按位或的结果：没有从站偏差更大，也许都没有这么大</translation>
         </message>
         <message>
             <source>SM2 events missed</source>

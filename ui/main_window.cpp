@@ -313,7 +313,9 @@ void MainWindow::connectSession() {
   connect(&live, &LiveSession::phaseChanged, this, &MainWindow::updateActions);
   connect(&live, &LiveSession::phaseChanged, overview_, [this] {
     const auto phase = workspace_.live().phase();
-    overview_->setLive(phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting);
+    const bool goes_on = phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting;
+    overview_->setLive(goes_on);
+    strip_->setGoesOn(goes_on);
   });
   connect(&workspace_.runs(), &NetworkRuns::phaseChanged, this, [this](int network) {
     if (network == workspace_.document().network() && workspace_.live().phase() == LiveSession::Phase::kOnline)

@@ -17,6 +17,8 @@ struct Source {
   std::optional<std::size_t> ours, found;
   FoundKind kind = FoundKind::kMatched;
   bool taken = false;
+  /// The slave is what the bus has, not what the project had there.
+  [[nodiscard]] bool is_new() const { return !ours || (taken && kind == FoundKind::kOtherDevice); }
 };
 
 std::vector<SlaveKey> keys_of(const Project& project) {
@@ -97,14 +99,22 @@ std::optional<PreviousPort> wiring_of(const Project& ours, const Project& found,
   return PreviousPort{static_cast<std::uint16_t>(place - 1), 1};  // what it hung on is gone: behind the one in front
 }
 
-/// Of two slaves with one address the one that came from the bus gets another: the next that is free, 0 being none.
-void make_addresses_unique(Project& project, const std::vector<Source>& sources) {
+/// Of two slaves with one address the one that came from the bus gets another: the next that is free, 0 being none. A
+/// name that tells the address follows it, and no slave that comes in is called like another.
+void make_unique(Project& project, const std::vector<Source>& sources) {
   std::set<std::uint16_t> used;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (!sources[i].is_new()) names.insert(project.slaves[i].name);
+  }
   for (const bool own : {true, false}) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
       if (sources[i].ours.has_value() != own) continue;
-      auto& address = project.slaves[i].station_address;
-      address = take_address(used, address);
+      auto& slave = project.slaves[i];
+      const bool had_default = slave.name == default_name(slave.station_address, slave.device);
+      slave.station_address = take_address(used, slave.station_address);
+      if (!sources[i].is_new()) continue;
+      slave.name = take_name(names, had_default ? default_name(slave.station_address, slave.device) : slave.name);
     }
   }
 }
@@ -152,8 +162,7 @@ TakenOver take_over(const Project& ours, const Project& found, std::span<const F
       out.project.slaves.push_back(std::move(replaced.slave));
       lost = std::move(replaced.lost);
     } else {
-      const bool fresh = !source.ours || (source.taken && source.kind == FoundKind::kOtherDevice);
-      out.project.slaves.push_back(fresh ? found.slaves[*source.found] : ours.slaves[*source.ours]);
+      out.project.slaves.push_back(source.is_new() ? found.slaves[*source.found] : ours.slaves[*source.ours]);
     }
     for (const auto* setting : lost) {
       if (const auto key = settings::key_of(*setting, {.slave = i}); std::ranges::find(out.lost, key) == out.lost.end())
@@ -165,7 +174,7 @@ TakenOver take_over(const Project& ours, const Project& found, std::span<const F
   }
   auto& reference = out.project.master.dc.reference_clock;
   if (reference) reference = place_of(sources, &Source::ours, *reference);
-  make_addresses_unique(out.project, sources);
+  make_unique(out.project, sources);
   return out;
 }
 

@@ -29,13 +29,6 @@ std::set<std::string> names_of(const Project& project) {
   return names;
 }
 
-/// `wanted`, or with a number behind it; it is taken then.
-std::string take_name(std::set<std::string>& names, const std::string& wanted) {
-  auto name = wanted;
-  for (int number = 2; !names.insert(name).second; ++number) name = fmt::format("{} ({})", wanted, number);
-  return name;
-}
-
 std::set<std::uint16_t> addresses_of(const Project& project) {
   std::set<std::uint16_t> used;
   for (const auto& slave : project.slaves) used.insert(slave.station_address);
@@ -241,6 +234,12 @@ std::optional<WiringObstacle> plug_obstacle(const WiringTree& tree, const Device
 std::uint16_t take_address(std::set<std::uint16_t>& used, std::uint16_t wanted) {
   while (wanted == 0 || !used.insert(wanted).second) ++wanted;
   return wanted;
+}
+
+std::string take_name(std::set<std::string>& names, const std::string& wanted) {
+  auto name = wanted;
+  for (int number = 2; !names.insert(name).second; ++number) name = fmt::format("{} ({})", wanted, number);
+  return name;
 }
 
 std::string default_name(std::uint16_t station_address, const DeviceDescription& device) {

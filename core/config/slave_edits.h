@@ -66,6 +66,8 @@ using EditedSlave = tl::expected<std::size_t, WiringObstacle>;
 
 /// `wanted`, or the next address that is neither none nor in `used`; it is used then.
 [[nodiscard]] std::uint16_t take_address(std::set<std::uint16_t>& used, std::uint16_t wanted);
+/// `wanted`, or with a number behind it where it is among `names`; it is one of them then.
+[[nodiscard]] std::string take_name(std::set<std::string>& names, const std::string& wanted);
 /// Name that default_slave() gives.
 [[nodiscard]] std::string default_name(std::uint16_t station_address, const DeviceDescription& device);
 

@@ -26,8 +26,11 @@ SampleStore::Layout layout_of(const NetworkConfig& config, std::size_t cycle_cap
   layout.cycle_time = std::max<Nanoseconds>(limits.cycle_time, 1);
   const auto suitable = std::clamp(static_cast<std::size_t>(kHistory / layout.cycle_time), kLeastCycles, kMostCycles);
   layout.cycle_capacity = cycle_capacity > 0 ? cycle_capacity : suitable;
-  // Of a recording all changes are kept, so that each of its moments has its own; there are no more than cycles.
-  layout.held_capacity = cycle_capacity;
+  layout.clocks = static_cast<std::size_t>(
+      std::ranges::count_if(config.slaves, [](const SlaveConfig& slave) { return slave.dc.has_value(); }));
+  // Of a recording all readings and changes are kept, so that each of its moments has its own; there are no more than
+  // cycles.
+  layout.reading_capacity = layout.held_capacity = cycle_capacity;
   layout.speed_counter_start = speed_counter_start;
   layout.sync0 = sync0_slaves(config);
   layout.sync_grid = sync_grid(config).value_or(0);

@@ -46,7 +46,9 @@ std::optional<std::uint16_t> told_al_status(const Event& event) {
 
 SampleStore::SampleStore(const Layout& layout)
     : layout_(layout), places_(kSignalCount), slips_(layout.sync0, layout.cycle_time), has_clock_(layout.slaves) {
-  const auto per_slave = std::max(layout.slaves == 0 ? 0 : layout.cycle_capacity / layout.slaves, kLeastReadings);
+  const auto clocks = std::max<std::size_t>(layout.clocks > 0 ? layout.clocks : layout.slaves, 1);
+  const auto readings = layout.reading_capacity > 0 ? layout.reading_capacity : layout.cycle_capacity / clocks;
+  const auto per_slave = std::max(readings, kLeastReadings);
   for (const auto& signal : signals()) {
     auto& first = places_[static_cast<std::size_t>(signal.id)];
     const bool of_slaves = signal.scope == Scope::kSlave;

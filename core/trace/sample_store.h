@@ -33,12 +33,15 @@ class SampleStore {
     std::size_t slaves = 0;
     Nanoseconds cycle_time = kMillisecond;
     std::size_t cycle_capacity = 1U << 20;       // cycles that are kept
+    std::size_t clocks = 0;                      // slaves whose 0x092C is read in turn; 0: may be all
+    std::size_t reading_capacity = 0;            // readings of each that are kept; 0: as many as all cycles bring
     std::size_t held_capacity = 0;               // changes of a count or a state that are kept, at least 8192
     std::uint16_t speed_counter_start = 0x1000;  // register 0x0930
     std::vector<Sync0Slave> sync0{};             // by position; what is not there has no arrival phase and no slips
     Nanoseconds sync_grid = 0;                   // see sync_grid(); 0: not known
   };
-  /// Readings of single slaves are kept `cycle_capacity` divided by the number of slaves, at least 8192 each.
+  /// One slave is read in each cycle: of each of the clocks `cycle_capacity` divided by their number is kept where
+  /// `reading_capacity` does not say otherwise, 8192 at least, so that they reach as far back as the cycles.
   explicit SampleStore(const Layout& layout);
 
   void append(std::span<const CycleSample> samples);

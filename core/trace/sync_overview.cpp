@@ -88,6 +88,11 @@ void OverviewRecorder::add(const CycleSample& sample) {
   follow(overview_.master, sample.master_sync, sample.send_time, overview_.armed.has_value());
   const bool counts = overview_.armed && counts_in_figures(sample);
   note(overview_.deviation, sample, Signal::kDeviation, counts);
+  if (const auto& now = overview_.deviation.now; counts && now && now->time == sample.send_time) {
+    ++overview_.deviation_count;
+    const bool has_ored = (sample.flags & CycleSample::kDeviationValid) != 0;
+    if (has_ored && sample.deviation_ored_ns == sample.deviation_ns) ++overview_.deviation_ored;
+  }
   note(overview_.dcm_error, sample, Signal::kDcmError, counts);
   note(overview_.dcm_filtered, sample, Signal::kDcmErrorFiltered, counts);
   if (const auto& filtered = overview_.dcm_filtered.now; counts && filtered && filtered->time == sample.send_time)
@@ -165,6 +170,7 @@ void OverviewRecorder::begin_anew(Nanoseconds time) {
   forget(overview_.slaves);
   forget(overview_.master);
   forget(overview_.deviation);
+  overview_.deviation_count = overview_.deviation_ored = 0;
   forget(overview_.dcm_error);
   forget(overview_.dcm_filtered);
   overview_.dcm_lasting.clear();

@@ -61,7 +61,9 @@ struct SyncOverview {
   Nanoseconds begin = 0, end = 0;    // of the samples
   AlState state = AlState::kNone;    // of the master, in the newest of them
   SyncLamp slaves, master;
-  OverviewFigure deviation;     // ns, largest of the slaves that follow the reference clock, a magnitude
+  OverviewFigure deviation;  // ns, largest of the slaves that follow the reference clock, a magnitude
+  /// Samples of it, and how many of them are what the wire has or-ed (CycleSample::deviation_ns).
+  std::uint64_t deviation_count = 0, deviation_ored = 0;
   OverviewFigure dcm_error;     // ns, signed
   OverviewFigure dcm_filtered;  // ns, signed: what the controller has made of it
   /// Of the filtered error, ns. What is over the limit for a moment is borne by the verdict: the margin of the master
@@ -75,6 +77,10 @@ struct SyncOverview {
   } missed;
   FaultLog faults;
   std::vector<bool> followed;  // by position: it has followed the reference clock since the run began
+  /// `deviation` is an upper estimate: magnitudes are or-ed, not compared, so that no slave is off by more than it
+  /// says, and perhaps none by so much. Where single readings are the measure, they are the or-ed value now and then
+  /// only.
+  [[nodiscard]] bool is_deviation_ored() const { return deviation_ored > 0 && 2 * deviation_ored >= deviation_count; }
 };
 
 /// Nothing that is watched is out of sync, or has yet to come: what arming waits for, beside OP.

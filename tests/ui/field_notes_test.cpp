@@ -44,7 +44,8 @@ TEST_F(NotesOfFields, StandBesideEveryOne) {
     if (places.empty()) continue;
     const auto key = settings::key_of(setting, places.back());
     ASSERT_TRUE(window_.editor().showKey(QString::fromStdString(key))) << key;
-    for (auto* page : window_.editor().pages()) page->fields().showNotes({{key, QStringLiteral("is wrong"), true}});
+    for (auto* page : window_.editor().pages())
+      page->fields().showNotes({{key, QStringLiteral("may be wrong"), false}, {key, QStringLiteral("is wrong"), true}});
     const auto notes = seen(QStringLiteral("is wrong"));
     ASSERT_EQ(notes.size(), 1) << key;
     const auto* page = static_cast<Page*>(window_.editor().tabs()->currentWidget());

@@ -66,7 +66,8 @@ TEST_F(Fields, ASetValueThatNoLongerFitsIsKeptAndMarked) {
   test::type(field("masterCycle"), QStringLiteral("500"));
   EXPECT_EQ(project().master.dc.dcm.set_value, 800 * kMicrosecond);
   EXPECT_EQ(set_value.value(), 800 * kMicrosecond);
-  EXPECT_TRUE(set_value.accessibleDescription().contains(QStringLiteral("800 us is outside 0.001..499.999 us")))
+  EXPECT_TRUE(
+      set_value.accessibleDescription().contains(QStringLiteral("800 \u00B5s is outside 0.001..499.999 \u00B5s")))
       << qPrintable(set_value.accessibleDescription());
 }
 

@@ -99,6 +99,23 @@ TEST_F(OverviewPanelTest, ALampOverDeadSlavesIsRed) {
 }
 
 /// Also where nothing runs that would refresh it.
+/// An or of magnitudes is more than any of them, and no figure of a slave.
+TEST_F(OverviewPanelTest, AnUpperEstimateIsCalledOne) {
+  go(100);
+  auto* card = panel_.findChild<FigureCard*>(QStringLiteral("overviewDeviation"));
+  ASSERT_NE(card, nullptr);
+  const auto told = [card] { return card->lines().join(u'\n'); };
+  EXPECT_FALSE(told().contains(QChar(0x2264))) << qPrintable(told());
+  for (int i = 0; i < 300; ++i) {
+    auto sample = goodCycle(cycle_++);
+    sample.flags |= CycleSample::kDeviationValid;
+    sample.deviation_ored_ns = sample.deviation_ns;
+    record_.add({&sample, 1});
+  }
+  panel_.refresh();
+  EXPECT_EQ(told().count(QStringLiteral("\u2264 12")), 5) << qPrintable(told());
+}
+
 TEST_F(OverviewPanelTest, TheSlavesInOpHaveTheColourOfTheTheme) {
   go(1000);
   auto* standing = panel_.findChild<QLabel*>(QStringLiteral("overviewStanding"));

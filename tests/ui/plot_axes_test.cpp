@@ -101,6 +101,18 @@ class TimeAxisTest : public testing::Test {
   TimeView view;
 };
 
+/// The newest sample of a run that has ended is no "now".
+TEST(EndedTimeAxis, CountsFromTheEnd) {
+  TimeView live;
+  live.setBounds(kAxisStart, kAxisStart + 10 * kSecond);
+  EXPECT_EQ(timeAxisOf(live, 6).quantity.toStdString(), "Time before now");
+  live.setGoesOn(false);
+  EXPECT_EQ(timeAxisOf(live, 6).quantity.toStdString(), "Time before the end");
+  TimeView other;
+  other.follow(live);
+  EXPECT_FALSE(other.goesOn());
+}
+
 TEST_F(TimeAxisTest, TellsTheTimeOfDay) {
   view.setNotation(Notation::kUtc);
   const auto axis = timeAxisOf(view, 6);

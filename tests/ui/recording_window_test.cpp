@@ -238,6 +238,19 @@ TEST_F(RecordingWindow, ACaptureIsImportedAsARecording) {
   EXPECT_EQ(workspace_.recording().path(), path("capture2.slrec"));
 }
 
+TEST_F(RecordingWindow, OfARunThatHasEndedNothingIsNow) {
+  goOnline();
+  advance(2);
+  const auto* state = window_.findChild<QLabel*>(QStringLiteral("liveStateLabel"));
+  ASSERT_NE(state, nullptr);
+  EXPECT_EQ(state->text(), QString());
+  EXPECT_TRUE(window_.findChild<LiveStrip*>()->timeView()->goesOn());
+  goOffline();
+  EXPECT_EQ(state->text(), QStringLiteral("Ended"));
+  goOnline();
+  EXPECT_EQ(state->text(), QString());
+}
+
 TEST_F(RecordingWindow, WhereAFileIsNothingIsImported) {
   QFile there(path("there.slrec"));
   ASSERT_TRUE(there.open(QIODevice::WriteOnly));

@@ -283,7 +283,7 @@ TEST_F(Shell, WhatIsNothingIsRefusedWithAReason) {
   ASSERT_NE(box, nullptr);
   bool said = false;
   for (const auto* label : box->findChildren<QLabel*>())
-    said = said || label->text().contains(QStringLiteral("neither a project"));
+    said = said || label->text().contains(QStringLiteral("expected: a project, an ENI"));
   EXPECT_TRUE(said);
   EXPECT_EQ(project(), test::smallProject());
 }

@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <QPixmap>
+#include <QSet>
 
 #include "ui/widgets/value_label.h"
 
@@ -23,6 +24,21 @@ TEST(ValueLabel, SaysInItsToolTipWhatDoesNotFit) {
   EXPECT_LT(label.minimumSizeHint().width(), label.sizeHint().width());
   label.setText(QStringLiteral("0x00005C17 Syncline Simulated Devices"));
   EXPECT_EQ(label.minimumSizeHint().width(), label.sizeHint().width()) << "ordinary values are not cut";
+}
+
+/// "max +68.809 u…" would be read as another figure.
+TEST(ValueLabel, OfFiguresInARowShowsWholeOnes) {
+  ValueLabel label(QStringLiteral("B-A +3 ns   min -5 ns   max +68.809 us"));
+  label.resize(label.sizeHint());
+  EXPECT_EQ(label.shown(), label.text());
+  QSet<QString> seen;
+  const int least = label.fontMetrics().horizontalAdvance(QStringLiteral("B-A +3 ns \u2026"));
+  for (int width = label.width() - 1; width >= least; --width) {
+    label.resize(width, label.height());
+    if (label.shown() != label.text()) seen.insert(label.shown());
+  }
+  EXPECT_EQ(seen, (QSet<QString>{QStringLiteral("B-A +3 ns   min -5 ns \u2026"), QStringLiteral("B-A +3 ns \u2026")}));
+  EXPECT_EQ(label.hint(), label.text());
 }
 
 /// "+69.306 us at 5…" would be read as another moment.

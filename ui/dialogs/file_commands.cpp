@@ -46,9 +46,11 @@ void FileCommands::open() {
 }
 
 void FileCommands::openAny(const QString& path) {
-  const auto refuse = [&](const QString& why) {
+  const auto refuse = [&](const QString& expected) {
     showError(&window_, tr("%1 cannot be opened here.").arg(QFileInfo(path).fileName()),
-              Error{ErrorCode::kNotThatKindOfFile, path.toStdString(), Reason::verbatim(why.toStdString())});
+              Error{.code = ErrorCode::kNotThatKindOfFile,
+                    .detail = Reason::verbatim(expected.toStdString()),
+                    .file = path.toStdString()});
   };
   switch (fileKind(path)) {
     case FileKind::kProject:
@@ -68,7 +70,7 @@ void FileCommands::openAny(const QString& path) {
     case FileKind::kScenario:
       return Q_EMIT linkWanted(QStringLiteral("sim:") + path);
     case FileKind::kOther:
-      return refuse(tr("It is neither a project, an ENI, an ESI, a recording, a capture nor a scenario."));
+      return refuse(tr("a project, an ENI, an ESI, a recording, a capture or a scenario"));
   }
 }
 

@@ -70,14 +70,19 @@ void FieldBinder::placeNotes() {
   }
 }
 
-/// Null: nothing is wrong with it, or it is not shown.
+/// The worst: what an export refuses is not hidden by what it only warns of. Null: nothing is wrong with it, or it is
+/// not shown.
 const FieldBinder::Note* FieldBinder::noteOf(const Bound& bound) const {
   if (notes_.empty() || bound.widget->isHidden()) return nullptr;
   if (bound.row != nullptr && !bound.card->form()->isRowVisible(bound.row)) return nullptr;
   const auto place = bound.place();
   if (!place) return nullptr;
-  const auto note = std::ranges::find(notes_, settings::key_of(*bound.setting, *place), &Note::key);
-  return note == notes_.end() ? nullptr : &*note;
+  const auto key = settings::key_of(*bound.setting, *place);
+  const Note* worst = nullptr;
+  for (const auto& note : notes_) {
+    if (note.key == key && (worst == nullptr || (note.error && !worst->error))) worst = &note;
+  }
+  return worst;
 }
 
 QLabel* FieldBinder::makeNote(const Bound& bound) {

@@ -186,6 +186,8 @@ int LiveStrip::leastHeight() const {
   return (variables_->isHidden() ? kLeastHeight : kLeastWithVariables) - (overlaid ? kLeastGiven : 0);
 }
 
+void LiveStrip::setGoesOn(bool goes_on) { view_.setGoesOn(goes_on); }
+
 void LiveStrip::setOverlay(const TracePanel::Overlay& overlay) {
   const bool other = overlay.record != panels_.front()->overlay().record;
   for (auto* panel : panels_) panel->setOverlay(overlay);

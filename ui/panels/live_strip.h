@@ -63,6 +63,8 @@ class LiveStrip : public QWidget {
   void showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze);
   /// Those of the project, see FreeView.
   void setViews(const std::vector<MonitorView>& views);
+  /// Whether the run that is shown goes on; of one that has ended, and of none, there is no "now".
+  void setGoesOn(bool goes_on);
   /// Proposed besides: those of a recording.
   void setOfferedViews(std::vector<MonitorView> views);
   /// Limits of the project in work, which may be dragged and typed; nothing: what is shown is not of it.

@@ -67,7 +67,7 @@ void DeviationPanel::colorItems() {
 std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
   std::vector<LegendBar::Entry> result{entry(*largest_, time)};
   if (const auto reading = store().value(Signal::kDeviation, time)) {
-    result.front().value = timeText(wholeNs(static_cast<double>(reading->value)));
+    result.front().value = largestText(static_cast<double>(reading->value));
   }
   nameOwn(result.front());
   if (other_->isVisible()) {
@@ -85,7 +85,13 @@ std::vector<LegendBar::Entry> DeviationPanel::entries(Nanoseconds time) const {
 QString DeviationPanel::summary(Nanoseconds) const {
   const auto extent = store().series(Signal::kDeviation).extent(view().begin(), view().end() + 1);
   if (!extent) return {};
-  return tr("peak %1").arg(timeText(wholeNs(static_cast<double>(extent->max))));
+  return tr("peak %1").arg(largestText(static_cast<double>(extent->max)));
+}
+
+/// A magnitude has no sign, and what is or-ed no slave need have had.
+QString DeviationPanel::largestText(double value) const {
+  const auto text = timeText(wholeNs(value));
+  return source().overview().is_deviation_ored() ? atMostText(text) : text;
 }
 
 QString DeviationPanel::unitText(const SeriesItem&) const { return QStringLiteral("ns"); }

@@ -31,6 +31,8 @@ class DeviationPanel final : public WorstSlavesPanel {
   [[nodiscard]] QString unitText(const SeriesItem& item) const override;
 
  private:
+  [[nodiscard]] QString largestText(double value) const;
+
   SeriesItem* largest_;
   SeriesItem* other_;  // of the overlay
 };

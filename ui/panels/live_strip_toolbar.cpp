@@ -165,23 +165,33 @@ void LiveStripToolbar::showState() {
   live_->setChecked(view_->mode() == Mode::kLive);
   freeze_->setChecked(view_->mode() == Mode::kFrozen);
   const bool follows = view_->isFollowable();
-  for (auto* button : {live_, freeze_}) button->setEnabled(follows);
+  const bool ended = follows && !replayed_ && !view_->goesOn();
+  live_->setEnabled(follows);
+  freeze_->setEnabled(follows && !ended);
   live_->setToolTip(replayed_ ? tr("Follow the moment of the replay (End)")
+                    : ended   ? tr("Show the end of the run (End)")
                     : follows ? tr("Follow the newest sample (End)")
                               : tr("A recording has no newest sample to follow"));
   freeze_->setToolTip(replayed_ ? tr("Stop the picture, not the replay (Space)")
+                      : ended   ? tr("The run has ended: its picture stands still")
                       : follows ? tr("Stop the picture, not the acquisition (Space)")
                                 : tr("A recording stands still"));
   measure_->setChecked(cursors_->any());
-  QString text;
+  QString text, shorter;
   auto tone = theme::Tone::kNeutral;
   if (!follows) {
     text = tr("Recording");
   } else if (view_->mode() != Mode::kLive) {
     const auto behind =
         timeText(std::max<Nanoseconds>(view_->behind(), 0) / (100 * kMillisecond) * (100 * kMillisecond));
-    text = (view_->mode() == Mode::kFrozen ? tr("Frozen, %1 behind") : tr("History, %1 behind")).arg(behind);
-    tone = theme::Tone::kWarning;
+    text = (ended                            ? tr("Ended, %1 before the end")
+            : view_->mode() == Mode::kFrozen ? tr("Frozen, %1 behind")
+                                             : tr("History, %1 behind"))
+               .arg(behind);
+    shorter = QStringLiteral("\u2212") + behind;
+    tone = ended ? theme::Tone::kNeutral : theme::Tone::kWarning;
+  } else if (ended) {
+    text = tr("Ended");
   } else if (replayed_) {
     text = tr("Replay");
     tone = theme::Tone::kBusy;
@@ -189,7 +199,7 @@ void LiveStripToolbar::showState() {
   auto colors = state_->palette();
   colors.setColor(QPalette::WindowText, theme::toneColor(palette(), tone));
   state_->setPalette(colors);
-  state_->setText(text);
+  state_->setText(text, shorter);
   QString delta;
   if (cursors_->both()) {
     const auto time = cursors_->delta();

@@ -61,8 +61,10 @@ OverviewPanel::OverviewPanel(QWidget* parent)
       master_text_(named(new QLabel, "overviewMasterText", tr("Master: since when"))),
       standing_(named(new QLabel, "overviewStanding", tr("Slaves in OP"))),
       banner_(new FaultBanner),
-      deviation_(new FigureCard("overviewDeviation", tr("DC deviation"),
-                                tr("Register 0x092C of the slaves that follow the reference clock: the largest"))),
+      deviation_(new FigureCard(
+          "overviewDeviation", tr("DC deviation"),
+          tr("Register 0x092C of the slaves that follow the reference clock: the largest. With \u2264 it is what the "
+             "wire has or-ed of all of them: none is off by more, and perhaps none by so much"))),
       missed_(new FigureCard("overviewMissed", tr("SM2 events missed"),
                              tr("Object 0x1C32:0B or 0x1C32:0C of the slaves that have one, since it was armed"))),
       dcm_(new FigureCard("overviewDcm", tr("DCM error"),
@@ -183,9 +185,12 @@ void OverviewPanel::colorStanding() {
 
 void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, Signal signal) {
   const bool is_signed = signal == Signal::kDcmError;
-  const auto text = [is_signed](double value) {
-    return is_signed ? signedTimeText(wholeNs(value)) : timeText(wholeNs(value));
+  const bool is_estimate = signal == Signal::kDeviation && record_->overview().is_deviation_ored();
+  const auto magnitude = [is_estimate](double value) {
+    const auto figure_text = timeText(wholeNs(value));
+    return is_estimate ? atMostText(figure_text) : figure_text;
   };
+  const auto text = [&](double value) { return is_signed ? signedTimeText(wholeNs(value)) : magnitude(value); };
   const auto last = record_->samples().last_time();
   const bool fresh = hasNow() && figure.now && last - figure.now->time <= record_->samples().longest_gap(signal);
   card.setMain(fresh ? text(static_cast<double>(figure.now->value)) : noText());
@@ -193,8 +198,8 @@ void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, S
   const bool any = statistics.count() > 0;
   const auto mean = any ? text(statistics.mean()) : noText();
   card.setFigure(kMean, any ? withSpreadText(mean, statistics.mean_half_width()) : mean, mean);
-  card.setFigure(kRms, any ? timeText(wholeNs(statistics.rms())) : noText());
-  card.setFigure(kQuantile, any ? timeText(figure.magnitudes.percentile(0.9999)) : noText());
+  card.setFigure(kRms, any ? magnitude(statistics.rms()) : noText());
+  card.setFigure(kQuantile, any ? magnitude(static_cast<double>(figure.magnitudes.percentile(0.9999))) : noText());
   if (!figure.largest) return card.setFigure(kMax, noText());
   const auto largest = text(static_cast<double>(figure.largest->value));
   card.setFigure(kMax, tr("%1 at %2").arg(largest, momentText(figure.largest->time, *record_)), largest);

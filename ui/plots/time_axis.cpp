@@ -133,7 +133,8 @@ TimeAxis numberAxis(const TimeView& view) {
   const double divisor = static_cast<double>(of.unit) / 1e9;
   const auto unit = QString::fromUtf8(of.name);
   if (view.mode() == TimeView::Mode::kLive && view.notation() == Notation::kBeforeNow)
-    return {-span, 0, divisor, TracePlot::tr("Time before now"), unit};
+    return {-span, 0, divisor, view.goesOn() ? TracePlot::tr("Time before now") : TracePlot::tr("Time before the end"),
+            unit};
   const auto since = view.end() - view.origin();
   const auto begin = since - view.span();
   const auto base = of.whole == 0 || begin < 0 ? 0 : begin / of.whole * of.whole;

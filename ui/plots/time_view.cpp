@@ -40,6 +40,7 @@ void TimeView::follow(const TimeView& other) {
   clocks_ = other.clocks_;
   origin_ = other.origin_;
   setNotation(other.notation_);
+  goes_on_ = other.goes_on_;
   if (followable_ != other.followable_) {
     setFollowable(other.followable_);
     span_ = other.span_;
@@ -71,6 +72,12 @@ void TimeView::showAll() {
 void TimeView::setFollowable(bool followable) {
   if (followable != std::exchange(followable_, followable)) std::swap(span_, followed_span_);
   setMode(followable ? Mode::kLive : Mode::kHistory);
+  Q_EMIT changed();
+}
+
+void TimeView::setGoesOn(bool goes_on) {
+  if (goes_on == std::exchange(goes_on_, goes_on)) return;
+  Q_EMIT modeChanged();
   Q_EMIT changed();
 }
 

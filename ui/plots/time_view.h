@@ -52,6 +52,9 @@ class TimeView final : public QObject {
   /// the span that it had.
   void setFollowable(bool followable);
   [[nodiscard]] bool isFollowable() const { return followable_; }
+  /// Whether what is followed goes on: of a run that has ended the newest sample is no "now".
+  void setGoesOn(bool goes_on);
+  [[nodiscard]] bool goesOn() const { return goes_on_; }
 
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] Nanoseconds begin() const { return end_ - span_; }
@@ -88,7 +91,7 @@ class TimeView final : public QObject {
   Mode mode_ = Mode::kLive;
   Notation notation_ = Notation::kBeforeNow;
   Clocks clocks_;
-  bool followable_ = true;
+  bool followable_ = true, goes_on_ = true;
   Nanoseconds span_ = 10 * kSecond;
   Nanoseconds followed_span_ = span_;  // of what is followed, while something is shown that is not
   std::optional<Nanoseconds> origin_;

@@ -72,7 +72,8 @@ void WindowMemory::store() {
 QVariant WindowMemory::value(const QString& name) const { return settings_ ? settings_->value(name) : QVariant(); }
 
 void WindowMemory::setValue(const QString& name, const QVariant& value) {
-  if (settings_) settings_->setValue(name, value);
+  // What is the same is not written again.
+  if (settings_ && settings_->value(name) != value) settings_->setValue(name, value);
 }
 
 }  // namespace syncline::ui

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -35,6 +36,12 @@ class FindingSentences {
     return QCoreApplication::translate("Finding", std::string(text).c_str());
   }
 };
+
+/// The sign of micro, as all of the window has it: files and terminals do without.
+QString withMicro(QString text) {
+  static const QRegularExpression kMicroseconds(QStringLiteral("(?<=\\d) us\\b"));
+  return text.replace(kMicroseconds, QStringLiteral(" \u00B5s"));
+}
 
 /// The figure's text, or the words that it chooses with it.
 QString placed(const Placeholder& placeholder, const QString& text, bool is_one) {
@@ -134,7 +141,7 @@ QString fill(const QString& text, const Finding& finding) {
   }
   out += QStringView(text).mid(from);
   if (!out.isEmpty() && !begins_with_own_text(text.toStdString(), finding)) out[0] = out[0].toUpper();
-  return out.replace(QStringLiteral("->"), QStringLiteral("\u2192"));
+  return withMicro(out.replace(QStringLiteral("->"), QStringLiteral("\u2192")));
 }
 
 }  // namespace
@@ -153,7 +160,7 @@ QString findingWhole(const Finding& finding) {
   return advice.isEmpty() ? text : joinedSentences({text, advice});
 }
 
-QString reasonText(const Reason& reason) { return FindingSentences::reason(reason); }
+QString reasonText(const Reason& reason) { return withMicro(FindingSentences::reason(reason)); }
 
 QString findingKey(const Finding& finding) {
   if (!finding.place.key.empty()) return QString::fromStdString(finding.place.key);

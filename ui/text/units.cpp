@@ -42,6 +42,7 @@ QString timeText(Nanoseconds value) {
 
 QString signedTimeText(Nanoseconds value) { return value > 0 ? u'+' + timeText(value) : timeText(value); }
 
+QString atMostText(const QString& estimate) { return QStringLiteral("\u2264 ") + estimate; }
 Nanoseconds wholeNs(double value) { return static_cast<Nanoseconds>(std::llround(value)); }
 
 QString runTimeText(Nanoseconds since_begin) {

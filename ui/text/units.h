@@ -14,6 +14,8 @@ namespace syncline::ui {
 /// "250 ns", "62.500 us", "1.000 ms" (with the micro sign); the sign always stands for signed quantities.
 [[nodiscard]] QString timeText(Nanoseconds value);
 [[nodiscard]] QString signedTimeText(Nanoseconds value);
+/// "≤ 15 ns", of an upper estimate.
+[[nodiscard]] QString atMostText(const QString& estimate);
 /// A figure in ns as these take it: to the nearest one.
 [[nodiscard]] Nanoseconds wholeNs(double value);
 /// "12.345 s": a moment of a run, since the zero of the plots' axis; negative before the first sample.

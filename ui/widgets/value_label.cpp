@@ -9,6 +9,20 @@
 #include <algorithm>
 
 namespace syncline::ui {
+namespace {
+
+const auto kBetweenFigures = QStringLiteral("   ");
+
+/// As many of the figures as there is room for: a number that ends in an ellipsis reads as another one.
+QString elidedFigures(const QString& text, const QFontMetrics& metrics, int room) {
+  for (auto end = text.lastIndexOf(kBetweenFigures); end > 0; end = text.lastIndexOf(kBetweenFigures, end - 1)) {
+    const auto shown = text.left(end) + QStringLiteral(" \u2026");
+    if (metrics.horizontalAdvance(shown) <= room) return shown;
+  }
+  return metrics.elidedText(text, Qt::ElideRight, room);
+}
+
+}  // namespace
 
 void ValueLabel::setLeastCharacters(int count) {
   least_characters_ = count;
@@ -36,7 +50,8 @@ QString ValueLabel::shown() const {
   }
   const bool fits = fontMetrics().horizontalAdvance(text()) <= room.width();
   const bool has_shorter = !shorter_.isEmpty() && shortened_ == text();
-  return fontMetrics().elidedText(fits || !has_shorter ? text() : shorter_, Qt::ElideRight, room.width());
+  if (fits) return text();
+  return elidedFigures(has_shorter ? shorter_ : text(), fontMetrics(), room.width());
 }
 
 QString ValueLabel::hint() const {

@@ -68,6 +68,8 @@ Status SyncWatch::configure(const DcmSettings& change) {
   make_controller();
   controller_->start(base_, last_reference_, last_host_);
   start_verdict(last_host_);
+  // Who changes the controller waits for it to settle again: nothing has gone wrong, and nothing is told.
+  if (snapshot_.dcm.mode != DcmMode::kOff) snapshot_.dcm.state = SyncState::kBusy;
   clear_statistics();
   return {};
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "config/device_description.h"
+#include "config/slave_edits.h"
 
 namespace syncline {
 namespace {
@@ -129,6 +130,27 @@ TEST(FoundSlaves, ASlaveThatComesInGetsAFreeAddressWhateverTheOthersHave) {
   EXPECT_EQ(taken.slaves[0].station_address, 0xFFFF);
   EXPECT_EQ(taken.slaves[1].station_address, 1);
   EXPECT_EQ(taken.slaves[2].station_address, 2);
+}
+
+TEST(FoundSlaves, ASlaveThatComesInIsCalledByItsOwnAddressAndLikeNobodyElse) {
+  auto ours = line({1});
+  ours.slaves[0].station_address = 1001;
+  ours.slaves[0].name = "Slave_1001 [mine]";
+  auto found = line({1, 9, 9});
+  for (const std::size_t i : {1, 2}) {
+    auto& slave = found.slaves[i];
+    slave.device.type = "SL-1002";
+    slave.station_address = static_cast<std::uint16_t>(1000 + i);
+    slave.name = default_name(slave.station_address, slave.device);
+  }
+  found.slaves[2].name = "Slave_1001 [mine]";
+  const auto lines = compare_found(ours, found);
+  const auto taken = take_over(ours, found, lines, std::vector<bool>(lines.size(), true)).project;
+  ASSERT_EQ(taken.slaves.size(), 3U);
+  EXPECT_EQ(taken.slaves[0].name, "Slave_1001 [mine]");
+  EXPECT_EQ(taken.slaves[1].station_address, 1002);
+  EXPECT_EQ(taken.slaves[1].name, "Slave_1002 [SL-1002]");
+  EXPECT_EQ(taken.slaves[2].name, "Slave_1001 [mine] (2)");
 }
 
 /// Whatever is ticked: nothing taken is the project, all taken is the bus in order and wiring, and every result can be

@@ -136,6 +136,8 @@ TEST_F(DcmRun, TheStatusIsResetAndParametersChangeWhileItRuns) {
   EXPECT_EQ(snapshot.dcm.set_value_ns, 400'000);
   EXPECT_EQ(snapshot.dcm.in_sync_limit, 6'000);
   EXPECT_EQ(snapshot.dcm.times_configured, 1U);
+  // Whoever changes the controller knows that it settles anew.
+  EXPECT_TRUE(std::ranges::none_of(events, [](const Event& event) { return event.is<events::MasterOutOfSync>(); }));
   EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
   // SYNC0 stands where it was; the frames moved.
   const auto distance =

@@ -34,6 +34,33 @@ TEST(RunRecord, LimitsAndNamesAreThoseOfTheConfigurationThatRuns) {
   EXPECT_EQ(limits_of(without_clocks), (RunLimits{250 * kMicrosecond, 0, 0}));
 }
 
+/// One slave is read in each cycle: of two clocks among a hundred terminals readings reach as far back as the cycles.
+TEST(RunRecord, KeepsTheReadingsOfFewClocksAmongManySlavesAsLongAsTheCycles) {
+  NetworkConfig config;
+  config.slaves.resize(100);
+  config.slaves[3].dc.emplace();
+  config.slaves[7].dc.emplace();
+  config.cyclic.resize(1);
+  config.cyclic.front().cycle_time = kMillisecond;
+  constexpr std::size_t kLongRun = 40'000;
+  for (const std::size_t capacity : {std::size_t{0}, kLongRun}) {  // of a live run, and of a recording
+    RunRecord record(config, capacity);
+    for (std::size_t i = 0; i < kLongRun; ++i) {
+      CycleSample sample;
+      sample.cycle = i;
+      sample.send_time = kSecond + static_cast<Nanoseconds>(i) * kMillisecond;
+      sample.flags = CycleSample::kSlaveFollows;
+      sample.slave_position = i % 2 == 0 ? 3 : 7;
+      record.add(std::span(&sample, 1));
+    }
+    for (const std::size_t slave : {3, 7}) {
+      const auto& series = record.samples().series(Signal::kSlaveDeviation, slave);
+      EXPECT_EQ(series.first_time(), kSecond + (slave == 3 ? 0 : kMillisecond)) << slave << " of " << capacity;
+      EXPECT_EQ(series.count(0, INT64_MAX), kLongRun / 2);
+    }
+  }
+}
+
 TEST(RunRecord, KeepsTheLastSnapshotOfTheRunAndTheLatestEvents) {
   RunRecord record(running_machine());
   Snapshot online;

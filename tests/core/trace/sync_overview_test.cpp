@@ -43,6 +43,25 @@ TEST(SyncOverview, BringUpIsNoPartOfTheFigures) {
   EXPECT_EQ(overview.dcm_error.magnitudes.percentile(0.9999), 40);
 }
 
+TEST(SyncOverview, WhatIsOredIsAnUpperEstimate) {
+  OverviewRecorder recorder(2);
+  const auto feed_ored = [&](std::int64_t ms, std::uint32_t ored) {
+    auto one = sample(ms, SyncState::kInSync, 12);
+    one.flags |= CycleSample::kDeviationValid;
+    one.deviation_ored_ns = ored;
+    feed(recorder, one);
+  };
+  for (int ms = 0; ms < 100; ++ms) feed_ored(ms, ms % 5 == 0 ? 12 : 15);
+  EXPECT_FALSE(recorder.overview().is_deviation_ored()) << "the same now and then";
+  recorder.arm();
+  EXPECT_FALSE(recorder.overview().is_deviation_ored()) << "nothing is known since";
+  for (int ms = 100; ms < 200; ++ms) feed_ored(ms, 12);
+  EXPECT_TRUE(recorder.overview().is_deviation_ored());
+  recorder.arm();
+  for (int ms = 200; ms < 300; ++ms) feed(recorder, sample(ms, SyncState::kInSync, 12));
+  EXPECT_FALSE(recorder.overview().is_deviation_ored()) << "nobody has or-ed anything";
+}
+
 TEST(SyncOverview, ALampSaysSinceWhenAndWhenItWasLost) {
   OverviewRecorder recorder(1);
   for (int ms = 0; ms < 10; ++ms) feed(recorder, sample(ms, SyncState::kBusy));
