@@ -10,7 +10,6 @@
 #include "ui/text/glossary.h"
 
 namespace syncline::ui {
-namespace {}  // namespace
 
 SyncUnitModel::SyncUnitModel(QObject* parent) : GroupedModel(parent) {}
 

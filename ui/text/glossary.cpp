@@ -9,7 +9,6 @@
 #include <string_view>
 
 namespace syncline::ui {
-namespace {}  // namespace
 
 QString masterWord() { return QCoreApplication::translate("Glossary", "Master"); }
 QString slaveWord() { return QCoreApplication::translate("Glossary", "Slave"); }
