@@ -1197,10 +1197,6 @@
             <translation>Keine Daten: online gehen</translation>
         </message>
         <message>
-            <source>Syncline, %1, cycle %2</source>
-            <translation>Syncline, %1, Zyklus %2</translation>
-        </message>
-        <message>
             <source>Export the range shown</source>
             <translation>Gezeigten Bereich exportieren</translation>
         </message>
@@ -1263,6 +1259,10 @@
         <message>
             <source>Lay this moment of %1 on cursor A</source>
             <translation>Diesen Zeitpunkt von %1 auf Cursor A legen</translation>
+        </message>
+        <message>
+            <source>Show the plots</source>
+            <translation>Diagramme zeigen</translation>
         </message>
 </context>
 <context>
@@ -1465,6 +1465,10 @@
         <message>
             <source>Stop the picture, not the replay (Space)</source>
             <translation>Das Bild anhalten, nicht die Wiedergabe (Leertaste)</translation>
+        </message>
+        <message>
+            <source>Leave only the figures of the plots</source>
+            <translation>Nur die Zahlen der Diagramme stehen lassen</translation>
         </message>
 </context>
 <context>
@@ -3908,6 +3912,10 @@ Einstellung %2</translation>
             <source>%1: %2/s</source>
             <translation>%1: %2/s</translation>
         </message>
+        <message>
+            <source>no reading in the range shown</source>
+            <translation>keine Ablesung im gezeigten Bereich</translation>
+        </message>
 </context>
 <context>
     <name>StatusPanel</name>
@@ -4199,6 +4207,14 @@ Einstellung %2</translation>
         <message>
             <source>Change Sync Unit Cycle of SYNC%1</source>
             <translation>Sync Unit Cycle von SYNC%1 ändern</translation>
+        </message>
+        <message>
+            <source>Choose "User defined" above to set it.</source>
+            <translation>Wählen Sie oben „Benutzerdefiniert“, um ihn zu setzen.</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>Zyklus</translation>
         </message>
 </context>
 <context>
@@ -4811,18 +4827,6 @@ Einstellung %2</translation>
         <message>
             <source>Potential reference clock</source>
             <translation>Mögliche Referenzuhr</translation>
-        </message>
-        <message>
-            <source>Sync Unit Cycle</source>
-            <translation>Sync Unit Cycle</translation>
-        </message>
-        <message>
-            <source>Cycle</source>
-            <translation>Zyklus</translation>
-        </message>
-        <message>
-            <source>Shift</source>
-            <translation>Verschiebung</translation>
         </message>
         <message>
             <source>Error limit</source>
@@ -5784,6 +5788,30 @@ Einstellung %2</translation>
             <source>nothing</source>
             <translation>nichts</translation>
         </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC0</source>
+            <translation>Sync Unit Cycle von SYNC0</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC0</source>
+            <translation>Zyklus von SYNC0</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC0</source>
+            <translation>Verschiebung von SYNC0</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC1</source>
+            <translation>Sync Unit Cycle von SYNC1</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC1</source>
+            <translation>Zyklus von SYNC1</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC1</source>
+            <translation>Verschiebung von SYNC1</translation>
+        </message>
 </context>
 <context>
     <name>FieldBinder</name>
@@ -6441,14 +6469,6 @@ Einstellung %2</translation>
             <translation>Slave %1, Port %2</translation>
         </message>
         <message>
-            <source>Connected to %1 instead of %2</source>
-            <translation>Angeschlossen an %1 statt an %2</translation>
-        </message>
-        <message>
-            <source>Position %1 instead of %2</source>
-            <translation>Position %1 statt %2</translation>
-        </message>
-        <message>
             <source>Revision %1 instead of %2</source>
             <translation>Revision %1 statt %2</translation>
         </message>
@@ -6479,6 +6499,14 @@ Einstellung %2</translation>
         <message>
             <source>Difference</source>
             <translation>Unterschied</translation>
+        </message>
+        <message>
+            <source>At position %1; in the project at %2</source>
+            <translation>An Position %1; im Projekt an %2</translation>
+        </message>
+        <message>
+            <source>Connected to %1; in the project to %2</source>
+            <translation>Angeschlossen an %1; im Projekt an %2</translation>
         </message>
 </context>
 <context>
@@ -6868,6 +6896,10 @@ Einstellung %2</translation>
             <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
             <translation>Nur Parameter der Master-Synchronisation lassen sich ändern, während die Maschine läuft</translation>
         </message>
+        <message>
+            <source>The machine does not run what the project says.</source>
+            <translation>Die Maschine führt nicht aus, was das Projekt sagt.</translation>
+        </message>
 </context>
 <context>
     <name>SlaveSyncPage</name>
@@ -6945,10 +6977,6 @@ Einstellung %2</translation>
             <translation>Bisher gefunden: &lt;b&gt;%1&lt;/b&gt;</translation>
         </message>
         <message>
-            <source>&lt;b&gt;No fault&lt;/b&gt; since %1 (for %2).</source>
-            <translation>&lt;b&gt;Keine Störung&lt;/b&gt; ab %1 (seit %2).</translation>
-        </message>
-        <message>
             <source>&lt;b&gt;First: %1&lt;/b&gt; at %2.</source>
             <translation>&lt;b&gt;Zuerst: %1&lt;/b&gt; bei %2.</translation>
         </message>
@@ -6963,10 +6991,6 @@ Einstellung %2</translation>
         <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; since %1 (for %2), but &lt;b&gt;%3&lt;/b&gt;</source>
-            <translation>&lt;b&gt;Nichts fiel aus oder ging verloren&lt;/b&gt; ab %1 (seit %2), aber &lt;b&gt;%3&lt;/b&gt;</translation>
         </message>
         <message>
             <source> Not over: %1.</source>
@@ -7016,6 +7040,14 @@ Einstellung %2</translation>
         <message numerus="yes">
             <source>%n slave(s) do(es) not answer</source>
             <translation><numerusform>%n Slave antwortet nicht</numerusform><numerusform>%n Slaves antworten nicht</numerusform></translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;No fault&lt;/b&gt; for %2, since %1 of the run.</source>
+            <translation>&lt;b&gt;Keine Störung&lt;/b&gt; seit %2, ab %1 des Laufs.</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; for %2, since %1 of the run, but &lt;b&gt;%3&lt;/b&gt;</source>
+            <translation>&lt;b&gt;Nichts fiel aus oder ging verloren&lt;/b&gt; seit %2, ab %1 des Laufs, aber &lt;b&gt;%3&lt;/b&gt;</translation>
         </message>
 </context>
 <context>
@@ -7277,10 +7309,6 @@ Einstellung %2</translation>
         <message>
             <source>Export and copy</source>
             <translation>Exportieren und kopieren</translation>
-        </message>
-        <message>
-            <source>Syncline, %1, cycle %2</source>
-            <translation>Syncline, %1, Zyklus %2</translation>
         </message>
         <message>
             <source>Export picture…</source>
@@ -7804,6 +7832,29 @@ Einstellung %2</translation>
         <message>
             <source>The objects could not be exported.</source>
             <translation>Die Objekte konnten nicht exportiert werden.</translation>
+        </message>
+        <message>
+            <source>Favourites</source>
+            <translation>Favoriten</translation>
+        </message>
+        <message>
+            <source>Objects that are watched in every device of this kind, also in other projects</source>
+            <translation>Objekte, die bei jedem Gerät dieser Art beobachtet werden, auch in anderen Projekten</translation>
+        </message>
+        <message numerus="yes">
+            <source>&amp;Watch %n favourite(s) of %1</source>
+            <translation>
+                <numerusform>%n Favoriten von %1 &amp;beobachten</numerusform>
+                <numerusform>%n Favoriten von %1 &amp;beobachten</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>&amp;Make the watched entries the favourites of %1</source>
+            <translation>Die beobachteten Einträge zu &amp;Favoriten von %1 machen</translation>
+        </message>
+        <message>
+            <source>&amp;Forget the favourites of %1</source>
+            <translation>Favoriten von %1 &amp;vergessen</translation>
         </message>
 </context>
 <context>
@@ -8830,14 +8881,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <source>&amp;System Language</source>
             <translation>Sprache des S&amp;ystems</translation>
         </message>
-        <message>
-            <source>Applied at the next start</source>
-            <translation>Gilt ab dem nächsten Start</translation>
-        </message>
-        <message>
-            <source>The window speaks this language from the next start on.</source>
-            <translation>Das Fenster spricht diese Sprache ab dem nächsten Start.</translation>
-        </message>
 </context>
 <context>
     <name>DistributionView</name>
@@ -9286,6 +9329,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>%1 to %2</source>
             <translation>%1 bis %2</translation>
+        </message>
+        <message>
+            <source>Number of values</source>
+            <translation>Anzahl der Werte</translation>
         </message>
 </context>
 <context>
@@ -9818,6 +9865,13 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>The differences could not be written.</source>
             <translation>Die Unterschiede konnten nicht geschrieben werden.</translation>
+        </message>
+        <message numerus="yes">
+            <source>(%n change(s) of the project, and what follows or makes no difference)</source>
+            <translation>
+                <numerusform>(%n Änderung des Projekts, und was daraus folgt oder nichts ausmacht)</numerusform>
+                <numerusform>(%n Änderungen des Projekts, und was daraus folgt oder nichts ausmacht)</numerusform>
+            </translation>
         </message>
 </context>
 <context>
@@ -12577,5 +12631,70 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <source>The end comes before the begin.</source>
         <translation>Das Ende liegt vor dem Anfang.</translation>
     </message>
+</context>
+<context>
+    <name>StartBar</name>
+        <message>
+            <source>Start that failed</source>
+            <translation>Gescheiterter Start</translation>
+        </message>
+        <message>
+            <source>Why the machine did not start</source>
+            <translation>Warum die Maschine nicht anlief</translation>
+        </message>
+        <message>
+            <source>Show the Slave</source>
+            <translation>Slave zeigen</translation>
+        </message>
+        <message>
+            <source>Show the slave that it is about</source>
+            <translation>Den Slave zeigen, um den es geht</translation>
+        </message>
+        <message>
+            <source>Scan and Compare…</source>
+            <translation>Scannen und vergleichen…</translation>
+        </message>
+        <message>
+            <source>Scan the bus and compare</source>
+            <translation>Bus scannen und vergleichen</translation>
+        </message>
+        <message>
+            <source>Looks what is on the bus and shows it beside the project: missing, more, another revision</source>
+            <translation>Sieht nach, was am Bus ist, und zeigt es neben dem Projekt: was fehlt, was mehr ist, andere Revisionen</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Schließen</translation>
+        </message>
+        <message>
+            <source>Close; the messages keep it</source>
+            <translation>Schließen; in den Meldungen bleibt es stehen</translation>
+        </message>
+        <message>
+            <source>The machine did not start. %1: %2</source>
+            <translation>Die Maschine lief nicht an. %1: %2</translation>
+        </message>
+        <message>
+            <source>The machine did not start; the messages say how far it came.</source>
+            <translation>Die Maschine lief nicht an; die Meldungen sagen, wie weit sie kam.</translation>
+        </message>
+        <message numerus="yes">
+            <source>(%n further error(s) in the messages)</source>
+            <translation>
+                <numerusform>(%n weiterer Fehler in den Meldungen)</numerusform>
+                <numerusform>(%n weitere Fehler in den Meldungen)</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>Picture</name>
+        <message>
+            <source>Syncline, %1, cycle %2</source>
+            <translation>Syncline, %1, Zyklus %2</translation>
+        </message>
+        <message>
+            <source>Syncline, simulated machine, %1, cycle %2</source>
+            <translation>Syncline, simulierte Maschine, %1, Zyklus %2</translation>
+        </message>
 </context>
 </TS>

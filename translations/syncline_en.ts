@@ -310,7 +310,14 @@
                 <numerusform>%n objects</numerusform>
             </translation>
         </message>
-    </context>
+        <message numerus="yes">
+            <source>&amp;Watch %n favourite(s) of %1</source>
+            <translation>
+                <numerusform>&amp;Watch %n favourite of %1</numerusform>
+                <numerusform>&amp;Watch %n favourites of %1</numerusform>
+            </translation>
+        </message>
+</context>
     <context>
     <name>CataloguePanel</name>
         <message numerus="yes">
@@ -478,7 +485,14 @@
                 <numerusform>%n differences</numerusform>
             </translation>
         </message>
-    </context>
+            <message numerus="yes">
+            <source>(%n change(s) of the project, and what follows or makes no difference)</source>
+            <translation>
+                <numerusform>(%n change of the project, and what follows or makes no difference)</numerusform>
+                <numerusform>(%n changes of the project, and what follows or makes no difference)</numerusform>
+            </translation>
+        </message>
+</context>
 <context>
     <name>SlaveHistoryPage</name>
         <message numerus="yes">
@@ -583,4 +597,14 @@
             </translation>
         </message>
     </context>
+<context>
+    <name>StartBar</name>
+        <message numerus="yes">
+            <source>(%n further error(s) in the messages)</source>
+            <translation>
+                <numerusform>(%n further error in the messages)</numerusform>
+                <numerusform>(%n further errors in the messages)</numerusform>
+            </translation>
+        </message>
+</context>
 </TS>

@@ -1194,10 +1194,6 @@
             <translation>无数据：请先上线</translation>
         </message>
         <message>
-            <source>Syncline, %1, cycle %2</source>
-            <translation>Syncline，%1，周期 %2</translation>
-        </message>
-        <message>
             <source>Export the range shown</source>
             <translation>导出显示的范围</translation>
         </message>
@@ -1260,6 +1256,10 @@
         <message>
             <source>Lay this moment of %1 on cursor A</source>
             <translation>将 %1 的此时刻对到光标 A</translation>
+        </message>
+        <message>
+            <source>Show the plots</source>
+            <translation>显示曲线图</translation>
         </message>
 </context>
 <context>
@@ -1462,6 +1462,10 @@
         <message>
             <source>Stop the picture, not the replay (Space)</source>
             <translation>停住画面，不停止回放（空格）</translation>
+        </message>
+        <message>
+            <source>Leave only the figures of the plots</source>
+            <translation>只保留曲线图的数值</translation>
         </message>
 </context>
 <context>
@@ -3896,6 +3900,10 @@ Setting %2</source>
             <source>%1: %2/s</source>
             <translation>%1：%2/s</translation>
         </message>
+        <message>
+            <source>no reading in the range shown</source>
+            <translation>所示范围内没有读数</translation>
+        </message>
 </context>
 <context>
     <name>StatusPanel</name>
@@ -4183,6 +4191,14 @@ Setting %2</source>
         <message>
             <source>Change Sync Unit Cycle of SYNC%1</source>
             <translation>更改 SYNC%1 的同步单元周期</translation>
+        </message>
+        <message>
+            <source>Choose "User defined" above to set it.</source>
+            <translation>在上方选择“自定义”后才能设置。</translation>
+        </message>
+        <message>
+            <source>Cycle</source>
+            <translation>周期</translation>
         </message>
 </context>
 <context>
@@ -4791,18 +4807,6 @@ Setting %2</source>
         <message>
             <source>Potential reference clock</source>
             <translation>潜在的参考时钟</translation>
-        </message>
-        <message>
-            <source>Sync Unit Cycle</source>
-            <translation>同步单元周期</translation>
-        </message>
-        <message>
-            <source>Cycle</source>
-            <translation>周期</translation>
-        </message>
-        <message>
-            <source>Shift</source>
-            <translation>偏移</translation>
         </message>
         <message>
             <source>Error limit</source>
@@ -5764,6 +5768,30 @@ Setting %2</source>
             <source>nothing</source>
             <translation>空</translation>
         </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC0</source>
+            <translation>SYNC0 的同步单元周期</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC0</source>
+            <translation>SYNC0 的周期</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC0</source>
+            <translation>SYNC0 的偏移</translation>
+        </message>
+        <message>
+            <source>Sync Unit Cycle of SYNC1</source>
+            <translation>SYNC1 的同步单元周期</translation>
+        </message>
+        <message>
+            <source>Cycle of SYNC1</source>
+            <translation>SYNC1 的周期</translation>
+        </message>
+        <message>
+            <source>Shift of SYNC1</source>
+            <translation>SYNC1 的偏移</translation>
+        </message>
 </context>
 <context>
     <name>FieldBinder</name>
@@ -6413,14 +6441,6 @@ Setting %2</source>
             <translation>从站 %1，端口 %2</translation>
         </message>
         <message>
-            <source>Connected to %1 instead of %2</source>
-            <translation>连接到 %1 而不是 %2</translation>
-        </message>
-        <message>
-            <source>Position %1 instead of %2</source>
-            <translation>位置为 %1 而不是 %2</translation>
-        </message>
-        <message>
             <source>Revision %1 instead of %2</source>
             <translation>版本号为 %1 而不是 %2</translation>
         </message>
@@ -6451,6 +6471,14 @@ Setting %2</source>
         <message>
             <source>Difference</source>
             <translation>差异</translation>
+        </message>
+        <message>
+            <source>At position %1; in the project at %2</source>
+            <translation>位于位置 %1；项目中位于 %2</translation>
+        </message>
+        <message>
+            <source>Connected to %1; in the project to %2</source>
+            <translation>连接到 %1；项目中连接到 %2</translation>
         </message>
 </context>
 <context>
@@ -6837,6 +6865,10 @@ Setting %2</source>
             <source>Only parameters of the master synchronisation can be changed while the machine runs</source>
             <translation>机器运行时只能更改主站同步的参数</translation>
         </message>
+        <message>
+            <source>The machine does not run what the project says.</source>
+            <translation>机器运行的不是项目中所写的内容。</translation>
+        </message>
 </context>
 <context>
     <name>SlaveSyncPage</name>
@@ -6912,10 +6944,6 @@ Setting %2</source>
             <translation>目前发现：&lt;b&gt;%1&lt;/b&gt;</translation>
         </message>
         <message>
-            <source>&lt;b&gt;No fault&lt;/b&gt; since %1 (for %2).</source>
-            <translation>自 %1 起&lt;b&gt;无故障&lt;/b&gt;（已 %2）。</translation>
-        </message>
-        <message>
             <source>&lt;b&gt;First: %1&lt;/b&gt; at %2.</source>
             <translation>&lt;b&gt;首先：%1&lt;/b&gt;，时间 %2。</translation>
         </message>
@@ -6930,10 +6958,6 @@ Setting %2</source>
         <message>
             <source>%1 s</source>
             <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; since %1 (for %2), but &lt;b&gt;%3&lt;/b&gt;</source>
-            <translation>自 %1 起（%2）&lt;b&gt;没有掉线或丢失&lt;/b&gt;，但是 &lt;b&gt;%3&lt;/b&gt;</translation>
         </message>
         <message>
             <source> Not over: %1.</source>
@@ -6983,6 +7007,14 @@ Setting %2</source>
         <message numerus="yes">
             <source>%n slave(s) do(es) not answer</source>
             <translation><numerusform>%n 个从站无应答</numerusform></translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;No fault&lt;/b&gt; for %2, since %1 of the run.</source>
+            <translation>自运行的 %1 起，%2 内&lt;b&gt;无故障&lt;/b&gt;。</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Nothing fell or was lost&lt;/b&gt; for %2, since %1 of the run, but &lt;b&gt;%3&lt;/b&gt;</source>
+            <translation>自运行的 %1 起，%2 内&lt;b&gt;没有掉线或丢失&lt;/b&gt;，但是 &lt;b&gt;%3&lt;/b&gt;</translation>
         </message>
 </context>
 <context>
@@ -7244,10 +7276,6 @@ Setting %2</source>
         <message>
             <source>Export and copy</source>
             <translation>导出和复制</translation>
-        </message>
-        <message>
-            <source>Syncline, %1, cycle %2</source>
-            <translation>Syncline，%1，周期 %2</translation>
         </message>
         <message>
             <source>Export picture…</source>
@@ -7770,6 +7798,28 @@ Setting %2</source>
         <message>
             <source>The objects could not be exported.</source>
             <translation>无法导出对象。</translation>
+        </message>
+        <message>
+            <source>Favourites</source>
+            <translation>收藏</translation>
+        </message>
+        <message>
+            <source>Objects that are watched in every device of this kind, also in other projects</source>
+            <translation>在此类设备中始终监视的对象，也适用于其他项目</translation>
+        </message>
+        <message numerus="yes">
+            <source>&amp;Watch %n favourite(s) of %1</source>
+            <translation>
+                <numerusform>监视 %1 的 %n 个收藏对象(&amp;W)</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>&amp;Make the watched entries the favourites of %1</source>
+            <translation>将所监视的条目设为 %1 的收藏(&amp;M)</translation>
+        </message>
+        <message>
+            <source>&amp;Forget the favourites of %1</source>
+            <translation>清除 %1 的收藏(&amp;F)</translation>
         </message>
 </context>
 <context>
@@ -8791,14 +8841,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <source>&amp;System Language</source>
             <translation>系统语言(&amp;S)</translation>
         </message>
-        <message>
-            <source>Applied at the next start</source>
-            <translation>下次启动时生效</translation>
-        </message>
-        <message>
-            <source>The window speaks this language from the next start on.</source>
-            <translation>窗口从下次启动起使用此语言。</translation>
-        </message>
 </context>
 <context>
     <name>DistributionView</name>
@@ -9246,6 +9288,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>%1 to %2</source>
             <translation>%1 至 %2</translation>
+        </message>
+        <message>
+            <source>Number of values</source>
+            <translation>数值个数</translation>
         </message>
 </context>
 <context>
@@ -9768,6 +9814,12 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>The differences could not be written.</source>
             <translation>无法写入差异。</translation>
+        </message>
+        <message numerus="yes">
+            <source>(%n change(s) of the project, and what follows or makes no difference)</source>
+            <translation>
+                <numerusform>（项目中有 %n 处更改，其余由此产生或没有影响）</numerusform>
+            </translation>
         </message>
 </context>
 <context>
@@ -12517,5 +12569,69 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <source>The end comes before the begin.</source>
         <translation>结束早于开始。</translation>
     </message>
+</context>
+<context>
+    <name>StartBar</name>
+        <message>
+            <source>Start that failed</source>
+            <translation>启动失败</translation>
+        </message>
+        <message>
+            <source>Why the machine did not start</source>
+            <translation>机器未启动的原因</translation>
+        </message>
+        <message>
+            <source>Show the Slave</source>
+            <translation>显示从站</translation>
+        </message>
+        <message>
+            <source>Show the slave that it is about</source>
+            <translation>显示相关从站</translation>
+        </message>
+        <message>
+            <source>Scan and Compare…</source>
+            <translation>扫描并比较…</translation>
+        </message>
+        <message>
+            <source>Scan the bus and compare</source>
+            <translation>扫描总线并比较</translation>
+        </message>
+        <message>
+            <source>Looks what is on the bus and shows it beside the project: missing, more, another revision</source>
+            <translation>查看总线上的设备并与项目并列显示：缺少、多出、修订版不同</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Close; the messages keep it</source>
+            <translation>关闭；消息中仍会保留</translation>
+        </message>
+        <message>
+            <source>The machine did not start. %1: %2</source>
+            <translation>机器未启动。%1：%2</translation>
+        </message>
+        <message>
+            <source>The machine did not start; the messages say how far it came.</source>
+            <translation>机器未启动；消息中说明了进行到哪一步。</translation>
+        </message>
+        <message numerus="yes">
+            <source>(%n further error(s) in the messages)</source>
+            <translation>
+                <numerusform>（消息中另有 %n 个错误）</numerusform>
+            </translation>
+        </message>
+</context>
+<context>
+    <name>Picture</name>
+        <message>
+            <source>Syncline, %1, cycle %2</source>
+            <translation>Syncline，%1，周期 %2</translation>
+        </message>
+        <message>
+            <source>Syncline, simulated machine, %1, cycle %2</source>
+            <translation>Syncline，模拟机器，%1，周期 %2</translation>
+        </message>
 </context>
 </TS>

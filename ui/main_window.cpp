@@ -10,8 +10,10 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUrl>
+#include <algorithm>
 #include <utility>
 
+#include "record/run_record.h"
 #include "ui/action_states.h"
 #include "ui/actions.h"
 #include "ui/column_memory.h"
@@ -21,7 +23,6 @@
 #include "ui/dialogs/export_menu.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/finding_fixes.h"
-#include "ui/dialogs/go_to_dialog.h"
 #include "ui/dialogs/language_menu.h"
 #include "ui/dialogs/network_commands.h"
 #include "ui/dialogs/questions.h"
@@ -42,6 +43,7 @@
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/run_bar.h"
 #include "ui/panels/slave_counts_memory.h"
+#include "ui/panels/start_bar.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/project_limits.h"
 #include "ui/session/recorded_views.h"
@@ -54,13 +56,13 @@
 #include "ui/widgets/spoken_value.h"
 #include "ui/widgets/whole_texts.h"
 #include "ui/window_centre.h"
+#include "ui/window_dialogs.h"
 #include "ui/window_docks.h"
 #include "ui/window_layout.h"
 #include "ui/window_menus.h"
 #include "ui/window_overlay.h"
 #include "ui/window_replay.h"
 #include "ui/window_trigger.h"
-#include "ui/wizard/new_machine_wizard.h"
 
 namespace syncline::ui {
 MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(parent), workspace_(workspace) {
@@ -76,6 +78,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   files_ = new FileCommands(workspace, *this);
   networks_ = new NetworkCommands(workspace, *this, [this] { return commitFields(); });
   templates_ = new TemplateCommands(workspace, *files_, *this);
+  dialogs_ = new WindowDialogs(workspace, *files_, *this);
   bus_ = new BusCommands(workspace, *this);
   recordings_ = new RecordingCommands(workspace, *this);
   building_ = new MachineBuilding(workspace, *this, [this] { return commitFields(); });
@@ -98,6 +101,7 @@ MainWindow::MainWindow(Workspace& workspace, QWidget* parent) : QMainWindow(pare
   updateTheme();
   updateTitle();
   updateActions();
+  takeUp();
 }
 
 /// A field that loses the focus hands in what was typed: now, while there is a window that hears of it.
@@ -134,13 +138,25 @@ void MainWindow::buildCentre() {
   connect(strip_, &LiveStrip::triggerWanted, this, [this] { docks_->showTrigger(); });
   auto* bar = &centre_->runBar();
   connect(bar, &RunBar::differencesWanted, this,
-          [this] { showComparison({ComparedSide::Kind::kRunning}, {ComparedSide::Kind::kProject}); });
+          [this] { dialogs_->compare({ComparedSide::Kind::kRunning}, {ComparedSide::Kind::kProject}); });
   connect(bar, &RunBar::restartWanted, this, [this] {
     if (commitFields()) bus_->restart();
   });
   connect(bar, &RunBar::revertWanted, this, [this] {
     editor_->revertFields();
     workspace_.document().replace(tr("Revert to what runs"), workspace_.runDifference().running());
+  });
+  auto* start_bar = &centre_->startBar();
+  connect(start_bar, &StartBar::scanWanted, this, [this] {
+    if (commitFields()) bus_->scanLink(workspace_.link());
+  });
+  connect(start_bar, &StartBar::slaveWanted, this, [this](int position) {
+    // Of a run that has ended; the project may have been edited since.
+    const auto& slaves = workspace_.live().record()->config().slaves;
+    const auto address = slaves[static_cast<std::size_t>(position)].station_address;
+    const auto& project = workspace_.document().project().slaves;
+    const auto found = std::ranges::find(project, address, &SlaveSettings::station_address);
+    if (found != project.end()) goTo(static_cast<int>(found - project.begin()), {});
   });
   setCentralWidget(centre_);
 }
@@ -169,6 +185,13 @@ void MainWindow::connectDocks() {
     selectNode(slave);
     editor_->showPage("slaveCountersPage");
   });
+  connect(dialogs_, &WindowDialogs::placeWanted, this, &MainWindow::goTo);
+  connect(dialogs_, &WindowDialogs::nodeWanted, explorer_, &ExplorerPanel::select);
+  connect(dialogs_, &WindowDialogs::keyWanted, this, [this](const QString& key) { goTo(explorer_->selected(), key); });
+  connect(dialogs_, &WindowDialogs::objectWanted, this, [this](int slave, coe::ObjectAddress object) {
+    goTo(slave, {});
+    editor_->showObject(object);
+  });
   auto* fixes = new FindingFixes(
       workspace_, [this] { return commitFields(); }, this);
   connect(messages, &MessagesPanel::menuOpens, fixes, &FindingFixes::fill);
@@ -192,8 +215,9 @@ void MainWindow::buildMenus() {
     if (commitFields()) files_->openAny(path);
   });
   auto* language = new LanguageMenu(workspace_.memory(), this);
-  connect(language, &LanguageMenu::chosen, this,
-          [this](const QString& text) { statusBar()->showMessage(text, 10'000); });
+  connect(language, &LanguageMenu::chosen, this, [this] {
+    if (commitFields()) Q_EMIT languageChosen();
+  });
   auto* exports = new ExportMenu(workspace_, *files_, *this, [this] { return commitFields(); });
   auto* network =
       ui::buildMenus(*menuBar(), *actions_,
@@ -210,7 +234,7 @@ void MainWindow::connectActions() {
     });
   };
   on(actions_->create, [this] { files_->create(); });
-  on(actions_->new_machine, [this] { showWizard(); });
+  on(actions_->new_machine, [this] { dialogs_->makeNewMachine(); });
   on(actions_->open, [this] { files_->open(); });
   on(actions_->save, [this] { files_->save(); });
   on(actions_->save_as, [this] { files_->saveAs(); });
@@ -236,8 +260,8 @@ void MainWindow::connectActions() {
     editor_->revertFields();
   });
   on(actions_->redo, [&stack] { stack.redo(); });
-  on(actions_->compare, [this] { showComparison({}, CompareDialog::usualSide(workspace_)); });
-  on(actions_->go_to, [this] { showGoTo(); });
+  on(actions_->compare, [this] { dialogs_->compare({}, CompareDialog::usualSide(workspace_)); });
+  on(actions_->go_to, [this] { dialogs_->search(explorer_->selected()); });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->offline, &QAction::triggered, bus_, &BusCommands::goOffline);
   connect(actions_->clear_statistics, &QAction::triggered, &workspace_.live(), &LiveSession::clearStatistics);
@@ -293,7 +317,7 @@ void MainWindow::connectSession() {
   });
   connect(files_, &FileCommands::linkWanted, bus_, &BusCommands::scanLink);
   connect(files_, &FileCommands::comparisonWanted, this, [this](const QString& path) {
-    showComparison({}, {ComparedSide::Kind::kFile, path});
+    dialogs_->compare({}, {ComparedSide::Kind::kFile, path});
   });
   connect(files_, &FileCommands::recordingWanted, recordings_, &RecordingCommands::open);
   connect(&document, &ProjectDocument::projectChanged, this, [this](bool structural) {
@@ -311,15 +335,10 @@ void MainWindow::connectSession() {
   connect(&document, &ProjectDocument::taken, strip_, show_views);
   auto& live = workspace_.live();
   connect(&live, &LiveSession::phaseChanged, this, &MainWindow::updateActions);
-  connect(&live, &LiveSession::phaseChanged, overview_, [this] {
-    const auto phase = workspace_.live().phase();
-    const bool goes_on = phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting;
-    overview_->setLive(goes_on);
-    strip_->setGoesOn(goes_on);
-  });
+  connect(&live, &LiveSession::phaseChanged, this, &MainWindow::showWhetherItGoesOn);
   connect(&workspace_.runs(), &NetworkRuns::phaseChanged, this, [this](int network) {
-    if (network == workspace_.document().network() && workspace_.live().phase() == LiveSession::Phase::kOnline)
-      showOverview(true);
+    const bool online = workspace_.live().phase() == LiveSession::Phase::kOnline;
+    if (network == workspace_.document().network() && online && !bus_->restarted()) showOverview(true);
   });
   connect(&live, &LiveSession::recordChanged, this, &MainWindow::showRun);
   connect(&workspace_.runs(), &NetworkRuns::findingsChanged, overview_,
@@ -333,6 +352,32 @@ void MainWindow::connectSession() {
   connect(&workspace_.scan(), &ScanController::started, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::finished, this, &MainWindow::updateActions);
   connect(&workspace_.scan(), &ScanController::failed, this, &MainWindow::updateActions);
+}
+
+void MainWindow::showWhetherItGoesOn() {
+  const auto phase = workspace_.live().phase();
+  const bool goes_on = phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting;
+  overview_->setLive(goes_on);
+  strip_->timeView()->setGoesOn(goes_on);
+}
+
+MainWindow::Place MainWindow::place() const {
+  const auto* page = editor_->tabs()->currentWidget();
+  return {explorer_->selected(), page == nullptr ? QString() : page->objectName(), centre_->showsOverview()};
+}
+
+void MainWindow::goToPlace(const Place& place) {
+  explorer_->select(place.node);
+  editor_->showPage(place.page.toLatin1().constData());
+  showOverview(place.overview);
+}
+
+/// What the workspace has already, when a window comes to it.
+void MainWindow::takeUp() {
+  strip_->setViews(workspace_.document().views());
+  showRun();
+  showWhetherItGoesOn();
+  updateRecordingActions();
 }
 
 /// Plots and figures of what is shown: the run, or the recording in its place.
@@ -385,43 +430,6 @@ void MainWindow::goToMessage(const Message& message) {
   if (message.moment != 0 && (message.run <= 0 || message.run == workspace_.runs().current().number))
     strip_->goTo(message.moment);
   goTo(message.slave, message.key);
-}
-
-void MainWindow::showComparison(const ComparedSide& left, const ComparedSide& right) {
-  auto* dialog = findChild<CompareDialog*>();
-  if (dialog == nullptr) {
-    dialog = new CompareDialog(workspace_, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &CompareDialog::placeWanted, this, &MainWindow::goTo);
-  }
-  dialog->compare(left, right);
-  dialog->show();
-  dialog->activateWindow();
-}
-
-/// Until it is finished, nothing of the window is touched.
-void MainWindow::showWizard() {
-  auto* wizard = new NewMachineWizard(workspace_, this);
-  wizard->setAttribute(Qt::WA_DeleteOnClose);
-  connect(wizard, &NewMachineWizard::taken, this,
-          [this, wizard](const Machine& machine, const QString& link, const QString& eni_path) {
-            if (!files_->takeNew(machine)) return;
-            if (!link.isEmpty()) workspace_.setLink(link);
-            wizard->accept();
-            if (!eni_path.isEmpty()) files_->exportTo(eni_path);
-          });
-  wizard->open();
-}
-
-void MainWindow::showGoTo() {
-  auto* dialog = new GoToDialog(workspace_.document().project(), explorer_->selected(), *menuBar(), this);
-  connect(dialog, &GoToDialog::nodeWanted, explorer_, &ExplorerPanel::select);
-  connect(dialog, &GoToDialog::keyWanted, this, [this](const QString& key) { goTo(explorer_->selected(), key); });
-  connect(dialog, &GoToDialog::objectWanted, this, [this](int slave, coe::ObjectAddress object) {
-    goTo(slave, {});
-    editor_->showObject(object);
-  });
-  dialog->open();
 }
 
 /// To the field, or where there is none to its slave; a recording has its own slaves, by their positions, and no pages.

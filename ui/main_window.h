@@ -10,7 +10,6 @@ namespace syncline::ui {
 
 class Actions;
 class BusCommands;
-struct ComparedSide;
 class ColumnMemory;
 class DeviceEditor;
 class ExplorerPanel;
@@ -25,6 +24,7 @@ class MachineBuilding;
 class NetworkCommands;
 class TemplateCommands;
 class WindowCentre;
+class WindowDialogs;
 class WindowDocks;
 class WindowOverlay;
 class WindowLayout;
@@ -49,6 +49,19 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] LiveStrip& liveStrip() { return *strip_; }
   void selectNode(int slave) { goTo(slave, {}); }
   [[nodiscard]] WindowLayout& panels() { return *layout_; }
+
+  /// What is looked at, for a window that comes in place of this one.
+  struct Place {
+    int node = -1;
+    QString page;  // object name
+    bool overview = false;
+  };
+  [[nodiscard]] Place place() const;
+  void goToPlace(const Place& place);
+
+ Q_SIGNALS:
+  /// Another language was chosen: a window that is made from now on speaks it.
+  void languageChosen();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -75,15 +88,15 @@ class MainWindow final : public QMainWindow {
   void goToMessage(const Message& message);
   void updateTheme();
   void goTo(int slave, const QString& key);
-  void showComparison(const ComparedSide& left, const ComparedSide& right);
-  void showWizard();
-  void showGoTo();
+  void showWhetherItGoesOn();
+  void takeUp();
 
   Workspace& workspace_;
   Actions* actions_;
   FileCommands* files_;
   TemplateCommands* templates_;
   NetworkCommands* networks_;
+  WindowDialogs* dialogs_;
   BusCommands* bus_;
   RecordingCommands* recordings_;
   MachineBuilding* building_;

@@ -12,12 +12,14 @@
 #include "ui/panels/recording_bar.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/panels/run_bar.h"
+#include "ui/panels/start_bar.h"
 #include "ui/session/workspace.h"
 
 namespace syncline::ui {
 namespace {
 
 constexpr int kPagesHeight = 385, kPlotsHeight = 215;  // of a new window, and their shares of another one
+constexpr int kHeightForBoth = 480;                    // less is not enough for a page and plots
 
 QVBoxLayout* closeColumn(QWidget& area) {
   auto* layout = new QVBoxLayout(&area);
@@ -33,6 +35,7 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
       overview_(new OverviewPanel),
       strip_(new LiveStrip),
       bar_(new RunBar(workspace.runDifference())),
+      start_bar_(new StartBar(workspace.startRefusal())),
       replay_bar_(new ReplayBar(workspace.replay())),
       overlay_bar_(new OverlayBar(workspace.overlay(), workspace.trigger())),
       splitter_(new QSplitter(Qt::Vertical)),
@@ -48,12 +51,15 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
   auto* column = closeColumn(*pages);
   column->addWidget(upper_, 1);
   column->addWidget(bar_);
+  column->addWidget(start_bar_);
   splitter_->setObjectName(QStringLiteral("centreSplitter"));
   splitter_->addWidget(pages);
   splitter_->addWidget(strip_);
   splitter_->setChildrenCollapsible(false);
   splitter_->setStretchFactor(0, 3);
   splitter_->setStretchFactor(1, 2);
+  connect(strip_, &LiveStrip::foldWanted, this, &WindowCentre::setFoldChoice);
+  connect(strip_, &LiveStrip::plotsWanted, this, [this] { rearrange([this] { folded_ = false; }); });
   auto* working = new QWidget;
   auto* layout = closeColumn(*working);
   layout->addWidget(new RecordingBar(workspace.recording(), replay_bar_));
@@ -65,47 +71,60 @@ WindowCentre::WindowCentre(Workspace& workspace, QWidget* welcome)
 
 bool WindowCentre::showsOverview() const { return upper_->currentWidget() == overview_; }
 
-QByteArray WindowCentre::pageSizes() const {
-  if (!plots_) return plot_sizes_;
-  return showsOverview() ? page_sizes_ : splitter_->saveState();
-}
+QByteArray WindowCentre::pageSizes() const { return shares() ? splitter_->saveState() : page_sizes_; }
 
 void WindowCentre::setPageSizes(const QByteArray& sizes) {
-  if (!plots_) {
-    plot_sizes_ = sizes;
-  } else if (showsOverview()) {
-    page_sizes_ = sizes;
-  } else if (sizes.isEmpty()) {
-    splitter_->setSizes({kPagesHeight, kPlotsHeight});
-  } else {
-    splitter_->restoreState(sizes);
-  }
+  page_sizes_ = sizes;
+  if (shares()) share();
+}
+
+void WindowCentre::share() {
+  if (page_sizes_.isEmpty()) return splitter_->setSizes({kPagesHeight, kPlotsHeight});
+  splitter_->restoreState(page_sizes_);
+}
+
+template <typename Change>
+void WindowCentre::rearrange(Change change) {
+  page_sizes_ = pageSizes();
+  change();
+  strip_->setFolded(folded_ && plots_ && !showsOverview());
+  strip_->setFoldable(!showsOverview());
+  const bool fixed = !plots_ || strip_->isFolded();
+  strip_->setMaximumHeight(fixed ? strip_->minimumHeight() : QWIDGETSIZE_MAX);
+  if (shares()) share();
+}
+
+void WindowCentre::setFoldChoice(std::optional<bool> folded) {
+  fold_choice_ = folded;
+  foldAsWished();
+}
+
+void WindowCentre::foldAsWished() {
+  const bool folded = fold_choice_.value_or(height() < kHeightForBoth);
+  if (folded != folded_) rearrange([&] { folded_ = folded; });
+}
+
+void WindowCentre::resizeEvent(QResizeEvent* event) {
+  QStackedWidget::resizeEvent(event);
+  foldAsWished();
 }
 
 void WindowCentre::resetSizes() {
+  setFoldChoice(std::nullopt);
+  page_sizes_.clear();
   splitter_->setSizes({kPagesHeight, kPlotsHeight});
-  if (!plots_) plot_sizes_.clear();
 }
 
 void WindowCentre::showStrip(bool something) {
-  if (something == plots_) return;
-  const auto sizes = pageSizes();
-  plots_ = something;
-  strip_->setMaximumHeight(something ? QWIDGETSIZE_MAX : strip_->minimumHeight());
-  setPageSizes(sizes);
+  if (something != plots_) rearrange([&] { plots_ = something; });
 }
 
 /// The overview needs less room than the pages; what it leaves is the plots'. The pages find theirs as they left it.
 void WindowCentre::showOverview(bool overview) {
   if (overview == showsOverview()) return;
+  rearrange([&] { upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_); });
+  if (!overview) return;
   const auto sizes = splitter_->sizes();
-  const auto page_sizes = overview ? splitter_->saveState() : page_sizes_;
-  upper_->setCurrentWidget(overview ? static_cast<QWidget*>(overview_) : editor_);
-  page_sizes_ = page_sizes;
-  if (!overview) {
-    if (plots_) setPageSizes(page_sizes_);
-    return;
-  }
   const int height = overview_->sizeHint().height();
   splitter_->setSizes({height, sizes.front() + sizes.back() - height});
 }

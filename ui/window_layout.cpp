@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kLayout = 3;  // one more with every panel that comes or goes
 const QString kLayoutVersion = QStringLiteral("layout/version"), kGeometry = QStringLiteral("layout/geometry"),
-              kState = QStringLiteral("layout/state"), kSplitter = QStringLiteral("layout/splitter");
+              kState = QStringLiteral("layout/state"), kSplitter = QStringLiteral("layout/splitter"),
+              kFolded = QStringLiteral("layout/plotsFolded");
 
 }  // namespace
 
@@ -45,6 +46,7 @@ void WindowLayout::recall() {
   window_.restoreGeometry(memory_.value(kGeometry).toByteArray());
   window_.restoreState(memory_.value(kState).toByteArray(), kLayout);
   parts_.centre->setPageSizes(memory_.value(kSplitter).toByteArray());
+  if (const auto folded = memory_.value(kFolded); folded.isValid()) parts_.centre->setFoldChoice(folded.toBool());
 }
 
 void WindowLayout::remember() {
@@ -52,6 +54,8 @@ void WindowLayout::remember() {
   memory_.setValue(kGeometry, window_.saveGeometry());
   memory_.setValue(kState, window_.saveState(kLayout));
   memory_.setValue(kSplitter, parts_.centre->pageSizes());
+  const auto& folded = parts_.centre->foldChoice();
+  memory_.setValue(kFolded, folded ? QVariant(*folded) : QVariant());
 }
 
 }  // namespace syncline::ui

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <string_view>
 
 #include "app/gui/bus_functions.h"
@@ -163,6 +165,20 @@ void show(ui::MainWindow& window) {
   window.show();
 }
 
+/// The window in the language that was chosen, in the place and with the looks of the one before; what runs goes on.
+std::unique_ptr<ui::MainWindow> inItsLanguage(std::unique_ptr<ui::MainWindow> before, ui::Workspace& workspace,
+                                              const std::function<void()>& again) {
+  before->panels().remember();
+  const auto place = before->place();
+  ui::installTranslation(workspace.memory().value(ui::kLanguageSetting).toString());
+  auto window = std::make_unique<ui::MainWindow>(workspace);
+  QObject::connect(window.get(), &ui::MainWindow::languageChosen, QCoreApplication::instance(), again,
+                   Qt::QueuedConnection);
+  show(*window);
+  window->goToPlace(place);
+  return window;  // the one before goes now: without any window the program would end
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -209,15 +225,17 @@ int main(int argc, char* argv[]) {
     surroundings.templates_folder.clear();
   }
   ui::Workspace workspace(std::move(surroundings));
-  ui::MainWindow window(workspace);
+  auto window = std::make_unique<ui::MainWindow>(workspace);
   if (options.screenshots.isEmpty()) workspace.setExpert(settings.value(kExpertSetting).toBool());
   if (!options.screenshots.isEmpty()) {
-    window.show();
+    window->show();
     if (!options.faults.isEmpty())
-      return renderFaultPictures(window, workspace, options.faults, options.screenshots) ? 0 : 1;
-    return renderScreenshots(window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
+      return renderFaultPictures(*window, workspace, options.faults, options.screenshots) ? 0 : 1;
+    return renderScreenshots(*window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
   }
-  show(window);
+  const std::function<void()> speak_anew = [&] { window = inItsLanguage(std::move(window), workspace, speak_anew); };
+  QObject::connect(window.get(), &ui::MainWindow::languageChosen, &app, speak_anew, Qt::QueuedConnection);
+  show(*window);
   // Asks nothing: who closes the terminal or shuts the machine down does not answer. The slaves go to INIT all the
   // same.
   const StopSignals stop;
@@ -227,7 +245,7 @@ int main(int argc, char* argv[]) {
     workspace.scan().cancel();
     QApplication::exit(0);
   });
-  QTimer::singleShot(0, &window, [&] { begin(options, window, workspace); });
+  QTimer::singleShot(0, window.get(), [&] { begin(options, *window, workspace); });
   if (options.exit_after_ms > 0)
     QTimer::singleShot(options.exit_after_ms, &app, [] { QApplication::exit(0); });  // asks nothing, unlike quit()
   // A program that is killed has been left as it looked a moment ago.
@@ -235,10 +253,10 @@ int main(int argc, char* argv[]) {
     auto& memory = workspace.memory();
     if (options.theme.isEmpty()) memory.setValue(kThemeSetting, ui::theme::modeName(ui::theme::current()));
     memory.setValue(kExpertSetting, workspace.expert());
-    window.panels().remember();
+    window->panels().remember();
   };
   QTimer now_and_then;
-  QObject::connect(&now_and_then, &QTimer::timeout, &window, remember);
+  QObject::connect(&now_and_then, &QTimer::timeout, &app, remember);
   now_and_then.start(kRememberEveryMs);
   const int result = QApplication::exec();
   remember();

@@ -106,8 +106,9 @@ std::optional<std::int64_t> free_number(const Setting& setting, const Project& p
 
 class Candidates {
  public:
-  Candidates(const Setting& setting, const Project& project, const Place& place)
+  Candidates(const Setting& setting, const Project& project, const Place& place, const Finding& finding)
       : setting_(setting), project_(project), place_(place), now_(setting.read(project, place)) {
+    if (std::holds_alternative<settings::Number>(setting.type)) add_told(finding);
     std::visit([this](const auto& type) { add_of(type); }, setting.type);
     if (!setting.unset.empty()) add(settings::Unset{});
   }
@@ -117,6 +118,18 @@ class Candidates {
   void add(Value value) {
     if (value != now_ && std::ranges::find(values_, value) == values_.end() && values_.size() < kMostTried)
       values_.push_back(std::move(value));
+  }
+  /// What the finding says itself: next to the number in force the multiples of a step, and a limit.
+  void add_told(const Finding& finding) {
+    const auto effective = settings::effective_value(setting_, project_, place_);
+    const auto* number = std::get_if<std::int64_t>(&effective);
+    for (const auto& figure : finding.figures) {
+      if (figure.name == "limit") add(figure.value);
+      if (figure.name != "step" || figure.value <= 0 || number == nullptr || *number <= 0) continue;
+      const auto below = *number / figure.value * figure.value;
+      if (below > 0) add(below);
+      add(below + figure.value);
+    }
   }
   void add_of(const settings::Switch&) {
     if (const auto* on = std::get_if<bool>(&now_)) add(!*on);
@@ -213,7 +226,7 @@ std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding
     });
   };
   std::vector<QuickFix> fixes;
-  const Candidates candidates(*found->setting, project, found->place);
+  const Candidates candidates(*found->setting, project, found->place, finding);
   for (const auto& value : candidates.values()) {
     fix.value = value;
     // A value may bring others with it, like an operation mode its PDOs: each begins with the project as it is.

@@ -16,6 +16,8 @@ std::vector<Place> places_of(const Setting& setting, const Project& project, std
   return setting.items ? setting.items(project, slave) : std::vector<Place>{{.slave = slave}};
 }
 
+bool is_name(const std::string& key) { return key.ends_with(".name") || key.starts_with("slave.N.variable."); }
+
 void compare(const Setting& setting, const Project& left, const Project& right, std::size_t slave,
              std::vector<SettingDifference>& out) {
   auto places = places_of(setting, left, slave);
@@ -29,7 +31,10 @@ void compare(const Setting& setting, const Project& left, const Project& right, 
       return std::ranges::find(known, place) == known.end() ? std::string() : text_of(setting, project, place);
     };
     auto one = text(left, ours), other = text(right, theirs);
-    if (one != other) out.push_back({&setting, place, std::move(one), std::move(other)});
+    if (one == other) continue;
+    const bool both = !one.empty() && !other.empty();
+    const bool same = both && effective_value(setting, left, place) == effective_value(setting, right, place);
+    out.push_back({&setting, place, std::move(one), std::move(other), !same && !is_name(setting.key)});
   }
 }
 

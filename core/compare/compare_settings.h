@@ -15,6 +15,8 @@ struct SettingDifference {
   const settings::Setting* setting = nullptr;
   settings::Place place;
   std::string left, right;  // text forms; "" where a list has no such item
+  /// A machine would be another: no name, and not the value that stands for what is unset on the other side.
+  bool matters = true;
 };
 
 /// Settings of the master, and of slaves in the same place, that differ; in the order of the table, slave by slave.

@@ -127,6 +127,7 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
   ReplayedRun run{std::make_unique<RunRecord>(made_for(std::move(config), info, options.cycle_capacity)),
                   std::move(info)};
   auto& record = *run.record;
+  record.set_link(run.info.about.link);
   // Where cycles are missing a sample says so: one for each of them at most.
   record.reserve(run.info.cycles + std::min(run.info.missing_cycles, run.info.cycles / 16));
   for (const auto& list : run.info.about.watched.lists()) {

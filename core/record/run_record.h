@@ -56,6 +56,10 @@ class RunRecord {
   void keep(KeptTrigger found);
   /// The latest kMostTriggers, in the order in which they were set.
   [[nodiscard]] const std::vector<KeptTrigger>& triggers() const { return triggers_; }
+  /// LINK text of the bus that it is of; "" where nobody knows.
+  void set_link(std::string link) { link_ = std::move(link); }
+  /// No machine, but a simulated one: its clock need not be the wall's.
+  [[nodiscard]] bool simulated() const { return link_.starts_with("sim:"); }
   /// So many cycles are going to come.
   void reserve(std::size_t cycles) { samples_.reserve(cycles); }
   /// Out of a recording, see SampleStore::restore().
@@ -108,6 +112,7 @@ class RunRecord {
   void show_events(Nanoseconds until);
 
   NetworkConfig config_;
+  std::string link_;
   RunLimits limits_;
   SampleStore samples_;
   ReferenceTimes reference_times_;

@@ -106,7 +106,7 @@ std::vector<Setting> unit_rows(int unit, const char* register_text, const char* 
   return {
       slave_setting(
           name + ".factor", kFactor,
-          {.label = "Sync Unit Cycle",
+          {.label = "Sync Unit Cycle of " + upper,
            .help = "Sync Unit Cycle of " + upper +
                    ": above 0 multiplies, below 0 divides the bus cycle; auto as in the ESI.",
            .object = register_text,
@@ -114,7 +114,7 @@ std::vector<Setting> unit_rows(int unit, const char* register_text, const char* 
           [part](auto& slave) -> auto& { return (slave.dc.*part).cycle_factor; }),
       with_automatic(slave_setting(
                          name + ".cycle_us", microseconds(1, limits::kLargestSyncTime),
-                         {.label = "Cycle",
+                         {.label = "Cycle of " + upper,
                           .help = "Cycle of " + upper + " (" + register_text + "), before the factor.",
                           .object = register_text,
                           .eni = eni},
@@ -122,7 +122,7 @@ std::vector<Setting> unit_rows(int unit, const char* register_text, const char* 
                      [unit](const Project& p, const Place& place) { return cycle_of_mode(p, place, unit); }),
       with_automatic(slave_setting(
                          name + ".shift_us", microseconds(-limits::kLargestSyncTime, limits::kLargestSyncTime),
-                         {.label = "Shift",
+                         {.label = "Shift of " + upper,
                           .help = "Shift of " + upper + "; auto as in the ESI.",
                           .object = shift_register,
                           .eni = unit == 0 ? "Slave/DC/ShiftTime" : "Slave/DC/CycleTime1"},

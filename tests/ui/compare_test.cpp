@@ -112,10 +112,20 @@ TEST_F(Compare, ShowsProjectAndFileAsATree) {
   EXPECT_EQ(dialog().model().differences(), 0);
 }
 
+TEST_F(Compare, CountsTheChangesOfTheProjectApart) {
+  open();
+  auto other = otherMachine();
+  other.slaves[3].dc.sync0.user_cycle = kMillisecond;  // what it has by itself at the other cycle
+  compare({}, {Kind::kFile, fileWith(other)});
+  EXPECT_EQ(dialog().model().changes(), 2) << "cycle and shift; the name and the same value by another word are none";
+  EXPECT_GT(dialog().model().differences(), 4) << "these, too, and what follows in the network";
+  EXPECT_TRUE(dialog().findChild<QLabel*>(QStringLiteral("compareStatus"))->text().contains(u'2'));
+}
+
 TEST_F(Compare, AClickGoesToTheSetting) {
   open();
   compare({}, {Kind::kFile, fileWith(otherMachine())});
-  const auto shift = rowWith(QStringLiteral("Shift"));
+  const auto shift = rowWith(QStringLiteral("Shift of SYNC0"));
   ASSERT_TRUE(shift.isValid());
   Q_EMIT tree().clicked(shift);
   EXPECT_EQ(window_.editor().node(), 3);

@@ -327,6 +327,28 @@ TEST_F(EniPageTest, EachChangeMarksTheLinesThatItTouches) {
   EXPECT_GE(with_lines, 20);
 }
 
+TEST_F(EniPageTest, OpensAtWhatChanged) {
+  open();
+  show(1, "slaveGeneralPage");
+  set("slave.3.dc.sync0.shift_us", "50");
+  set("slave.1.alias", "7");
+  settle();
+  open(3);
+  const auto kind = [&] { return model().index(text().currentIndex().row(), EniModel::kChange).data().toString(); };
+  EXPECT_FALSE(kind().isEmpty()) << "the slave's own lines";
+  const auto of_slave = text().currentIndex().row();
+  show(2, "slaveGeneralPage");
+  open(1);
+  EXPECT_FALSE(kind().isEmpty());
+  EXPECT_LT(text().currentIndex().row(), of_slave);
+  show(1, "slaveGeneralPage");
+  open(2);
+  EXPECT_TRUE(kind().isEmpty()) << "nothing of it was changed: where it begins";
+  show(1, "slaveGeneralPage");
+  open(-1);
+  EXPECT_FALSE(kind().isEmpty()) << "the first of all";
+}
+
 TEST_F(EniPageTest, ComparesWithTheTimeThatIsChosen) {
   const QTemporaryDir folder;
   open();

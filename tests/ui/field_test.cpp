@@ -181,6 +181,34 @@ TEST_F(Fields, WhatCannotBeAValueStopsSavingAndStays) {
   EXPECT_TRUE(cycle.accessibleDescription().isEmpty());
 }
 
+/// By the names of slave and field, with the way to it; and once, however often it is offered.
+TEST_F(Fields, ARefusedValueIsToldOnceByItsName) {
+  show(-1, "masterGeneralPage");
+  const auto told = [this] {
+    QStringList lines;
+    for (int row = 0; row < workspace_.messages().rowCount(); ++row) {
+      const auto at = workspace_.messages().index(row, MessageModel::kText);
+      if (at.siblingAtColumn(MessageModel::kSource).data().toString() == QStringLiteral("Project"))
+        lines << at.data().toString();
+    }
+    return lines;
+  };
+  auto& cycle = field<PresetEdit>("masterCycle");
+  test::type(cycle, QStringLiteral("7"));
+  ASSERT_EQ(told().size(), 1);
+  EXPECT_TRUE(told().front().contains(QStringLiteral("Cycle time"))) << qPrintable(told().front());
+  EXPECT_FALSE(told().front().contains(QStringLiteral("master.cycle_time_us"))) << qPrintable(told().front());
+  QTest::keyClick(&cycle, Qt::Key_Return);
+  QTest::keyClick(&cycle, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(told().size(), 1) << "offered once more";
+  EXPECT_EQ(cycle.currentText(), QStringLiteral("1000")) << "given up";
+  test::type(cycle, QStringLiteral("7"));
+  EXPECT_EQ(told().size(), 1);
+  test::type(cycle, QStringLiteral("2000"));
+  test::type(cycle, QStringLiteral("7"));
+  EXPECT_EQ(told().size(), 2) << "another attempt";
+}
+
 TEST_F(Fields, UndoAndExportWorkFromAFocusedField) {
   show(-1, "masterGeneralPage");
   auto& name = field<TextEdit>("masterName");

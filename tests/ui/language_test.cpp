@@ -13,14 +13,20 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QUndoGroup>
+#include <QUndoStack>
 #include <map>
+#include <memory>
 
 #include "support/result.h"
 #include "support/speak.h"
 #include "support/ui_test_support.h"
 #include "ui/actions.h"
+#include "ui/dialogs/bus_commands.h"
 #include "ui/dialogs/language_menu.h"
 #include "ui/main_window.h"
+#include "ui/pages/device_editor.h"
+#include "ui/panels/explorer_panel.h"
+#include "ui/panels/live_strip.h"
 #include "ui/panels/status_panel.h"
 #include "ui/session/window_memory.h"
 #include "ui/session/workspace.h"
@@ -93,25 +99,63 @@ TEST(Languages, GiveEachLineOfAMenuAKeyOfItsOwn) {
   }
 }
 
-TEST(LanguageMenu, RemembersWhatTheNextStartSpeaks) {
+TEST(LanguageMenu, RemembersWhatWasChosen) {
   QTemporaryDir folder;
   const auto file = folder.filePath(QStringLiteral("settings.ini"));
   {
     WindowMemory memory(file);
     LanguageMenu menu(memory);
     EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("actionLanguage_"))->isChecked()) << "the desktop's";
-    EXPECT_FALSE(menu.findChild<QAction*>(QStringLiteral("languageNote"))->isVisible());
     QSignalSpy chosen(&menu, &LanguageMenu::chosen);
     menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->trigger();
-    ASSERT_EQ(chosen.count(), 1);
-    EXPECT_FALSE(chosen.front().front().toString().isEmpty()) << "it says that a start is needed";
-    EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("languageNote"))->isVisible());
+    EXPECT_EQ(chosen.count(), 1);
+    menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->trigger();
+    EXPECT_EQ(chosen.count(), 1) << "it is spoken already";
   }
   WindowMemory memory(file);
   EXPECT_EQ(memory.value(kLanguageSetting).toString(), QStringLiteral("zh_CN"));
   LanguageMenu menu(memory);
   EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->isChecked());
-  EXPECT_FALSE(menu.findChild<QAction*>(QStringLiteral("languageNote"))->isVisible());
+}
+
+/// As the program does it when another language is chosen: the run goes on, and is looked at as before.
+TEST(Languages, AnotherWindowTakesUpWhatRuns) {
+  Workspace workspace(test::virtualEnvironment());
+  workspace.live().setAutoAdvance(false);
+  auto window = std::make_unique<MainWindow>(workspace);
+  window->show();
+  window->bus().startDemo();
+  ASSERT_TRUE(test::waitFor([&] { return workspace.live().phase() != LiveSession::Phase::kOffline; }));
+  const auto run = [&] {
+    for (int i = 0; i < 50; ++i) workspace.live().advance(20 * kMillisecond);
+    QApplication::processEvents();
+  };
+  for (int i = 0; i < 20 && workspace.live().snapshot().state != AlState::kOp; ++i) run();
+  ASSERT_EQ(workspace.live().snapshot().state, AlState::kOp);
+  window->selectNode(3);
+  window->editor().showPage("slaveRegistersPage");
+  const auto place = window->place();
+  ASSERT_EQ(place.page, QStringLiteral("slaveRegistersPage"));
+  QSignalSpy chosen(window.get(), &MainWindow::languageChosen);
+  test::find<QAction>(*window, "actionLanguage_de")->trigger();
+  ASSERT_EQ(chosen.count(), 1);
+  const test::Speak speak(QStringLiteral("de"));
+  auto another = std::make_unique<MainWindow>(workspace);
+  another->show();
+  window.reset();
+  another->goToPlace(place);
+  EXPECT_EQ(another->explorer().selected(), 3);
+  EXPECT_EQ(another->place().page, place.page);
+  EXPECT_FALSE(another->place().overview);
+  EXPECT_EQ(test::find<QAction>(*another, "actionOffline")->text().remove(u'&'), QStringLiteral("Offline gehen"));
+  ASSERT_NE(another->liveStrip().store(), nullptr) << "the plots of the run";
+  const auto before = another->liveStrip().store()->series(Signal::kDeviation).size();
+  run();
+  another->liveStrip().refresh();
+  EXPECT_GT(another->liveStrip().store()->series(Signal::kDeviation).size(), before) << "it goes on";
+  EXPECT_TRUE(another->liveStrip().timeView()->goesOn());
+  workspace.runs().shutDown();
+  workspace.document().undoStack().setClean();
 }
 
 }  // namespace

@@ -127,8 +127,15 @@ TEST_F(Wizard, MakesAMachineFromTheCatalogueByKeysWhoseEniIsThatOfTheSavedProjec
   EXPECT_EQ(wizard_->draft().project().master.cycle_time, 2 * kMillisecond);
   next();
   ASSERT_EQ(wizard_->step(), 3);
-  key(Qt::Key_U, Qt::AltModifier);
   EXPECT_EQ(wizard_->draft().project().master.dc.dcm.mode, DcmMode::kMasterShift) << "the proposal for one network";
+  EXPECT_TRUE(wizard_->draft().project().master.dc.sync_window.enabled) << "a new machine is watched";
+  EXPECT_FALSE(part<QPushButton>("wizardUseProposal").isEnabled()) << "it is in use";
+  part<QRadioButton>("dcmBusShift").click();
+  key(Qt::Key_K, Qt::AltModifier);
+  next();
+  EXPECT_EQ(wizard_->draft().project().master.dc.dcm.mode, DcmMode::kBusShift) << "what was said otherwise stays";
+  key(Qt::Key_U, Qt::AltModifier);
+  EXPECT_EQ(wizard_->draft().project().master.dc.dcm.mode, DcmMode::kMasterShift);
   next();
   ASSERT_EQ(wizard_->step(), 4);
   next();

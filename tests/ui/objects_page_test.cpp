@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTabWidget>
@@ -22,6 +24,7 @@
 #include "ui/models/object_filter.h"
 #include "ui/models/object_model.h"
 #include "ui/pages/slave_objects_page.h"
+#include "ui/session/favourite_objects.h"
 #include "ui/session/running_slave.h"
 #include "ui/session/watch_list.h"
 
@@ -275,6 +278,31 @@ TEST_F(ObjectsOfARunningSlave, WatchedOnesArePolledAndRemembered) {
   EXPECT_EQ(model().watched().size(), 1U);
   EXPECT_TRUE(model().value({0x1018, 1}).empty()) << "it was another slave in between";
   EXPECT_NE(model().entry(model().find({0x1018, 1})), nullptr) << "what it told is known in this run";
+}
+
+TEST_F(ObjectsOfARunningSlave, FavouritesAreThoseOfAKindOfDevice) {
+  goOnline();
+  show(kServo, "slaveObjectsPage");
+  askForAll();
+  auto& menu = field<QMenu>("objectFavouritesMenu");
+  const auto action = [&menu](const char* name) {
+    Q_EMIT menu.aboutToShow();
+    return menu.findChild<QAction*>(QLatin1String(name));
+  };
+  EXPECT_FALSE(action("favouritesWatch")->isEnabled());
+  EXPECT_FALSE(action("favouritesTake")->isEnabled()) << "nothing is watched";
+  ASSERT_TRUE(model().setData(model().find({0x1018, 1}), Qt::Checked, Qt::CheckStateRole));
+  ASSERT_TRUE(model().setData(model().find({0x6041, 0}), Qt::Checked, Qt::CheckStateRole));
+  action("favouritesTake")->trigger();
+  EXPECT_EQ(FavouriteObjects(workspace_.memory()).of(project().slaves[kServo].device.identity).size(), 2U);
+  show(kOtherServo, "slaveObjectsPage");
+  ASSERT_TRUE(model().watched().empty());
+  action("favouritesWatch")->trigger();
+  EXPECT_EQ(model().watched().size(), 2U) << "of the same kind";
+  EXPECT_EQ(workspace_.watched().of(project().slaves[kOtherServo].station_address).size(), 2U);
+  EXPECT_TRUE(FavouriteObjects(workspace_.memory()).of(project().slaves[5].device.identity).empty()) << "another kind";
+  action("favouritesForget")->trigger();
+  EXPECT_FALSE(action("favouritesWatch")->isEnabled());
 }
 
 TEST_F(ObjectsOfARunningSlave, WhatTheSlaveRefusesIsSaidInWords) {

@@ -97,6 +97,15 @@ TEST_F(RecordingPictureTest, PlotsHaveLimitsDateAndCycle) {
   EXPECT_THAT(words, HasSubstr("Servo"));
 }
 
+TEST_F(RecordingPictureTest, OfASimulatedMachineSayThatItIsOne) {
+  EXPECT_THAT(wordsOf(written({}, "real.svg")), testing::Not(HasSubstr("simulated")));
+  run.record->set_link("sim:demo/machine.toml?virtual");
+  EXPECT_THAT(wordsOf(written({}, "simulated.svg")), HasSubstr("Syncline, simulated machine, 2026-04-20"));
+  RecordingPicture overview;
+  overview.view = PictureView::kOverview;
+  EXPECT_THAT(wordsOf(written(overview, "overview.svg")), HasSubstr("simulated machine"));
+}
+
 TEST_F(RecordingPictureTest, ARangeIsAllThatIsShown) {
   RecordingPicture wanted;
   wanted.range = {kPictureEpoch + 2 * kSecond, kPictureEpoch + 3 * kSecond};

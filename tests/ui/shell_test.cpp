@@ -315,10 +315,13 @@ TEST_F(Shell, ABarSaysThatTheMachineRunsSomethingElse) {
   QApplication::processEvents();
   EXPECT_EQ(pages->mapTo(&window_, QPoint()), place) << "no field moves away from the pointer by an edit";
   EXPECT_FALSE(widget("runBarApply").isEnabled());
-  bool found = false;
-  for (const auto& difference : workspace_.runDifference().settings())
-    found = found || difference.setting->key == "master.cycle_time_us";
-  EXPECT_TRUE(found);
+  EXPECT_EQ(workspace_.runDifference().changes(), 1) << "neither a name nor what follows from the cycle";
+  set("slave.N.dc.sync0.shift_us", settings::Value{std::int64_t{0}}, 3);
+  EXPECT_EQ(workspace_.runDifference().changes(), 1) << "as the operation mode has it: the same by another word";
+  set("slave.N.dc.sync0.shift_us", settings::Value{std::int64_t{50 * kMicrosecond}}, 3);
+  EXPECT_EQ(workspace_.runDifference().changes(), 2);
+  static_cast<void>(workspace_.configuration().current());
+  EXPECT_TRUE(static_cast<QLabel&>(widget("runBarText")).text().contains(u'2'));
   static_cast<QPushButton&>(widget("runBarRevert")).click();
   EXPECT_EQ(project(), running);
   static_cast<void>(workspace_.configuration().current());

@@ -6,6 +6,8 @@
 #include <QHash>
 #include <QLabel>
 #include <QListWidget>
+#include <QTabWidget>
+#include <QToolButton>
 #include <QTreeView>
 #include <QUndoStack>
 #include <QWhatsThis>
@@ -16,6 +18,8 @@
 #include "ui/editors/page.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/overview_panel.h"
+#include "ui/plots/time_view.h"
+#include "ui/plots/trace_panel.h"
 
 namespace syncline::ui {
 namespace {
@@ -80,6 +84,41 @@ TEST_F(WaysOfTheWindow, ThePagesHaveTheRoomWhileThereIsNothingToPlot) {
   window_.selectNode(kServo);
   QApplication::processEvents();
   EXPECT_EQ(window_.liveStrip().height(), usual) << "as it was";
+}
+
+/// The figures of the plots stay; the plots come back by a click, or because something is to be shown in them.
+TEST_F(WaysOfTheWindow, ALowWindowLeavesThePagesTheRoomOfThePlots) {
+  window_.resize(1280, 800);
+  goOnline();
+  window_.selectNode(kServo);
+  QApplication::processEvents();
+  auto& strip = window_.liveStrip();
+  EXPECT_FALSE(strip.isFolded());
+  window_.resize(1024, 640);
+  QApplication::processEvents();
+  QApplication::processEvents();
+  ASSERT_TRUE(strip.isFolded());
+  EXPECT_LT(strip.height(), 4 * window_.fontMetrics().height());
+  EXPECT_GE(window_.editor().tabs()->currentWidget()->height(), 190);
+  EXPECT_TRUE(strip.panels().front()->legend()->isVisible());
+  EXPECT_FALSE(strip.panels().front()->plot()->isVisible());
+  field("unfoldButton");
+  static_cast<QToolButton&>(field("unfoldButton")).click();
+  QApplication::processEvents();
+  EXPECT_FALSE(strip.isFolded());
+  EXPECT_TRUE(strip.panels().front()->plot()->isVisible());
+  static_cast<QToolButton&>(field("foldButton")).click();
+  QApplication::processEvents();
+  EXPECT_TRUE(strip.isFolded());
+  window_.resize(1280, 800);
+  QApplication::processEvents();
+  EXPECT_TRUE(strip.isFolded()) << "as it was chosen";
+  strip.goTo(strip.timeView()->begin());
+  QApplication::processEvents();
+  EXPECT_FALSE(strip.isFolded()) << "there is something to see";
+  test::find<QAction>(window_, "actionOverview")->trigger();
+  QApplication::processEvents();
+  EXPECT_TRUE(strip.panels().front()->plot()->isVisible()) << "beside the overview always";
 }
 
 /// A test or a picture that asks for a name means one widget.

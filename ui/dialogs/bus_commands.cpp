@@ -110,6 +110,7 @@ void BusCommands::chooseLink(const QString& action, const std::function<void()>&
 }
 
 void BusCommands::start() {
+  restarted_ = false;
   if (auto status = workspace_.goOnline(); !status) {
     workspace_.report(status.error(), Severity::kError, tr("Master"));
     tell(tr("The master could not go online."), workspace_.link(), status.error(),
@@ -135,6 +136,7 @@ void BusCommands::restart() {
   }
   workspace_.live().shutDown();
   start();
+  restarted_ = true;
 }
 
 void BusCommands::goOffline() {

@@ -35,6 +35,8 @@ class BusCommands final : public QObject {
   void chooseLink();
   /// Asks, then takes the machine offline and starts it with the project as it is now.
   void restart();
+  /// The start that is under way, or was the last one, was such a restart: whoever looked at a page looks on.
+  [[nodiscard]] bool restarted() const { return restarted_; }
   /// Offers to end EEPROM writes that a killed program has left half done; nothing happens when there are none.
   void offerRepairs();
   /// Scans the demonstration machine in place of the project, watches its sync window, and goes online.
@@ -53,6 +55,7 @@ class BusCommands final : public QObject {
   Workspace& workspace_;
   QWidget& window_;
   bool demo_ = false;
+  bool restarted_ = false;
 };
 
 }  // namespace syncline::ui

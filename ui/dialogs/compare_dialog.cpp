@@ -278,6 +278,8 @@ void CompareDialog::showResult() {
   if (comparison_.failure()) return status_->setText(errorText(*comparison_.failure()));
   auto told = model_->differences() == 0 ? tr("There is no difference.")
                                          : tr("%n difference(s)", nullptr, model_->differences());
+  if (const int changes = model_->changes(); changes > 0 && changes < model_->differences())
+    told += u' ' + tr("(%n change(s) of the project, and what follows or makes no difference)", nullptr, changes);
   if (!result->unread.empty()) told += u' ' + findingWhole(result->unread.front());
   status_->setText(told);
 }

@@ -60,8 +60,6 @@ QString groupWord(DifferenceGroup group) {
   return ComparisonModel::tr("At run time");
 }
 
-bool isName(const std::string& key) { return key.ends_with(".name") || key.starts_with("slave.N.variable."); }
-
 }  // namespace
 
 ComparisonModel::ComparisonModel(QObject* parent) : GroupedModel(parent) {}
@@ -70,6 +68,7 @@ void ComparisonModel::setCompared(const Compared& compared, const QString& left,
                                   std::optional<bool> project_is_left) {
   beginResetModel();
   nodes_.clear();
+  changes_ = changesOf(compared.settings, compared.network);
   titles_[0] = left;
   titles_[1] = right;
   project_is_left_ = project_is_left;
@@ -112,7 +111,7 @@ void ComparisonModel::add(const SettingDifference& difference, const std::string
              tr("Setting")},
             settingTip(setting),
             QString::fromStdString(settings::key_of(setting, difference.place)),
-            !isName(setting.key)};
+            difference.matters};
   nodeOf(place, place, name).lines.push_back(std::move(line));
 }
 

@@ -40,6 +40,8 @@ class ComparisonModel final : public GroupedModel {
   void setCompared(const Compared& compared, const QString& left, const QString& right,
                    std::optional<bool> project_is_left);
   [[nodiscard]] int differences() const;
+  /// Of them those of the project, without what follows in the network, and without what makes no difference.
+  [[nodiscard]] int changes() const { return changes_; }
 
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
@@ -68,6 +70,7 @@ class ComparisonModel final : public GroupedModel {
   [[nodiscard]] int projectNode(const Node& node) const;
 
   std::vector<Node> nodes_;
+  int changes_ = 0;
   QString titles_[2];
   std::optional<bool> project_is_left_;
 };

@@ -37,9 +37,17 @@ bool FileCommands::takeNew(Machine machine) {
   return true;
 }
 
+/// Where the project lies, or what was opened or saved last.
+QString FileCommands::usualFolder() const {
+  const auto& path = workspace_.document().path();
+  if (!path.isEmpty()) return QFileInfo(path).absolutePath();
+  const auto& recent = workspace_.memory().recent();
+  return recent.isEmpty() ? QString() : QFileInfo(recent.front().path).absolutePath();
+}
+
 void FileCommands::open() {
   const auto path = QFileDialog::getOpenFileName(
-      &window_, tr("Open"), {},
+      &window_, tr("Open"), usualFolder(),
       tr("All that can be opened (*.syncline *.xml *.esi *.eni *.slrec *.csv *.pcap *.pcapng *.toml);;Syncline "
          "projects (*.syncline);;Recordings (*.slrec);;All files (*)"));
   if (!path.isEmpty()) openAny(path);

@@ -41,6 +41,8 @@ class FileCommands final : public QObject {
   /// Offers the unsaved work of windows that were killed; `then` follows when there is none or the user wants none of
   /// it. `asked`: the file with which the program was started; it is offered behind what was recovered.
   void offerRecovery(const std::function<void()>& then, const QString& asked = {});
+  /// Where a dialog that opens files begins; "" where nothing was opened yet.
+  [[nodiscard]] QString usualFolder() const;
   bool save();
   bool saveAs();
   void exportEni();

@@ -8,34 +8,27 @@
 
 namespace syncline::ui {
 
-LanguageMenu::LanguageMenu(WindowMemory& memory, QWidget* parent)
-    : QMenu(tr("Lan&guage"), parent), memory_(memory), at_start_(memory.value(kLanguageSetting).toString()) {
+LanguageMenu::LanguageMenu(WindowMemory& memory, QWidget* parent) : QMenu(tr("Lan&guage"), parent), memory_(memory) {
   setObjectName(QStringLiteral("languageMenu"));
   auto* group = new QActionGroup(this);
+  const auto spoken = memory.value(kLanguageSetting).toString();
   const auto add = [&](const QString& language, const QString& text) {
     auto* action = addAction(text);
     action->setObjectName(QStringLiteral("actionLanguage_") + language);
     action->setCheckable(true);
-    action->setChecked(language == at_start_);
+    action->setChecked(language == spoken);
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, language] { choose(language); });
   };
   add({}, tr("&System Language"));
   addSeparator();
   for (const auto& language : languages()) add(language.code, language.name);
-  addSeparator();
-  note_ = addAction(tr("Applied at the next start"));
-  note_->setObjectName(QStringLiteral("languageNote"));
-  note_->setEnabled(false);
-  showNote();
 }
 
 void LanguageMenu::choose(const QString& language) {
+  if (memory_.value(kLanguageSetting).toString() == language) return;
   memory_.setValue(kLanguageSetting, language);
-  showNote();
-  Q_EMIT chosen(note_->isVisible() ? tr("The window speaks this language from the next start on.") : QString());
+  Q_EMIT chosen();
 }
-
-void LanguageMenu::showNote() { note_->setVisible(memory_.value(kLanguageSetting).toString() != at_start_); }
 
 }  // namespace syncline::ui

@@ -7,8 +7,7 @@ namespace syncline::ui {
 
 class WindowMemory;
 
-/// The languages of the window, each in its own words. The one chosen is remembered; the next start speaks it, because
-/// what is already on the screen keeps its words.
+/// The languages of the window, each in its own words. The one chosen is remembered.
 class LanguageMenu final : public QMenu {
   Q_OBJECT
 
@@ -16,16 +15,13 @@ class LanguageMenu final : public QMenu {
   explicit LanguageMenu(WindowMemory& memory, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// `text` says when the choice works.
-  void chosen(const QString& text);
+  /// Another one than the window speaks.
+  void chosen();
 
  private:
   void choose(const QString& language);
-  void showNote();
 
   WindowMemory& memory_;
-  QAction* note_ = nullptr;
-  QString at_start_;
 };
 
 }  // namespace syncline::ui

@@ -148,9 +148,9 @@ NumberEdit* FieldBinder::numberField(const char* object_name, const char* key) {
   return field;
 }
 
-NumberEdit* FieldBinder::number(Card& card, const char* object_name, const char* key) {
+NumberEdit* FieldBinder::number(Card& card, const char* object_name, const char* key, const QString& label) {
   auto* field = numberField(object_name, key);
-  addRow(card, field->accessibleName(), *field);
+  addRow(card, label.isEmpty() ? field->accessibleName() : label, *field);
   return field;
 }
 

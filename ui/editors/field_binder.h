@@ -61,7 +61,7 @@ class FieldBinder final : public QObject {
   /// Without a row in a card, for the place that the page says; nothing while there is none.
   TextEdit* textField(const char* object_name, const char* key,
                       std::function<std::optional<settings::Place>()> place = {});
-  NumberEdit* number(Card& card, const char* object_name, const char* key);
+  NumberEdit* number(Card& card, const char* object_name, const char* key, const QString& label = {});
   /// Without a row of its own in a card.
   NumberEdit* numberField(const char* object_name, const char* key);
   PresetEdit* presetField(const char* object_name, const char* key, std::span<const std::int64_t> usual);

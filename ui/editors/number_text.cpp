@@ -19,6 +19,7 @@ QString numberText(const settings::Number& number, std::int64_t value) {
 
 QString unitText(const settings::Number& number) {
   if (number.unit == "us") return QStringLiteral("\u00B5s");
+  if (number.unit == "ppt") return QStringLiteral("\u2030");
   return QCoreApplication::translate("Setting", std::string(number.unit).c_str());  // words like "frames"
 }
 

@@ -36,8 +36,12 @@ bool Page::expert() const { return workspace_.expert(); }
 
 QString Page::set(const QString& text, std::vector<SettingEdit> edits) {
   const auto status = workspace_.document().set(text, std::move(edits));
-  if (status) return {};
-  workspace_.report(status.error(), Severity::kWarning, tr("Project"));
+  const auto refused = status ? std::nullopt : std::optional(status.error());
+  // Offered once more as it is, by Enter or by undo, it is not told once more.
+  const bool told = refused && refused_ && refused->subject == refused_->subject && refused->detail == refused_->detail;
+  refused_ = refused;
+  if (!refused) return {};
+  if (!told) workspace_.report(status.error(), Severity::kWarning, tr("Project"));
   refresh();
   return reasonText(status.error().detail);
 }

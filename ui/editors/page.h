@@ -3,7 +3,10 @@
 
 #include <QScrollArea>
 #include <QString>
+#include <optional>
 #include <vector>
+
+#include "support/result.h"
 
 namespace syncline {
 struct Project;
@@ -65,6 +68,7 @@ class Page : public QScrollArea {
   FieldBinder* fields_;
   QString title_;
   int slave_ = -1;
+  std::optional<Error> refused_;  // what the last edit was refused for
 };
 
 }  // namespace syncline::ui

@@ -63,9 +63,9 @@ QString FoundModel::difference(const FoundSlave& line) const {
     case FoundKind::kMatched:
       return {};
     case FoundKind::kRewired:
-      return tr("Connected to %1 instead of %2").arg(wiring(found_, *found), wiring(ours_, *ours));
+      return tr("Connected to %1; in the project to %2").arg(wiring(found_, *found), wiring(ours_, *ours));
     case FoundKind::kMoved:
-      return tr("Position %1 instead of %2").arg(*line.found).arg(*line.ours);
+      return tr("At position %1; in the project at %2").arg(*line.found).arg(*line.ours);
     case FoundKind::kRevision:
       return tr("Revision %1 instead of %2")
           .arg(hexText(found->device.identity.revision_no, 8), hexText(ours->device.identity.revision_no, 8));

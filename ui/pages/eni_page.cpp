@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "settings/settings_table.h"
 #include "ui/models/eni_finding_model.h"
@@ -292,11 +293,13 @@ void EniPage::showEvent(QShowEvent* event) {
     preview_.setSince(file ? EniPreview::Since::kSaved : EniPreview::Since::kOpened);
     since_->setCurrentIndex(static_cast<int>(preview_.since()));
   }
+  came_back_ = true;
   preview_.setWatched(true);
   goToNode();
 }
 
 void EniPage::hideEvent(QHideEvent* event) {
+  left_ = preview_.view();
   preview_.setWatched(false);
   if (!event->spontaneous()) preview_.showDependents({});
   Page::hideEvent(event);
@@ -304,14 +307,21 @@ void EniPage::hideEvent(QHideEvent* event) {
 
 void EniPage::goToNode() {
   const auto* view = model_->view();
-  if (view == nullptr || !isVisible() || node() == gone_to_) return;
+  if (view == nullptr || !isVisible() || !preview_.isCurrent() || preview_.view().get() != view) return;
+  const bool edited = std::exchange(came_back_, false) && preview_.view() != left_;
+  if (node() == gone_to_ && !edited) return;
   gone_to_ = node();
   const auto found = std::ranges::find_if(view->text->sections, [this](const eni::EniSection& section) {
     return node() < 0 ? section.part == eni::EniPart::kMaster : section.slave == node();
   });
   if (found == view->text->sections.end()) return;
-  text_->goToRow(model_->rowOf(found->first), EniTextView::PositionAtTop);
   section_->setCurrentIndex(static_cast<int>(found - view->text->sections.begin()));
+  const int row = model_->rowOf(found->first);
+  // To what changed of it: whoever comes after an edit comes for that. Of the master's node that is the whole file.
+  const int end = node() < 0 ? model_->rowCount() : row + static_cast<int>(found->count);
+  const int change = model_->changeFrom(node() < 0 ? -1 : row, true);
+  if (change >= (node() < 0 ? 0 : row) && change < end) return text_->goToRow(change, EniTextView::PositionAtCenter);
+  text_->goToRow(row, EniTextView::PositionAtTop);
 }
 
 void EniPage::showDependents(const QString& key) {
@@ -358,8 +368,8 @@ void EniPage::showView() {
                                                QItemSelectionModel::NoUpdate);
     text_->verticalScrollBar()->setValue(model_->rowOf(top));
     fillSections();
-    goToNode();
   }
+  goToNode();
   since_->setCurrentIndex(static_cast<int>(preview_.since()));
   showProgress();
   goToFirst();
@@ -381,6 +391,7 @@ void EniPage::fillSections() {
 }
 
 void EniPage::showProgress() {
+  goToNode();
   showFindings();
   showSummary();
   showTrial();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
+
 #include "ui/editors/page.h"
 #include "ui/text/message.h"
 
@@ -22,6 +24,7 @@ class EniFindingModel;
 class EniModel;
 class EniPreview;
 class EniTextView;
+struct EniView;
 class ValueLabel;
 
 /// The ENI that the project would export, and which of its lines each change of the project adds, removes or alters. Of
@@ -81,7 +84,9 @@ class EniPage final : public Page {
   ValueLabel *summary_, *checked_, *trial_;
   QLabel* trouble_;
   QWidget* trial_bar_;
-  int gone_to_ = -1;  // node
+  int gone_to_ = -1;                     // node
+  bool came_back_ = false;               // shown again, and not gone anywhere yet
+  std::shared_ptr<const EniView> left_;  // what stood here when it was left
   bool since_chosen_ = false, first_wanted_ = false;
 };
 

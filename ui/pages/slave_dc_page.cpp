@@ -39,6 +39,7 @@ SlaveDcPage::SlaveDcPage(Workspace& workspace)
   buildMode(*columns->add(0, tr("Operation Mode")));
   auto* sync0 = columns->add(1, tr("SYNC0"));
   auto* sync1 = columns->add(1, tr("SYNC1"));
+  units_ = {sync0, sync1};
   sync0_ = new SyncUnitEditor(0, *sync0, *this);
   fields().keys(*sync0, {"slave.N.dc.sync0.input_reference"});
   sync1_ = new SyncUnitEditor(1, *sync1, *this);
@@ -110,6 +111,7 @@ void SlaveDcPage::refresh() {
   sync0_->showSlave(*slave, mode, cycle);
   sync1_->showSlave(*slave, mode, cycle);
   fields().refresh();
+  alignLabels(units_);
   refreshRegisters();
   refreshTiming();
 }

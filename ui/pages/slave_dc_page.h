@@ -43,6 +43,7 @@ class SlaveDcPage final : public Page {
   void showRegister(QLabel& label, const QString& compiled, const std::optional<QString>& read);
 
   QLabel *description_, *assign_activate_, *bus_cycle_;
+  QList<Card*> units_;
   SyncUnitEditor *sync0_, *sync1_;
   QLabel *register_activation_, *register_cycle0_, *register_cycle1_, *register_shift_;
   DcReadBack* read_back_;

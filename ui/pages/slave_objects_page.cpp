@@ -10,7 +10,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
+#include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -22,6 +24,7 @@
 #include "ui/models/object_model.h"
 #include "ui/pages/object_write_bar.h"
 #include "ui/session/dictionary_reader.h"
+#include "ui/session/favourite_objects.h"
 #include "ui/session/watch_list.h"
 #include "ui/session/workspace.h"
 #include "ui/widgets/named.h"
@@ -75,6 +78,7 @@ QWidget* SlaveObjectsPage::buildChoice() {
   layout->addWidget(source_);
   layout->addWidget(words_, 1);
   layout->addWidget(watched_only_);
+  layout->addWidget(buildFavourites());
   connect(source_, &QComboBox::activated, this, &SlaveObjectsPage::showDictionary);
   connect(words_, &QLineEdit::textChanged, this, [this](const QString& text) {
     filter_->setWords(text);
@@ -85,6 +89,50 @@ QWidget* SlaveObjectsPage::buildChoice() {
     if (only) tree_->expandAll();
   });
   return area;
+}
+
+QToolButton* SlaveObjectsPage::buildFavourites() {
+  auto* button = named(new QToolButton, "objectFavourites", tr("Favourites"));
+  button->setText(button->accessibleName());
+  button->setToolTip(tr("Objects that are watched in every device of this kind, also in other projects"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  favourites_ = new QMenu(button);
+  favourites_->setObjectName(QStringLiteral("objectFavouritesMenu"));
+  button->setMenu(favourites_);
+  connect(favourites_, &QMenu::aboutToShow, this, &SlaveObjectsPage::fillFavourites);
+  return button;
+}
+
+void SlaveObjectsPage::fillFavourites() {
+  favourites_->clear();
+  if (settings() == nullptr) return;
+  const auto& device = settings()->device;
+  const auto type = QString::fromStdString(device.type);
+  const auto liked = FavouriteObjects(workspace().memory()).of(device.identity);
+  auto* watch =
+      favourites_->addAction(tr("&Watch %n favourite(s) of %1", nullptr, static_cast<int>(liked.size())).arg(type));
+  watch->setObjectName(QStringLiteral("favouritesWatch"));
+  watch->setEnabled(!liked.empty());
+  connect(watch, &QAction::triggered, this, [this, liked] {
+    auto objects = model_->watched();
+    for (const auto object : liked) {
+      if (std::ranges::find(objects, object) == objects.end()) objects.push_back(object);
+    }
+    model_->setWatched(objects);
+    keepWatched();
+  });
+  const auto keep = [this, identity = device.identity](const std::vector<coe::ObjectAddress>& objects) {
+    FavouriteObjects(workspace().memory()).set(identity, objects);
+  };
+  const auto watched = model_->watched();
+  auto* take = favourites_->addAction(tr("&Make the watched entries the favourites of %1").arg(type));
+  take->setObjectName(QStringLiteral("favouritesTake"));
+  take->setEnabled(!watched.empty() && watched != liked);
+  connect(take, &QAction::triggered, this, [keep, watched] { keep(watched); });
+  auto* forget = favourites_->addAction(tr("&Forget the favourites of %1").arg(type));
+  forget->setObjectName(QStringLiteral("favouritesForget"));
+  forget->setEnabled(!liked.empty());
+  connect(forget, &QAction::triggered, this, [keep] { keep({}); });
 }
 
 QTreeView* SlaveObjectsPage::buildTree() {

@@ -10,7 +10,9 @@
 class QCheckBox;
 class QComboBox;
 class QLineEdit;
+class QMenu;
 class QPushButton;
+class QToolButton;
 class QTreeView;
 
 namespace syncline::ui {
@@ -46,6 +48,8 @@ class SlaveObjectsPage final : public OnlinePage {
  private:
   QWidget* buildChoice();
   QWidget* buildButtons();
+  QToolButton* buildFavourites();
+  void fillFavourites();
   QTreeView* buildTree();
   void connectReader();
 
@@ -76,6 +80,7 @@ class SlaveObjectsPage final : public OnlinePage {
   PollChoice* poll_;
   QLineEdit* words_;
   QCheckBox* watched_only_;
+  QMenu* favourites_;
   QPushButton *read_, *read_shown_, *stop_, *export_;
   QTreeView* tree_;
   ObjectWriteBar* write_;

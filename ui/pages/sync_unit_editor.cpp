@@ -51,9 +51,10 @@ SyncUnitEditor::SyncUnitEditor(int unit, Card& card, Page& page) : QObject(&page
   connect(choice_, &QComboBox::activated, this, &SyncUnitEditor::takeChoice);
   page.fields().bind(*choice_, names.factor);
   card.addRow(tr("Sync Unit Cycle"), choice_, choice_->toolTip());
-  cycle_ = page.fields().number(card, names.cycle_name, names.cycle);
+  cycle_ = page.fields().number(card, names.cycle_name, names.cycle, tr("Cycle"));
   cycle_->setAccessibleName(tr("Cycle of %1").arg(title));
-  shift_ = page.fields().number(card, names.shift_name, names.shift);
+  cycle_tip_ = cycle_->toolTip();
+  shift_ = page.fields().number(card, names.shift_name, names.shift, tr("Shift"));
   shift_->setAccessibleName(tr("Shift of %1").arg(title));
 }
 
@@ -93,6 +94,9 @@ void SyncUnitEditor::showSlave(const SlaveSettings& slave, const DcOpMode* mode,
   }
   choice_->setCurrentIndex(row);
   cycle_->setEnabled(choice == kUser);
+  cycle_->setToolTip(choice == kUser
+                         ? cycle_tip_
+                         : tr("Choose \"User defined\" above to set it.") + QStringLiteral("\n\n") + cycle_tip_);
 }
 
 void SyncUnitEditor::takeChoice() {

@@ -35,6 +35,7 @@ class SyncUnitEditor final : public QObject {
   Page& page_;
   int unit_;
   ChoiceEdit* choice_;
+  QString cycle_tip_;
   NumberEdit *cycle_, *shift_;
 };
 

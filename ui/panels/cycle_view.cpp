@@ -199,6 +199,7 @@ QString CycleView::bathtubText() const {
   return said.join(QStringLiteral(" \u00B7 "));
 }
 
+/// What counts most first: a narrow window shows the beginning.
 QString CycleView::figuresText() const {
   const auto& picture = plot_->picture();
   const auto position = static_cast<std::size_t>(slave());
@@ -206,12 +207,12 @@ QString CycleView::figuresText() const {
   QStringList said;
   said << (figures.margin_min ? tr("margin at least %1").arg(timeText(*figures.margin_min)) : tr("no arrivals"));
   if (figures.margin_p999) said << tr("99.9 %: %1").arg(timeText(*figures.margin_p999));
-  if (picture.nominal) said << tr("nominally %1").arg(timeText(picture.period - *picture.nominal));
-  said << (picture.calc_and_copy ? tr("calculating and copying %1").arg(timeText(*picture.calc_and_copy))
-                                 : tr("calculating and copying not known"));
   const auto slips = record_->samples().value(Signal::kSetpointSlips, position, view_->end());
   said << (slips ? tr("setpoint slips: %1").arg(countText(static_cast<std::uint64_t>(std::llround(slips->value))))
                  : tr("setpoint slips not known"));
+  said << (picture.calc_and_copy ? tr("calculating and copying %1").arg(timeText(*picture.calc_and_copy))
+                                 : tr("calculating and copying not known"));
+  if (picture.nominal) said << tr("nominally %1").arg(timeText(picture.period - *picture.nominal));
   said << tr("SYNC0 %1, shift %2")
               .arg(cycleText(picture.period), signedTimeText(record_->samples().sync0(position).shift));
   return said.join(QStringLiteral(" \u00B7 "));

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QStackedLayout>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cstdint>
@@ -62,6 +63,13 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
   row->setSpacing(14);
   panels_ = {new DeviationPanel(&view_, &cursors_), new Sm2Panel(&view_, &cursors_), new DcmPanel(&view_, &cursors_)};
   for (auto* panel : panels_) row->addWidget(panel, 1);
+  unfold_ = named(new QToolButton, "unfoldButton", tr("Show the plots"));
+  unfold_->setToolTip(unfold_->accessibleName());
+  unfold_->setArrowType(Qt::UpArrow);
+  unfold_->setAutoRaise(true);
+  unfold_->hide();
+  panels_.back()->addToHead(unfold_);
+  connect(unfold_, &QToolButton::clicked, this, [this] { Q_EMIT foldWanted(false); });
   variables_ = new VariablesRow(&view_, &cursors_);
   rows->addLayout(row, 1);
   rows->addWidget(variables_, 1);
@@ -123,6 +131,7 @@ LiveStrip::LiveStrip(QWidget* parent) : QWidget(parent), toolbar_(new LiveStripT
     goTo(time);
   });
   connect(toolbar_, &LiveStripToolbar::triggerWanted, this, &LiveStrip::triggerWanted);
+  connect(toolbar_, &LiveStripToolbar::foldWanted, this, [this] { Q_EMIT foldWanted(true); });
   connect(distribution_, &DistributionView::variablesWanted, this, &LiveStrip::variablesWanted);
   connect(stability_, &StabilityView::variablesWanted, this, &LiveStrip::variablesWanted);
   connect(distribution_, &DistributionView::momentChosen, this, &LiveStrip::goTo);
@@ -182,11 +191,25 @@ void LiveStrip::attachViews() {
 /// Two rows of plots need more than one, and give some to the bar of an overlay; without a record there is a line.
 int LiveStrip::leastHeight() const {
   if (record_ == nullptr) return empty_->sizeHint().height() + layout()->contentsMargins().top() * 2;
+  if (folded_) return plots_->minimumSizeHint().height() + layout()->contentsMargins().top() * 2;
   const bool overlaid = panels_.front()->overlay().record != nullptr;
   return (variables_->isHidden() ? kLeastHeight : kLeastWithVariables) - (overlaid ? kLeastGiven : 0);
 }
 
-void LiveStrip::setGoesOn(bool goes_on) { view_.setGoesOn(goes_on); }
+void LiveStrip::setFolded(bool folded) {
+  if (folded == std::exchange(folded_, folded)) return;
+  unfold_->setVisible(folded);
+  variables_->setFolded(folded);
+  for (auto* panel : panels_) {
+    panel->plot()->setVisible(!folded);
+    panel->layout()->activate();  // from the inside outwards: the height is wanted now
+  }
+  plots_->layout()->activate();
+  showState();
+  refresh();
+}
+
+void LiveStrip::setFoldable(bool foldable) { toolbar_->setFoldable(foldable); }
 
 void LiveStrip::setOverlay(const TracePanel::Overlay& overlay) {
   const bool other = overlay.record != panels_.front()->overlay().record;
@@ -277,6 +300,7 @@ void LiveStrip::goTo(Nanoseconds time) {
 }
 
 void LiveStrip::mark(Nanoseconds time) {
+  if (folded_) Q_EMIT plotsWanted();
   view_.goTo(time);
   cursors_.set(CursorSet::kA, time);
 }
@@ -290,6 +314,7 @@ void LiveStrip::showEventAt(Nanoseconds time) {
 void LiveStrip::showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze) {
   if (!hasSamples()) return;
   if (body_ != Body::kFree) showBody(Body::kPlots);
+  if (folded_) Q_EMIT plotsWanted();
   followRecord();
   view_.setSpan(to - from);
   view_.goTo(from + (to - from) / 2);
@@ -403,9 +428,9 @@ void LiveStrip::tick() {
 }
 
 void LiveStrip::showState() {
-  stack_->setCurrentWidget(hasSamples() ? body() : empty_);
+  stack_->setCurrentWidget(!hasSamples() ? empty_ : folded_ ? plots_ : body());
   toolbar_->setEnabled(hasSamples());
-  toolbar_->setVisible(record_ != nullptr);
+  toolbar_->setVisible(record_ != nullptr && !folded_);
   toolbar_->showState();
   setMinimumHeight(leastHeight());
 }
@@ -418,6 +443,7 @@ QWidget* LiveStrip::body() const {
 void LiveStrip::showBody(Body body) {
   if (body == std::exchange(body_, body)) return;
   toolbar_->setWanted(viewOf(body));
+  if (folded_) Q_EMIT plotsWanted();
   showState();
   for (auto* panel : all_panels_) panel->plot()->markDirty();
   refresh();

@@ -19,6 +19,7 @@
 class QLabel;
 class QMenu;
 class QStackedLayout;
+class QToolButton;
 
 namespace syncline::ui {
 
@@ -63,8 +64,11 @@ class LiveStrip : public QWidget {
   void showRange(Nanoseconds from, Nanoseconds to, Nanoseconds moment, bool freeze);
   /// Those of the project, see FreeView.
   void setViews(const std::vector<MonitorView>& views);
-  /// Whether the run that is shown goes on; of one that has ended, and of none, there is no "now".
-  void setGoesOn(bool goes_on);
+  /// Only headings and legends are left of the plots, as high as these need; the views in place of the plots wait.
+  void setFolded(bool folded);
+  [[nodiscard]] bool isFolded() const { return folded_; }
+  /// Whether there is a button that folds it.
+  void setFoldable(bool foldable);
   /// Proposed besides: those of a recording.
   void setOfferedViews(std::vector<MonitorView> views);
   /// Limits of the project in work, which may be dragged and typed; nothing: what is shown is not of it.
@@ -109,6 +113,9 @@ class LiveStrip : public QWidget {
   [[nodiscard]] QString figures() const;
 
  Q_SIGNALS:
+  /// It is to be folded, or not any more: by its own buttons. plotsWanted(): because something is to be shown in them.
+  void foldWanted(bool folded);
+  void plotsWanted();
   /// So many slaves are to be drawn by the panel of this name, the worst of them.
   void slavesShownChosen(const QString& panel, int count);
   /// A note is to be written at this moment, or the one that is there to be changed.
@@ -201,6 +208,8 @@ class LiveStrip : public QWidget {
   TriggerLevel level_;
   std::optional<RunLimits> wanted_limits_;
   Body body_ = Body::kPlots;
+  QToolButton* unfold_;
+  bool folded_ = false;
   bool text_wanted_ = false;
 };
 

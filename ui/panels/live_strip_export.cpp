@@ -66,9 +66,7 @@ CsvTable LiveStrip::tableOfAll(Nanoseconds from, Nanoseconds to) const {
 }
 
 Picture LiveStrip::picture() {
-  const auto title = tr("Syncline, %1, cycle %2")
-                         .arg(utcRangeText(view_.begin(), view_.end()),
-                              cycleText(record_ == nullptr ? 0 : record_->limits().cycle_time));
+  const auto title = captionOf(record_, view_.begin(), view_.end());
   auto* shown = body_ == Body::kFree ? free_->canvas() : body();
   return captioned(*shown, title, [this, shown](QPainter& painter, const QPoint& place) {
     const auto colours = shown->palette();

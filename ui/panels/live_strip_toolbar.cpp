@@ -74,6 +74,10 @@ LiveStripToolbar::LiveStripToolbar(TimeView* view, CursorSet* cursors, QWidget* 
   menu->setAccessibleName(tr("Menu of the live plots"));
   connect(menu, &QToolButton::clicked, this,
           [this, menu] { Q_EMIT menuRequested(menu->mapToGlobal(menu->rect().bottomLeft())); });
+  fold_ = addButton(layout, "foldButton", {}, tr("Leave only the figures of the plots"));
+  fold_->setAccessibleName(fold_->toolTip());
+  fold_->setArrowType(Qt::DownArrow);
+  connect(fold_, &QToolButton::clicked, this, &LiveStripToolbar::foldWanted);
   connect(view_, &TimeView::modeChanged, this, &LiveStripToolbar::showState);
   connect(cursors_, &CursorSet::changed, this, &LiveStripToolbar::showState);
   showState();

@@ -31,6 +31,7 @@ class LiveStripToolbar final : public QWidget {
   /// What stands in place of the plots.
   enum class View : std::uint8_t { kNone, kFree, kDistribution, kStability, kSlaves, kCycle };
   void setWanted(View view);
+  void setFoldable(bool foldable) { fold_->setVisible(foldable); }
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
@@ -39,6 +40,7 @@ class LiveStripToolbar final : public QWidget {
   void distanceWanted();
   void fitRequested();
   void triggerWanted();
+  void foldWanted();
   void cursorsToggled(bool on);
   void menuRequested(const QPoint& global);
 
@@ -64,7 +66,7 @@ class LiveStripToolbar final : public QWidget {
     QToolButton* button;
   };
   std::vector<ViewButton> view_buttons_;
-  QToolButton *live_, *freeze_, *measure_, *views_;
+  QToolButton *live_, *freeze_, *measure_, *views_, *fold_;
   bool replayed_ = false;
   bool narrow_ = false;  // the views stand in one menu
   ValueLabel *state_, *delta_;

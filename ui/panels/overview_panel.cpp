@@ -289,10 +289,7 @@ void OverviewPanel::refresh() {
 Picture OverviewPanel::picture() {
   const bool any = record_ != nullptr && !record_->samples().empty();
   const auto begin = any ? record_->overview().armed.value_or(record_->overview().begin) : 0;
-  const auto title =
-      any ? tr("Syncline, %1, cycle %2")
-                .arg(utcRangeText(begin, record_->overview().end), cycleText(record_->limits().cycle_time))
-          : QStringLiteral("Syncline");
+  const auto title = captionOf(any ? record_ : nullptr, begin, any ? record_->overview().end : 0);
   return captioned(
       *this, title,
       [this](QPainter& painter, const QPoint& place) {

@@ -24,9 +24,11 @@
 #include <array>
 
 #include "reasons/because.h"
+#include "record/run_record.h"
 #include "support/whole_file.h"
 #include "ui/files/save_name.h"
 #include "ui/text/error_text.h"
+#include "ui/text/units.h"
 #include "ui/theme/theme.h"
 
 namespace syncline::ui {
@@ -105,6 +107,16 @@ QString askForPictureName(QWidget* parent, const QString& title, const QString& 
 }
 
 constexpr int kCaptionHeight = 22, kPaperMargin = 10;
+
+QString utcRangeText(Nanoseconds begin, Nanoseconds end) {
+  const auto at = [](Nanoseconds time) {
+    return QDateTime::fromMSecsSinceEpoch(time / kMillisecond + kDcEpochUnixSeconds * 1000, Qt::UTC);
+  };
+  const auto clock = QStringLiteral("HH:mm:ss.zzz");
+  const auto whole = QStringLiteral("yyyy-MM-dd ") + clock;
+  const bool same_day = at(begin).date() == at(end).date();
+  return QStringLiteral("%1 \u2013 %2 UTC").arg(at(begin).toString(whole), at(end).toString(same_day ? clock : whole));
+}
 
 }  // namespace
 
@@ -186,14 +198,12 @@ void renderWithoutControls(QWidget& widget, QPainter& painter, const QPoint& pla
   if (focus) focus->setFocus();
 }
 
-QString utcRangeText(Nanoseconds begin, Nanoseconds end) {
-  const auto at = [](Nanoseconds time) {
-    return QDateTime::fromMSecsSinceEpoch(time / kMillisecond + kDcEpochUnixSeconds * 1000, Qt::UTC);
-  };
-  const auto clock = QStringLiteral("HH:mm:ss.zzz");
-  const auto whole = QStringLiteral("yyyy-MM-dd ") + clock;
-  const bool same_day = at(begin).date() == at(end).date();
-  return QStringLiteral("%1 \u2013 %2 UTC").arg(at(begin).toString(whole), at(end).toString(same_day ? clock : whole));
+QString captionOf(const RunRecord* run, Nanoseconds begin, Nanoseconds end) {
+  if (run == nullptr) return QStringLiteral("Syncline");
+  const auto text = run->simulated()
+                        ? QCoreApplication::translate("Picture", "Syncline, simulated machine, %1, cycle %2")
+                        : QCoreApplication::translate("Picture", "Syncline, %1, cycle %2");
+  return text.arg(utcRangeText(begin, end), cycleText(run->limits().cycle_time));
 }
 
 Status writePicture(const Picture& picture, const QString& path) {

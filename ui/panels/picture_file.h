@@ -42,8 +42,9 @@ struct Picture {
 /// Draws the children of a widget without what can be pressed or chosen in them, whose room stays; of a choice its text
 /// is drawn, which says what the picture is of.
 void renderWithoutControls(QWidget& widget, QPainter& painter, const QPoint& place);
-/// "2026-03-01 12:00:00.000 \u2013 12:00:10.250 UTC", of host clock times.
-[[nodiscard]] QString utcRangeText(Nanoseconds begin, Nanoseconds end);
+/// "Syncline, 2026-03-01 12:00:00.000 \u2013 12:00:10.250 UTC, cycle 1 ms", of host clock times, and of a simulated
+/// machine that it is one; without a run only the program.
+[[nodiscard]] QString captionOf(const RunRecord* run, Nanoseconds begin, Nanoseconds end);
 
 /// Whole or not at all. kBadValue where the name ends in none of the forms, kFileNotWritable.
 [[nodiscard]] Status writePicture(const Picture& picture, const QString& path);

@@ -43,8 +43,9 @@ QPushButton* RunBar::add(const char* object_name, const QString& text, const QSt
 void RunBar::refresh() {
   setVisible(difference_.differs());
   if (!difference_.differs()) return;
-  const auto count = static_cast<int>(difference_.settings().size() + difference_.slaves().size());
-  text_->setText(tr("The machine does not run what the project says: %n change(s).", nullptr, count));
+  const int count = difference_.changes();
+  text_->setText(count > 0 ? tr("The machine does not run what the project says: %n change(s).", nullptr, count)
+                           : tr("The machine does not run what the project says."));
   apply_->setEnabled(difference_.applicable());
   apply_->setToolTip(difference_.applicable()
                          ? tr("Gives the parameters of the master synchronisation to the running machine")

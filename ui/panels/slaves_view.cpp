@@ -77,6 +77,7 @@ SlavesView::SlavesView(TimeView* view, CursorSet* cursors, QWidget* parent)
   // The worst at once, the age of a reading for those who look for it.
   auto* header = table_->horizontalHeader();
   header->moveSection(header->visualIndex(FiguresColumn::kMax), 1);
+  header->moveSection(header->visualIndex(FiguresColumn::kCourse), 2);
   header->moveSection(header->visualIndex(FiguresColumn::kAge), header->visualIndex(FiguresColumn::kMissed));
   table_->setMinimumWidth(200);
   auto* body = new QSplitter;
@@ -139,6 +140,19 @@ void SlavesView::updateRows() {
       rows.push_back({i, nameOf(*record_, {Signal::kSlaveDeviation, i}), roles_[i] == ClockRole::kReference});
   }
   plot_->setRows(std::move(rows));
+  widenNames();
+}
+
+/// Names as wide as they are, where the user has not said otherwise; they change with the machine alone.
+void SlavesView::widenNames() {
+  constexpr int kWidest = 210;
+  if (table_->columnWidth(FiguresColumn::kSlave) != widthOf(*table_, *model_, FiguresColumn::kSlave)) return;
+  int width = table_->columnWidth(FiguresColumn::kSlave);
+  for (std::size_t i = 0; i < roles_.size(); ++i) {
+    const auto name = nameOf(*record_, {Signal::kSlaveDeviation, i});
+    width = std::max(width, table_->fontMetrics().horizontalAdvance(name) + 14);
+  }
+  table_->setColumnWidth(FiguresColumn::kSlave, std::min(width, kWidest));
 }
 
 bool SlavesView::complete() const {

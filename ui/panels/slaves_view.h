@@ -53,6 +53,7 @@ class SlavesView final : public QWidget {
 
  private:
   void updateRows();
+  void widenNames();
   void updateFigures();
   void showFigures();
   void showReading();

@@ -141,9 +141,15 @@ void VariablesRow::setRecord(const RunRecord* record, bool recorded) {
     panel->setVariables(panel->title(), {});
     panel->hide();
   }
+  shown_ = false;
   hide();
   Q_EMIT changed();
   follow();
+}
+
+void VariablesRow::setFolded(bool folded) {
+  folded_ = folded;
+  setVisible(shown_ && !folded_);
 }
 
 std::vector<VariablesRow::Group> VariablesRow::groups() const {
@@ -184,7 +190,8 @@ void VariablesRow::follow() {
                              used ? shown[i].variables : std::vector<std::size_t>{});
     panels_[i]->setVisible(used);
   }
-  setVisible(!shown.empty());
+  shown_ = !shown.empty();
+  setVisible(shown_ && !folded_);
   Q_EMIT changed();
 }
 

@@ -51,6 +51,8 @@ class VariablesRow final : public QWidget {
 
   /// Of a recording all variables are shown that were ever watched, of a run those that are.
   void setRecord(const RunRecord* record, bool recorded);
+  /// Hidden as long as that.
+  void setFolded(bool folded);
   /// Looks whether others are watched; as often as one likes.
   void follow();
   [[nodiscard]] const std::array<VariablePanel*, kMostPlots>& panels() const { return panels_; }
@@ -70,6 +72,8 @@ class VariablesRow final : public QWidget {
   std::array<VariablePanel*, kMostPlots> panels_{};
   const RunRecord* record_ = nullptr;
   bool recorded_ = false;
+  bool shown_ = false;  // there are variables
+  bool folded_ = false;
   std::size_t lists_ = 0;  // that were looked at
 };
 

@@ -19,7 +19,8 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kLeft = 46, kRight = 8, kTop = 6, kBottom = 32;
+constexpr int kTitle = 15;  // of the counts, on its side
+constexpr int kLeft = 46 + kTitle, kRight = 8, kTop = 6, kBottom = 32;
 constexpr double kEndBar = 16, kEndGap = 5;
 constexpr std::ptrdiff_t kNoBin = -2;
 
@@ -116,6 +117,15 @@ void HistogramPlot::drawAxes(QPainter& painter) const {
   painter.setPen(text);
   painter.drawText(QRectF(kLeft, height() - 16, width() - kLeft - kRight, 15), Qt::AlignCenter,
                    unit_.isEmpty() ? tr("Value") : tr("Value / %1").arg(unit_));
+  const auto count = tr("Number of values");
+  const auto high = painter.fontMetrics().horizontalAdvance(count);
+  if (high <= all.height()) {
+    painter.save();
+    painter.translate(0, all.center().y());
+    painter.rotate(-90);
+    painter.drawText(QRectF(-high, 0, 2.0 * high, kTitle), Qt::AlignCenter, count);
+    painter.restore();
+  }
   painter.drawText(binArea(-1).adjusted(-8, 0, 8, 16), Qt::AlignHCenter | Qt::AlignBottom, QStringLiteral("<"));
   painter.drawText(binArea(static_cast<std::ptrdiff_t>(grid_.bins)).adjusted(-8, 0, 8, 16),
                    Qt::AlignHCenter | Qt::AlignBottom, QStringLiteral("\u2265"));

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QStringList>
 #include <QToolTip>
+#include <algorithm>
 #include <utility>
 
 #include "ui/text/joined_text.h"
@@ -15,6 +16,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kSwatch = 12, kGap = 4, kBetween = 10, kLongestName = 110;
+constexpr int kStretch = 25;  // updates, some seconds: digits that are gone for so long leave their room
 
 }  // namespace
 
@@ -28,6 +30,14 @@ LegendBar::LegendBar(QWidget* parent) : QWidget(parent) {
 
 void LegendBar::setEntries(std::vector<Entry> entries) {
   if (entries == entries_) return;
+  const bool next_stretch = ++updates_ % kStretch == 0;
+  rooms_.resize(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    auto& room = rooms_[i];
+    if (i >= entries_.size() || entries_[i].name != entries[i].name) room = {};
+    if (next_stretch) room = {0, room.latest};
+    room.latest = std::max(room.latest, fontMetrics().horizontalAdvance(entries[i].value));
+  }
   entries_ = std::move(entries);
   sayValue(*this, text());
   setToolTip(parts().join(u'\n'));
@@ -70,15 +80,15 @@ QString LegendBar::shownName(const Entry& entry, Names names) const {
 LegendBar::Names LegendBar::namesThatFit() const {
   for (const auto names : {Names::kWhole, Names::kElided}) {
     int all = -kBetween;
-    for (const auto& entry : entries_) all += widthOf(entry, names) + kBetween;
+    for (std::size_t i = 0; i < entries_.size(); ++i) all += widthOf(i, names) + kBetween;
     if (all <= width()) return names;
   }
   return Names::kShort;
 }
 
-int LegendBar::widthOf(const Entry& entry, Names names) const {
-  return kSwatch + 2 * kGap + fontMetrics().horizontalAdvance(shownName(entry, names)) +
-         fontMetrics().horizontalAdvance(entry.value);
+int LegendBar::widthOf(std::size_t entry, Names names) const {
+  return kSwatch + 2 * kGap + fontMetrics().horizontalAdvance(shownName(entries_[entry], names)) +
+         rooms_[entry].width();
 }
 
 void LegendBar::paintEvent(QPaintEvent*) {
@@ -96,14 +106,15 @@ void LegendBar::paintEvent(QPaintEvent*) {
     const auto& entry = entries_[i];
     const auto rest = QStringLiteral("+%1").arg(entries_.size() - i);
     const int reserve = i + 1 < entries_.size() ? kBetween + fontMetrics().horizontalAdvance(rest) : 0;
-    if (x > 0 && x + widthOf(entry, names) + reserve > width()) return write(rest, muted);
+    if (x > 0 && x + widthOf(i, names) + reserve > width()) return write(rest, muted);
     const bool broad = entry.shape == SeriesItem::Shape::kEnvelope;
     painter.fillRect(QRect(x, height() / 2 - (broad ? 4 : 1), kSwatch, broad ? 8 : 3), entry.color);
     x += kSwatch + kGap;
     write(shownName(entry, names), muted);
     x += kGap;
+    const int value_at = x;
     write(entry.value, palette().color(QPalette::WindowText));
-    x += kBetween;
+    x = value_at + rooms_[i].width() + kBetween;
   }
 }
 

@@ -48,11 +48,18 @@ class LegendBar final : public QWidget {
   [[nodiscard]] QStringList parts() const;
   enum class Names : unsigned char { kWhole, kElided, kShort };
   [[nodiscard]] QString shownName(const Entry& entry, Names names) const;
-  [[nodiscard]] int widthOf(const Entry& entry, Names names) const;
+  [[nodiscard]] int widthOf(std::size_t entry, Names names) const;
   /// The longest names with which all entries have room; else the shortest.
   [[nodiscard]] Names namesThatFit() const;
 
   std::vector<Entry> entries_;
+  /// Of the values of an entry the widest of late, so that its neighbours do not move with its digits.
+  struct Room {
+    int latest = 0, before = 0;  // of the present stretch of updates, and the one before
+    [[nodiscard]] int width() const { return latest > before ? latest : before; }
+  };
+  std::vector<Room> rooms_;
+  int updates_ = 0;
   std::function<QString(const Entry&)> about_;
 };
 

@@ -70,6 +70,8 @@ class TracePanel : public QWidget {
   void showTriggerLevel(Signal signal, std::size_t slave, std::optional<double> level);
 
   [[nodiscard]] TracePlot* plot() const { return plot_; }
+  /// Beside the heading, at the right end.
+  void addToHead(QWidget* widget);
   [[nodiscard]] LegendBar* legend() const { return legend_; }
   [[nodiscard]] QString readout() const;
   [[nodiscard]] QString title() const;
@@ -106,8 +108,6 @@ class TracePanel : public QWidget {
   [[nodiscard]] virtual QString unitText(const SeriesItem& /*item*/) const { return {}; }
   /// What is made only when somebody looks is brought up to date.
   virtual void renew() {}
-  /// Beside the heading, at the right end.
-  void addToHead(QWidget* widget);
 
   void setTitle(const QString& title);
   [[nodiscard]] bool hasSource() const { return source_ != nullptr; }

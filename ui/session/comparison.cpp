@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/comparison.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "compile/compile.h"
@@ -53,6 +54,11 @@ Result<Compared> comparedSides(const SideContent& left, const Result<SideContent
 }
 
 }  // namespace
+
+int changesOf(const std::vector<SettingDifference>& settings, const std::vector<ConfigDifference>& network) {
+  const auto slaves = std::ranges::count(network, DifferenceGroup::kSlaves, &ConfigDifference::group);
+  return static_cast<int>(std::ranges::count(settings, true, &SettingDifference::matters) + slaves);
+}
 
 Comparison::Comparison(BusComparer compare_bus, QObject* parent)
     : QObject(parent), compare_bus_(std::move(compare_bus)) {}

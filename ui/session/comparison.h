@@ -34,6 +34,11 @@ struct Compared {
   std::vector<Finding> unread;              // what of a bus could not be read
 };
 
+/// Changes of a project, for people: settings that matter, and slaves that came, went or changed their places; not what
+/// follows from these in the network.
+[[nodiscard]] int changesOf(const std::vector<SettingDifference>& settings,
+                            const std::vector<ConfigDifference>& network);
+
 /// Compares projects, files, what runs and buses in a thread of its own. One comparison at a time.
 class Comparison final : public QObject {
   Q_OBJECT

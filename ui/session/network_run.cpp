@@ -51,6 +51,7 @@ Status NetworkRun::goOnline(const QString& link, RunOrigin origin) {
   link_ = link;
   origin_ = std::move(origin);
   auto record = std::make_unique<RunRecord>(origin_.config);
+  record->set_link(link.toStdString());
   if (const auto variables = watchedOf(origin_.config, watched_); !variables.empty()) (void)record->watch(variables);
   const auto before = std::exchange(record_, std::move(record));
   Q_EMIT recordChanged();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/session/run_difference.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "compare/compare_run_time.h"
 #include "compare/compare_settings.h"
+#include "ui/session/comparison.h"
 #include "ui/session/configuration_monitor.h"
 #include "ui/session/live_session.h"
 #include "ui/session/project_document.h"
@@ -40,7 +40,7 @@ void RunDifference::look() {
   const bool runs = listens || phase == LiveSession::Phase::kSilent;
   const auto& project = document_.project();
   const bool before = std::exchange(differs_, false);
-  slaves_.clear();
+  network_.clear();
   applicable_ = false;
   if (runs && !(project == running())) {
     const auto* config = configuration_.config();
@@ -48,8 +48,7 @@ void RunDifference::look() {
         config != nullptr ? compare_configs(live_.origin().config, *config) : std::vector<ConfigDifference>{};
     const auto run_time = compare_run_time(running(), project);
     differs_ = config == nullptr || !network.empty() || !run_time.empty();
-    std::erase_if(network, [](const ConfigDifference& one) { return one.group != DifferenceGroup::kSlaves; });
-    slaves_ = std::move(network);
+    network_ = std::move(network);
     applicable_ = differs_ && listens && !live_.run().applying() && withParameters(running(), project) == project;
   }
   if (before || differs_) Q_EMIT changed();
@@ -57,9 +56,7 @@ void RunDifference::look() {
 
 const Project& RunDifference::running() const { return live_.origin().project; }
 
-std::vector<SettingDifference> RunDifference::settings() const {
-  return compare_settings(running(), document_.project());
-}
+int RunDifference::changes() const { return changesOf(compare_settings(running(), document_.project()), network_); }
 
 /// The project is looked at anew: a click that takes what was typed in a field comes before it is compiled.
 void RunDifference::apply() {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "compare/compare_configs.h"
-#include "compare/compare_settings.h"
 
 namespace syncline {
 struct Project;
@@ -28,10 +27,8 @@ class RunDifference final : public QObject {
 
   /// Something runs and the project is not that.
   [[nodiscard]] bool differs() const { return differs_; }
-  /// As settings, for people: left runs, right is the project.
-  [[nodiscard]] std::vector<SettingDifference> settings() const;
-  /// Slaves that came, went or changed their places.
-  [[nodiscard]] const std::vector<ConfigDifference>& slaves() const { return slaves_; }
+  /// See changesOf(); 0 where something else differs, like the description of a device.
+  [[nodiscard]] int changes() const;
   /// The project from which the machine was started, with what was applied since.
   [[nodiscard]] const Project& running() const;
   /// All of it can be given to the machine while it runs, which is not taking it just now.
@@ -48,7 +45,7 @@ class RunDifference final : public QObject {
   ProjectDocument& document_;
   ConfigurationMonitor& configuration_;
   LiveSession& live_;
-  std::vector<ConfigDifference> slaves_;
+  std::vector<ConfigDifference> network_;
   bool differs_ = false, applicable_ = false;
 };
 

@@ -69,11 +69,17 @@ void WindowMemory::store() {
   Q_EMIT recentChanged();
 }
 
-QVariant WindowMemory::value(const QString& name) const { return settings_ ? settings_->value(name) : QVariant(); }
+QVariant WindowMemory::value(const QString& name) const {
+  return settings_ ? settings_->value(name) : held_.value(name);
+}
 
 void WindowMemory::setValue(const QString& name, const QVariant& value) {
   // What is the same is not written again.
-  if (settings_ && settings_->value(name) != value) settings_->setValue(name, value);
+  if (!settings_) {
+    held_.insert(name, value);
+  } else if (settings_->value(name) != value) {
+    settings_->setValue(name, value);
+  }
 }
 
 }  // namespace syncline::ui

@@ -41,6 +41,7 @@ class WindowMemory final : public QObject {
   void store();
 
   std::unique_ptr<QSettings> settings_;  // none: nothing stays
+  QVariantHash held_;                    // without them
   QList<Recent> recent_;
 };
 

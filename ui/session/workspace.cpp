@@ -9,10 +9,13 @@
 #include "findings/error_text.h"
 #include "findings/fold.h"
 #include "reasons/because.h"
+#include "settings/settings_table.h"
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/glossary.h"
 #include "ui/text/link_text.h"
 #include "ui/text/recorded_text.h"
+#include "ui/text/setting_text.h"
 
 namespace syncline::ui {
 namespace {
@@ -50,7 +53,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
       running_slaves_(document_, live()),
       watched_(document_, memory_),
       variables_(document_, memory_),
-      run_difference_(document_, configuration_, live()) {
+      run_difference_(document_, configuration_, live()),
+      start_refusal_(live()) {
   runs_.setBlackBox(rememberedWish(memory_));
   if (const int mib = memory_.value(kMemoryMib).toInt(); mib >= 1 && mib <= DiskRecording::kMostMemoryMib)
     runs_.setMemoryMib(mib);
@@ -270,8 +274,18 @@ Status Workspace::putNote(const RunNote& note) {
   return recording_.setNotes(std::move(notes));
 }
 
+/// An error of a setting is at its field, which has a name that people know.
 void Workspace::report(const Error& error, Severity severity, const QString& source) {
-  messages_.append(messageOf(error, severity, source));
+  const auto& project = document_.project();
+  const auto ref = settings::find(project, error.subject, false);
+  if (!ref) return messages_.append(messageOf(error, severity, source));
+  auto named = error;
+  const int slave = ref->setting->of_slave() ? static_cast<int>(ref->place.slave) : -1;
+  named.subject = QStringLiteral("%1, %2").arg(nodeName(project, slave), settingLabel(*ref->setting)).toStdString();
+  auto line = messageOf(named, severity, source);
+  line.slave = slave;
+  line.key = QString::fromStdString(error.subject);
+  messages_.append(std::move(line));
 }
 
 void Workspace::setBlackBox(const BlackBoxWish& wish) {

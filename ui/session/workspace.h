@@ -22,6 +22,7 @@
 #include "ui/session/running_slaves.h"
 #include "ui/session/scan_controller.h"
 #include "ui/session/slave_requests.h"
+#include "ui/session/start_refusal.h"
 #include "ui/session/template_store.h"
 #include "ui/session/trigger_monitor.h"
 #include "ui/session/variable_watch.h"
@@ -59,6 +60,8 @@ class Workspace final : public QObject {
   [[nodiscard]] VariableWatch& variables() { return variables_; }
   /// What the project would do otherwise than what runs.
   [[nodiscard]] RunDifference& runDifference() { return run_difference_; }
+  /// Whether the last start of the network in work failed.
+  [[nodiscard]] StartRefusal& startRefusal() { return start_refusal_; }
   [[nodiscard]] TriggerMonitor& trigger() { return trigger_; }
   /// What the user begins projects with.
   [[nodiscard]] TemplateStore& templates() { return templates_; }
@@ -158,6 +161,7 @@ class Workspace final : public QObject {
   WatchList watched_;
   VariableWatch variables_;
   RunDifference run_difference_;
+  StartRefusal start_refusal_;
   OpenedRecording recording_;
   RecordingReplay replay_{recording_};
   RecordingOverlay overlay_{recording_};

@@ -56,8 +56,8 @@ class Overview {
   static QString nothingHappened(const QString& since, const RunRecord& record, std::span<const Finding> findings) {
     const auto span = spanText(record.overview().end - *record.overview().armed);
     const auto* worst = worstOf(findings, *record.overview().armed);
-    if (worst == nullptr) return tr("<b>No fault</b> since %1 (for %2).").arg(since, span);
-    return tr("<b>Nothing fell or was lost</b> since %1 (for %2), but <b>%3</b>")
+    if (worst == nullptr) return tr("<b>No fault</b> for %2, since %1 of the run.").arg(since, span);
+    return tr("<b>Nothing fell or was lost</b> for %2, since %1 of the run, but <b>%3</b>")
         .arg(since, span, finding(*worst, record));
   }
 

@@ -54,8 +54,9 @@ QList<Language> languages() {
 }
 
 bool installTranslation(const QString& language) {
+  for (auto* before : QCoreApplication::instance()->findChildren<QTranslator*>()) delete before;
   const auto locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-  if (!language.isEmpty()) QLocale::setDefault(locale);
+  QLocale::setDefault(locale);
   // English has a translation too: it holds the plural forms. What the other one lacks falls back to it.
   const bool english = install<ClassContextTranslator>(QLocale(QLocale::English), kWindow, kFolder);
   if (locale.language() == QLocale::English || locale.language() == QLocale::C) return english;

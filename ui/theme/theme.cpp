@@ -60,6 +60,8 @@ QPalette paletteOf(const Colors& c) {
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     palette.setColor(QPalette::Disabled, role, QColor::fromRgb(c.disabled));
   }
+  // Of the ground that they stand on: a field that takes nothing now is no hole to write into.
+  palette.setColor(QPalette::Disabled, QPalette::Base, QColor::fromRgb(c.window));
   palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgb(c.outline));
   palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor::fromRgb(c.muted));
   return palette;

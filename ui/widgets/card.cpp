@@ -71,6 +71,21 @@ void Card::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
 }
 
+void alignLabels(const QList<Card*>& cards) {
+  QList<QWidget*> labels;
+  int width = 0;
+  for (auto* card : cards) {
+    auto* form = card->form();
+    for (int row = 0; row < form->rowCount(); ++row) {
+      auto* item = form->itemAt(row, QFormLayout::LabelRole);
+      if (item == nullptr || item->widget() == nullptr) continue;
+      labels << item->widget();
+      if (form->isRowVisible(row)) width = std::max(width, item->widget()->sizeHint().width());
+    }
+  }
+  for (auto* label : labels) label->setMinimumWidth(width);
+}
+
 CardColumns::CardColumns(QWidget* parent) : QWidget(parent) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(kCardMargin, 10, kCardMargin, 10);

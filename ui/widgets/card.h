@@ -32,6 +32,10 @@ class Card final : public QWidget {
   QFormLayout* form_;
 };
 
+/// Cards that belong together have their fields one below the other: as wide as the widest label of a row that is
+/// shown.
+void alignLabels(const QList<Card*>& cards);
+
 /// Columns of cards side by side, as wide as they need and no wider than one reads. Where they do not fit beside each
 /// other, the last columns stand below the others, so that a page scrolls in one direction only.
 class CardColumns final : public QWidget {

@@ -11,11 +11,19 @@
 namespace syncline::ui {
 namespace {
 
-const auto kBetweenFigures = QStringLiteral("   ");
+/// What stands between figures, or between statements, of a line.
+const QString kBetween[] = {QStringLiteral("   "), QStringLiteral(" \u00B7 ")};
+
+/// The last place before `from` where one of them ends; -1: there is none.
+qsizetype lastEnd(const QString& text, qsizetype from) {
+  qsizetype last = -1;
+  for (const auto& between : kBetween) last = std::max(last, text.lastIndexOf(between, from));
+  return last;
+}
 
 /// As many of the figures as there is room for: a number that ends in an ellipsis reads as another one.
 QString elidedFigures(const QString& text, const QFontMetrics& metrics, int room) {
-  for (auto end = text.lastIndexOf(kBetweenFigures); end > 0; end = text.lastIndexOf(kBetweenFigures, end - 1)) {
+  for (auto end = lastEnd(text, -1); end > 0; end = lastEnd(text, end - 1)) {
     const auto shown = text.left(end) + QStringLiteral(" \u2026");
     if (metrics.horizontalAdvance(shown) <= room) return shown;
   }

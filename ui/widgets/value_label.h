@@ -6,7 +6,8 @@
 namespace syncline::ui {
 
 /// A value that can be selected and copied. What does not fit gives way to its shorter form, or ends in an ellipsis,
-/// behind a whole figure where several stand in a row with three spaces between; the tool tip has all of it.
+/// behind a whole figure where several stand in a row with three spaces or a dot in the middle between; the tool tip
+/// has all of it.
 class ValueLabel final : public QLabel {
   Q_OBJECT
 

@@ -88,6 +88,7 @@ void MachineDraft::readEni(const QString& path) {
   const auto generation = draft_.document().generation();
   const auto status = readEniMachine(path, catalogue(), this, [this, path, generation](RecoveredProject recovered) {
     if (draft_.document().generation() != generation) return;  // other slaves were taken since
+    master_is_given_ = true;
     draft_.document().take(Machine{{}, {std::move(recovered.project)}}, {}, false);
     draft_.eni().setDialect(recovered.dialect);
     Q_EMIT told(tr("A project was made of %1; exported again, %n command(s) would differ.", nullptr,
@@ -101,6 +102,7 @@ void MachineDraft::readEni(const QString& path) {
 void MachineDraft::readProject(const QString& path) {
   auto machine = ProjectDocument::read(path);
   if (!machine) return tellError(machine.error());
+  master_is_given_ = true;
   draft_.document().take(std::move(*machine), {}, false);
   Q_EMIT told(
       tr("%n slave(s) as in %1", nullptr, static_cast<int>(project().slaves.size())).arg(QFileInfo(path).fileName()),

@@ -21,6 +21,8 @@ class MachineDraft final : public QObject {
   [[nodiscard]] TemplateStore& templates() { return window_.templates(); }
   [[nodiscard]] DeviceCatalogue& catalogue() { return window_.catalogue(); }
   [[nodiscard]] const Project& project() { return draft_.document().project(); }
+  /// The master is as a file has it: nothing is to be proposed for it.
+  [[nodiscard]] bool masterIsGiven() const { return master_is_given_; }
   [[nodiscard]] Machine machine() { return draft_.document().machine(); }
   /// LINK of the bus that was scanned; "" = none was.
   [[nodiscard]] const QString& link() const { return draft_.link(); }
@@ -53,6 +55,7 @@ class MachineDraft final : public QObject {
   Workspace& window_;
   Workspace draft_;
   bool scanning_ = false;
+  bool master_is_given_ = false;
   int looked_at_ = 0;
 };
 

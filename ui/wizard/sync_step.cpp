@@ -6,8 +6,10 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
+#include <utility>
 
 #include "advice/shift_proposal.h"
+#include "settings/settings_table.h"
 #include "ui/editors/field_binder.h"
 #include "ui/editors/sync_window_fields.h"
 #include "ui/text/setting_text.h"
@@ -106,6 +108,16 @@ void SyncStep::buildProposal(Card& card) {
 QWidget* SyncStep::firstField() const {
   auto* checked = mode_->checkedButton();
   return checked != nullptr ? checked : mode_->buttons().front();
+}
+
+/// A new machine has what is proposed for it, and is watched; whoever has seen that may say it otherwise.
+void SyncStep::showEvent(QShowEvent* event) {
+  WizardStep::showEvent(event);
+  if (draft().masterIsGiven() || !project().master.dc.enabled || std::exchange(proposed_, true)) return;
+  const auto mode = propose_shift(project(), false).mode;
+  const settings::Place master;
+  set(tr("Use the proposal"), {{&settings::row(kMode), master, static_cast<std::int64_t>(mode)},
+                               {&settings::row("master.dc.sync_window"), master, mode != DcmMode::kOff}});
 }
 
 void SyncStep::refresh() {

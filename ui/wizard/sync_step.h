@@ -25,6 +25,9 @@ class SyncStep final : public WizardStep {
   [[nodiscard]] QWidget* firstField() const override;
   void refresh() override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void buildShift(Card& card);
   void buildProposal(Card& card);
@@ -35,6 +38,7 @@ class SyncStep final : public WizardStep {
   QLabel *proposal_, *meaning_;
   QPushButton* use_;
   std::unique_ptr<SyncWindowFields> window_;
+  bool proposed_ = false;
 };
 
 }  // namespace syncline::ui

@@ -6,6 +6,7 @@
 
 #include "channels/master_channels.h"
 #include "config/network_config.h"
+#include "master/exchange/slave_name.h"
 #include "protocol/coe.h"
 #include "support/overloaded.h"
 
@@ -36,7 +37,14 @@ void EventTeller::tell(Nanoseconds time, int slave, EventDetails what) {
   if (wanted(what)) events_.push({time, slave, std::move(what)});
 }
 
-void EventTeller::error(const Error& error, Nanoseconds time) { tell(time, -1, events::Failure{error}); }
+/// What is wrong with a slave is that slave's event: whoever looks at it finds it there.
+void EventTeller::error(const Error& error, Nanoseconds time) {
+  int of = -1;
+  for (std::size_t slave = 0; of < 0 && slave < config_.slaves.size(); ++slave) {
+    if (slave_name(config_, slave) == error.subject) of = static_cast<int>(slave);
+  }
+  tell(time, of, events::Failure{error});
+}
 
 void EventTeller::emergency(std::size_t slave, const coe::Emergency& emergency, Nanoseconds time) {
   tell(time, static_cast<int>(slave),

@@ -124,6 +124,28 @@ TEST(QuickFixes, TakeAwayWhatTheCheckerSaysOfTheEni) {
   }
 }
 
+/// What the sentence names is what is offered first.
+TEST(QuickFixes, OfferTheCyclesNextToOneThatADeviceRefuses) {
+  auto project = two_axes();
+  project.slaves[2].device.identity = {0x539, 0x02200301, 0x00040000, 0};  // takes multiples of 125 us
+  project.slaves[2].dc.sync0.user_cycle = 800 * kMicrosecond;
+  const auto before = checked(project);
+  const auto* finding = find(before, "ENI-DEV-01");
+  ASSERT_NE(finding, nullptr);
+  std::vector<settings::Value> offered;
+  for (const auto& fix : quick_fixes(project, *finding, {}, 8)) offered.push_back(fix.value);
+  const auto offers = [&](std::int64_t value) {
+    return std::ranges::find(offered, settings::Value{value}) != offered.end();
+  };
+  EXPECT_TRUE(offers(750 * kMicrosecond) || offers(875 * kMicrosecond) || offers(1 * kMillisecond));
+  for (const auto& value : offered) {
+    const auto* number = std::get_if<std::int64_t>(&value);
+    if (number != nullptr) {
+      EXPECT_EQ(*number % (125 * kMicrosecond), 0);
+    }
+  }
+}
+
 TEST(QuickFixes, GiveANameThatOthersHaveTheNextNumber) {
   auto project = two_axes();
   project.slaves[0].name = "Axis (2)";

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/session/start_refusal.h"
+
+#include <utility>
+
+#include "channels/event.h"
+#include "record/run_record.h"
+#include "ui/text/event_text.h"
+
+namespace syncline::ui {
+
+StartRefusal::StartRefusal(LiveSession& live, QObject* parent) : QObject(parent), live_(live), run_(&live.run()) {
+  connect(&live_, &LiveSession::phaseChanged, this, &StartRefusal::follow);
+  connect(&live_, &LiveSession::eventArrived, this, &StartRefusal::take);
+}
+
+/// Whoever ends a start himself ends it by way of stopping.
+void StartRefusal::follow() {
+  const auto before = std::exchange(phase_, live_.phase());
+  const bool same_run = std::exchange(run_, &live_.run()) == &live_.run();
+  if (phase_ == LiveSession::Phase::kStarting && (before != phase_ || !same_run)) {
+    errors_ = 0;
+    reason_.reset();
+    return forget();
+  }
+  if (!same_run || phase_ != LiveSession::Phase::kOffline || before != LiveSession::Phase::kStarting) {
+    if (!same_run || phase_ != LiveSession::Phase::kOffline) forget();
+    return;
+  }
+  refused_ = true;
+  Q_EMIT changed();
+}
+
+void StartRefusal::take(const Event& event) {
+  if (live_.phase() != LiveSession::Phase::kStarting || live_.record() == nullptr) return;
+  auto message = messageOf(event, live_.record()->config());
+  if (!message || message->severity != Severity::kError) return;
+  if (errors_++ == 0) reason_ = std::move(message);
+}
+
+void StartRefusal::forget() {
+  if (std::exchange(refused_, false)) Q_EMIT changed();
+}
+
+}  // namespace syncline::ui
