@@ -661,12 +661,12 @@
             </translation>
         </message>
         <message>
-            <source>%1, position %2, address %3</source>
-            <translation>%1, Position %2, Adresse %3</translation>
-        </message>
-        <message>
             <source>Offline</source>
             <translation>Offline</translation>
+        </message>
+        <message>
+            <source>position %1, address %2</source>
+            <translation>Position %1, Adresse %2</translation>
         </message>
 </context>
 <context>

@@ -659,12 +659,12 @@
             </translation>
         </message>
         <message>
-            <source>%1, position %2, address %3</source>
-            <translation>%1，位置 %2，地址 %3</translation>
-        </message>
-        <message>
             <source>Offline</source>
             <translation>离线</translation>
+        </message>
+        <message>
+            <source>position %1, address %2</source>
+            <translation>位置 %1，地址 %2</translation>
         </message>
 </context>
 <context>

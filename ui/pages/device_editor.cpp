@@ -41,6 +41,7 @@
 #include "ui/session/window_memory.h"
 #include "ui/session/workspace.h"
 #include "ui/text/glossary.h"
+#include "ui/text/joined_text.h"
 #include "ui/text/units.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/pill.h"
@@ -71,9 +72,8 @@ DeviceEditor::DeviceEditor(Workspace& workspace, QWidget* parent) : QWidget(pare
   font.setPointSizeF(font.pointSizeF() * 1.2);
   font.setWeight(QFont::DemiBold);
   title_->setFont(font);
-  auto* subtitle = new ValueLabel;
-  subtitle->setLeastCharacters(12);
-  subtitle_ = subtitle;
+  subtitle_ = new ValueLabel;
+  subtitle_->setLeastCharacters(12);
   subtitle_->setForegroundRole(QPalette::PlaceholderText);
   state_ = new Pill;
   state_->setObjectName(QStringLiteral("nodeState"));
@@ -312,11 +312,10 @@ void DeviceEditor::refresh() {
                            .arg(cycleText(project.master.cycle_time)));
   } else {
     const auto& slave = project.slaves[static_cast<std::size_t>(slave_)];
-    subtitle_->setText(
-        tr("%1, position %2, address %3")
-            .arg(QString::fromStdString(slave.device.name.empty() ? slave.device.type : slave.device.name))
-            .arg(slave_)
-            .arg(slave.station_address));
+    const auto device = QString::fromStdString(slave.device.name.empty() ? slave.device.type : slave.device.name);
+    // By these it is told from others; what it is its name says, too.
+    const auto place = tr("position %1, address %2").arg(slave_).arg(slave.station_address);
+    subtitle_->setText(joinedParts({device, place}), place);
   }
   for (auto* page : pages_) {
     if (page->appliesTo(slave_)) page->refresh();

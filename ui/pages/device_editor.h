@@ -24,6 +24,7 @@ class Segments;
 class SlaveStateBar;
 class SlaveObjectsPage;
 class SlaveStateCommands;
+class ValueLabel;
 class Workspace;
 
 /// The centre of the window: the tabs of the selected node, all of them, those that configure or those that diagnose.
@@ -84,7 +85,8 @@ class DeviceEditor final : public QWidget {
   void reveal(Page* page);
 
   Workspace& workspace_;
-  QLabel *title_, *subtitle_;
+  QLabel* title_;
+  ValueLabel* subtitle_;
   Pill* state_;
   SlaveStateCommands* commands_;
   SlaveStateBar* state_bar_;

@@ -15,7 +15,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr int kSwatch = 12, kGap = 4, kBetween = 10, kLongestName = 110;
+constexpr int kSwatch = 10, kGap = 3, kBetween = 8, kLongestName = 110;
 constexpr int kStretch = 25;  // updates, some seconds: digits that are gone for so long leave their room
 
 }  // namespace
