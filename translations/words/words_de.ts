@@ -6741,6 +6741,10 @@
         <translation>{error}</translation>
     </message>
     <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
         <source>{field} is {said} in Info, the command expects the bytes {expected}</source>
         <translation>{field} ist in Info {said}, das Kommando erwartet die Bytes {expected}</translation>
     </message>

@@ -6741,6 +6741,10 @@
         <translation>{error}</translation>
     </message>
     <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
         <source>{field} is {said} in Info, the command expects the bytes {expected}</source>
         <translation>Info 中的 {field} 为 {said}，命令期望的字节为 {expected}</translation>
     </message>
