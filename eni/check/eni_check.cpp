@@ -24,13 +24,6 @@ Finding unreadable(const Error& error) {
                                                      fig::text<"error">(describe(error)));
 }
 
-Finding encoding_finding(const EncodingDoubt& doubt) {
-  Place place;
-  place.line = doubt.line;
-  return make_finding<words::kEniStructure, "reason">("ENI-XML-11", std::move(place),
-                                                      fig::reason<"reason">(doubt.reason));
-}
-
 /// What the reader refuses and the structure does not explain.
 void add_reader_error(EniCheck& check, FindingList& found, const Error& error) {
   check.understood = false;
@@ -59,7 +52,6 @@ void put_by_line(EniCheck& check, FindingList& found) {
 Result<EniLocations> check_text(std::string_view text, const std::string& file_name, FindingList& findings) {
   auto pieces = XmlPieces::parse(text, file_name, is_eni_piece);
   if (!pieces) return fail(pieces.error());
-  if (const auto& doubt = pieces->doubt()) findings.add(encoding_finding(*doubt));
   check_structure(*pieces, findings);
   EniLocations locations(*pieces);
   if (!pieces->error()) return locations;

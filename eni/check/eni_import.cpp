@@ -64,6 +64,7 @@ std::vector<Finding> unread_parts(XmlPieces& pieces) {
   FindingList structure;
   check_structure(pieces, structure);
   for (const Finding& finding : structure.kept()) {
+    if (finding.code == "ENI-XML-11") out.add(finding);  // names and comments may have come as others
     if (finding.code != "ENI-XML-04") continue;
     told.insert(finding.figures[0].text + '\n' + finding.figures[1].text);
     add(facts_text(finding), finding.place.line);

@@ -271,8 +271,18 @@ void PreviousPorts::check(std::string_view root, FindingList& out) const {
   }
 }
 
+Finding encoding_finding(const EncodingDoubt& doubt) {
+  Place place;
+  place.line = doubt.line;
+  return make_finding<words::kEniStructure, "reason">("ENI-XML-11", std::move(place),
+                                                      fig::reason<"reason">(doubt.reason));
+}
+
 }  // namespace
 
-void check_structure(XmlPieces& pieces, FindingList& findings) { StructureCheck(pieces, findings).run(); }
+void check_structure(XmlPieces& pieces, FindingList& findings) {
+  if (const auto& doubt = pieces.doubt()) findings.add(encoding_finding(*doubt));
+  StructureCheck(pieces, findings).run();
+}
 
 }  // namespace syncline::eni

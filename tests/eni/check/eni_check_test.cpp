@@ -151,6 +151,15 @@ TEST(EniCheck, OfTooManyKindsOfExtensionsTheRestIsCounted) {
   EXPECT_EQ(facts_text(imported->unread.back()), "7 findings more are not listed");
 }
 
+TEST(EniCheck, AnImportSaysTooThatTheTextIsNotInItsEncoding) {
+  const auto text = replaced(eni::write_eni(checked_machine()), "<EtherCATConfig ", "<!-- \x8D -->\n<EtherCATConfig ");
+  const auto imported = eni::import_eni_text(text, "test.xml");
+  ASSERT_TRUE(imported);
+  ASSERT_EQ(imported->unread.size(), 1U);
+  EXPECT_EQ(imported->unread[0].code, "ENI-XML-11");
+  EXPECT_EQ(imported->unread[0].place.line, 1);
+}
+
 /// What was read behind a value that cannot be is thrown away: it would cost hundreds of bytes for each element.
 TEST(EniCheck, BehindTheFirstErrorNothingIsRead) {
   eni::Reading reading("x.xml");
