@@ -53,10 +53,6 @@ Json checked_json(const eni::EniCheck& check, const Finding& finding) {
           {"evidence", figures_json(finding)}};
 }
 
-std::size_t count(const std::vector<Finding>& findings, Severity severity) {
-  return static_cast<std::size_t>(std::ranges::count(findings, severity, &Finding::severity));
-}
-
 /// Why and how stand once a rule: a mistake in a hundred slaves is one mistake to understand.
 void print_check(std::ostream& out, const std::string& file, const eni::EniCheck& check) {
   std::set<std::string_view> explained;
@@ -94,9 +90,9 @@ void check(Context& context, const CheckOptions& options) {
   auto checked = eni::check_eni(options.file);
   if (!checked) return context.fail_with(checked.error());
   auto& findings = checked->findings;
-  const std::size_t errors = count(findings, Severity::kError);
-  const std::size_t warnings = count(findings, Severity::kWarning);
-  const std::size_t notes = count(findings, Severity::kNote);
+  const std::size_t errors = checked->count(Severity::kError);
+  const std::size_t warnings = checked->count(Severity::kWarning);
+  const std::size_t notes = checked->count(Severity::kNote);
   if (errors > 0 || (options.strict && warnings > 0)) context.exit_code = kAnswerIsNo;
   std::erase_if(findings, [&](const auto& finding) { return finding.severity < severity_of(options.severity); });
   if (options.json) {
@@ -108,6 +104,7 @@ void check(Context& context, const CheckOptions& options) {
                           {"errors", errors},
                           {"warnings", warnings},
                           {"notes", notes},
+                          {"not_listed", checked->not_listed.all()},
                           {"findings", rows}});
   }
   print_check(context.console.out, options.file, *checked);

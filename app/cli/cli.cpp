@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <system_error>
 
 #include "app/cli/context.h"
 #include "app/cli/options.h"
@@ -68,6 +69,11 @@ void execute(CLI::App& app, Context& context, std::vector<std::string> arguments
     refuse(app, context, error);
   } catch (const std::bad_alloc&) {
     context.fail_with_words("there is not enough memory for this", kFailed);
+  } catch (const std::system_error& error) {
+    const bool no_thread = error.code() == std::errc::resource_unavailable_try_again;
+    context.fail_with_words(no_thread ? "the system gives no more memory or threads for this"
+                                      : fmt::format("this should not have happened: {}", error.what()),
+                            kFailed);
   } catch (const std::exception& error) {
     context.fail_with_words(fmt::format("this should not have happened: {}", error.what()), kFailed);
   }

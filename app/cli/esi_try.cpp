@@ -40,6 +40,7 @@ Json report_json(const TryReport& report) {
             {"passed", report.count(TryOutcome::kPassed)},
             {"excepted", report.count(TryOutcome::kExcepted)},
             {"failed", report.count(TryOutcome::kFailed)},
+            {"cancelled", report.cancelled},
             {"unreadable", Json::array()},
             {"devices", Json::array()}};
   for (const Error& error : report.unreadable) json["unreadable"].push_back(describe(error));
@@ -69,13 +70,14 @@ void try_devices(Context& context, const TryOptions& options) {
   }
   const auto report = try_esi(request, eni::trial_files());
   if (!report) return context.fail_with(report.error());
-  if (report->count(TryOutcome::kFailed) > 0 || !report->unreadable.empty()) context.exit_code = kAnswerIsNo;
+  if (report->count(TryOutcome::kFailed) > 0 || !report->unreadable.empty() || report->cancelled)
+    context.exit_code = kAnswerIsNo;
   if (options.json) return context.print(report_json(*report));
   for (const Error& error : report->unreadable) context.warn(error);
   context.console.out << counted(report->files, "file") << ", " << counted(report->devices.size(), "device")
                       << " tried: " << report->count(TryOutcome::kPassed) << " passed, "
                       << report->count(TryOutcome::kExcepted) << " excepted, " << report->count(TryOutcome::kFailed)
-                      << " failed\n";
+                      << " failed" << (report->cancelled ? "; cancelled before all were tried" : "") << '\n';
 }
 
 }  // namespace

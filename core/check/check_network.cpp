@@ -5,14 +5,14 @@
 
 #include "check/network_view.h"
 #include "config/network_config.h"
+#include "findings/finding_list.h"
 
 namespace syncline {
 
 std::span<const FindingWords> check_rules() { return words::kEni; }
 
-std::vector<Finding> check_network(const NetworkConfig& config) {
+void check_network(const NetworkConfig& config, FindingList& out) {
   using namespace checker;
-  std::vector<Finding> out;
   Findings findings(out);
   const NetworkView view(config);
   for (const auto rule :
@@ -22,7 +22,12 @@ std::vector<Finding> check_network(const NetworkConfig& config) {
         check_times,         check_image,      check_image_places, check_dialects,       check_device_families}) {
     rule(view, findings);
   }
-  return out;
+}
+
+std::vector<Finding> check_network(const NetworkConfig& config) {
+  auto all = FindingList::unbounded();
+  check_network(config, all);
+  return all.take_kept();
 }
 
 }  // namespace syncline

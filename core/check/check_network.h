@@ -6,6 +6,7 @@
 
 namespace syncline {
 
+class FindingList;
 struct Finding;
 struct FindingWords;
 struct NetworkConfig;
@@ -17,5 +18,7 @@ struct NetworkConfig;
 /// of check_rules(); each has its place in the configuration. Pure, bounded by the size of the configuration (n log n),
 /// for any values in it.
 [[nodiscard]] std::vector<Finding> check_network(const NetworkConfig& config);
+/// The same of a configuration that others wrote: as many as the list takes.
+void check_network(const NetworkConfig& config, FindingList& findings);
 
 }  // namespace syncline

@@ -9,6 +9,7 @@
 #include "config/cyclic_frame.h"
 #include "config/network_config.h"
 #include "findings/eni_words.h"
+#include "findings/finding_list.h"
 #include "findings/sentence.h"
 #include "protocol/al_state.h"
 #include "protocol/command.h"
@@ -87,24 +88,25 @@ using Sentence = std::type_identity_t<FindingSentence<words::kEni, kNames...>>;
 
 class Findings {
  public:
-  explicit Findings(std::vector<Finding>& out) : out_(out) {}
+  explicit Findings(FindingList& out) : out_(out) {}
 
   template <FigureName... kNames>
   void add(Sentence<kNames...> code, const ConfigPlace& part, Named<kNames>... figures) {
+    if (!out_.has_room(code.words().code)) return out_.leave_out(code.words());
     Place place(part.slave());
     place.part = part;
-    out_.push_back(make_finding<words::kEni, kNames...>(code, std::move(place), std::move(figures)...));
+    out_.add(make_finding<words::kEni, kNames...>(code, std::move(place), std::move(figures)...));
   }
   /// One that somebody else made.
   void take(Finding finding, const ConfigPlace& part) {
     finding.place.slave = part.slave();
     finding.place.part = part;
     finding.place.key = setting_at(find_finding_words(finding.code)->setting, part.slave());
-    out_.push_back(std::move(finding));
+    out_.add(std::move(finding));
   }
 
  private:
-  std::vector<Finding>& out_;
+  FindingList& out_;
 };
 
 [[nodiscard]] bool has(const CyclicCmd& cmd, AlState state);

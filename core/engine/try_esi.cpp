@@ -4,8 +4,10 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "engine/trial_files.h"
@@ -115,10 +117,18 @@ class Trial {
   TryReport run() {
     const unsigned processors = std::max(std::thread::hardware_concurrency(), 1U);
     const unsigned wanted = std::min(request_.threads != 0 ? request_.threads : processors, kMostThreads);
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < wanted; ++i) threads.emplace_back([this] { work(); });
-    work();
-    threads.clear();
+    {
+      std::vector<std::jthread> threads;
+      threads.reserve(wanted);
+      try {
+        for (unsigned i = 1; i < wanted; ++i) threads.emplace_back([this] { work_guarded(); });
+      } catch (const std::system_error&) {
+        // With fewer threads it takes longer.
+      }
+      work_guarded();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    report_.cancelled = stopped();
     for (auto& tried : of_file_) std::ranges::move(tried, std::back_inserter(report_.devices));
     report_.files = files_.size();
     std::ranges::sort(report_.unreadable, {}, &Error::file);
@@ -126,7 +136,18 @@ class Trial {
   }
 
  private:
-  [[nodiscard]] bool stopped() const { return request_.stop != nullptr && request_.stop->load(); }
+  [[nodiscard]] bool stopped() const { return failed_ || (request_.stop != nullptr && request_.stop->load()); }
+
+  /// Memory that there is not ends the trial, not the program.
+  void work_guarded() noexcept {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      failed_ = true;
+    }
+  }
 
   void work() {
     for (std::size_t i = next_++; i < files_.size() && !stopped(); i = next_++) try_file(i);
@@ -176,6 +197,8 @@ class Trial {
   std::vector<std::string> files_;
   std::vector<std::vector<TriedDevice>> of_file_;
   std::atomic<std::size_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::exception_ptr failure_;
   std::mutex mutex_, reading_;
   TryReport report_;
 };

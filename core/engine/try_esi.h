@@ -26,6 +26,7 @@ struct TryReport {
   std::size_t files = 0;
   std::vector<TriedDevice> devices;  // file and device order, whatever the threads did
   std::vector<Error> unreadable;     // whole files that are no ESI files, folders that cannot be read
+  bool cancelled = false;            // `stop` came before all were tried: the devices are not all
   [[nodiscard]] std::size_t count(TryOutcome outcome) const;
 };
 

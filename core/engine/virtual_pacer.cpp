@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 #include "master/master_service.h"
 
@@ -24,7 +25,15 @@ VirtualPacer::~VirtualPacer() {
   thread_.join();
 }
 
-void VirtualPacer::run() {
+void VirtualPacer::run() noexcept {
+  try {
+    pace();
+  } catch (const std::exception&) {
+    service_.shut_down();  // told by the bus going offline, as where a master's own thread ends
+  }
+}
+
+void VirtualPacer::pace() {
   auto last = SteadyClock::now();
   while (!stop_) {
     const auto now = SteadyClock::now();

@@ -20,7 +20,8 @@ class VirtualPacer final {
   VirtualPacer& operator=(const VirtualPacer&) = delete;
 
  private:
-  void run();
+  void run() noexcept;
+  void pace();
 
   MasterService& service_;
   std::atomic<bool> stop_{false};

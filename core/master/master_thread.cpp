@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <atomic>
+#include <exception>
 #include <optional>
 #include <thread>
 
@@ -18,14 +19,22 @@ struct MasterThread::Impl {
     thread = std::thread([this] { run(); });
   }
 
+  /// Without memory for it the bus is driven without priority, or nobody is told: no reason to end.
+  void enter_real_time(std::optional<RealTimeScope>& real_time) noexcept {
+    try {
+      real_time.emplace();
+      if (real_time->refused().empty()) return;
+      service.channels().events.push({service.clock().now(), -1, events::RealTimeRefused{real_time->refused()}});
+    } catch (const std::exception&) {
+      return;
+    }
+  }
+
   void run() {
     auto& clock = service.clock();
     // Virtual time has no deadlines, and a thread that never sleeps must not have priority.
     std::optional<RealTimeScope> real_time;
-    if (!clock.is_virtual()) real_time.emplace();
-    if (real_time && !real_time->refused().empty()) {
-      service.channels().events.push({clock.now(), -1, events::RealTimeRefused{real_time->refused()}});
-    }
+    if (!clock.is_virtual()) enter_real_time(real_time);
     while (!stop.load(std::memory_order_relaxed)) {
       if (!service.step_guarded()) clock.sleep_until(clock.now() + kIdlePeriod);
     }

@@ -81,6 +81,7 @@ inline constexpr std::string_view kFileReasons[] = {
     "the file holds {names}",
     "it defines entities of its own, which are not read",
     "more than {most} elements",
+    "it has {count} elements, attributes and comments of less than {bytes} bytes each, as no tool writes them",
     "an element with more than {most} attributes",
     "more than {most} attributes",
     "elements are nested more than {most} deep",

@@ -41,6 +41,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     "a recording of version {version} or older; this one is of version {other}, use the program that has written it, "
     "or a newer one",
     "it is damaged: {words}",
+    "there is not enough memory",
     "there is one of this name already, and a recording replaces nothing",
     "the file is gone: it, or its folder, was deleted or moved while it was recorded",
     "the file is gone: it, or its folder, was deleted or moved while it was written",
@@ -56,7 +57,7 @@ inline constexpr std::string_view kCommonReasons[] = {
     "there is no device \"{name}\" in the file",
     "the ESI files have revision 0x{revision}",
     "none of the {count} devices in the ESI files has this vendor and product",
-    "it is no device catalogue",
+    "it is no device catalogue, or its beginning is damaged",
     "it is no ordinary file",
     "Permission denied",
     "Operation not permitted",

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
+#include <system_error>
 #include <utility>
 
 #include "channels/event.h"
@@ -11,6 +13,7 @@
 #include "config/frame_time.h"
 #include "config/network_config.h"
 #include "protocol/frame.h"
+#include "reasons/because.h"
 #include "support/pcapng_block.h"
 
 namespace syncline {
@@ -31,6 +34,11 @@ std::string shortened(std::string text) {
   return text + "...";
 }
 
+/// The files written so far are whole.
+Error no_memory(const std::string& file) {
+  return {.code = ErrorCode::kFileNotWritable, .detail = because("there is not enough memory"), .file = file};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<BlackBox>> BlackBox::start(std::shared_ptr<FrameRing> ring, const Options& options,
@@ -43,7 +51,9 @@ Result<std::unique_ptr<BlackBox>> BlackBox::start(std::shared_ptr<FrameRing> rin
                                                                          .interface = options.link,
                                                                          .description = options.description});
   if (auto status = segments->begin(); !status) return tl::unexpected(status.error());
-  return std::unique_ptr<BlackBox>(new BlackBox(std::move(ring), options, std::move(segments), std::move(on_stopped)));
+  std::unique_ptr<BlackBox> box(new BlackBox(std::move(ring), options, std::move(segments), std::move(on_stopped)));
+  if (auto status = box->begin(); !status) return tl::unexpected(status.error());
+  return box;
 }
 
 BlackBox::BlackBox(std::shared_ptr<FrameRing> ring, const Options& options, std::unique_ptr<FrameSegments> segments,
@@ -51,11 +61,21 @@ BlackBox::BlackBox(std::shared_ptr<FrameRing> ring, const Options& options, std:
     : ring_(std::move(ring)),
       virtual_time_(options.virtual_time),
       segments_(std::move(segments)),
+      no_memory_(no_memory(segments_->name())),
       on_stopped_(std::move(on_stopped)) {
   report_.name = segments_->name();
   ring_->open(virtual_time_ ? FrameRing::WhenFull::kWait : FrameRing::WhenFull::kLose, options.ring_bytes);
   publish({});
-  thread_ = std::thread([this] { run(); });
+}
+
+Status BlackBox::begin() {
+  try {
+    thread_ = std::thread([this] { run(); });
+    return {};
+  } catch (const std::system_error&) {
+    ring_->close();  // or a producer on virtual time would wait for ever
+    return tl::unexpected(no_memory_);
+  }
 }
 
 BlackBox::~BlackBox() { (void)finish(); }
@@ -84,21 +104,42 @@ Status BlackBox::finish() {
   return report_.error ? Status(tl::unexpected(*report_.error)) : Status{};
 }
 
-void BlackBox::run() {
-  for (bool ending = false; !ending;) {
+void BlackBox::run() noexcept {
+  Status status;
+  for (bool ending = false; status && !ending;) {
     {
       std::unique_lock lock(mutex_);
       ending = news_.wait_for(lock, virtual_time_ ? kVirtualPeriod : kRealPeriod, [this] { return ending_; });
     }
     if (ending) ring_->close();
-    take();
-    auto status = ending ? write_rest() : write(due());
-    if (status && !ending) status = segments_->flush();
-    publish(status);
-    if (status) continue;
-    ring_->close();
-    if (on_stopped_) on_stopped_(status.error());
-    return;
+    try {
+      status = keep(ending);
+    } catch (const std::exception&) {
+      status = tl::unexpected(std::move(no_memory_));  // made before: there is none for it now
+    }
+  }
+  if (status) return;
+  ring_->close();
+  stopped(std::move(status.error()));
+}
+
+Status BlackBox::keep(bool ending) {
+  take();
+  auto status = ending ? write_rest() : write(due());
+  if (status && !ending) status = segments_->flush();
+  publish(status);
+  return status;
+}
+
+void BlackBox::stopped(Error error) noexcept {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!report_.error) report_.error = std::move(error);
+  }
+  try {
+    if (on_stopped_) on_stopped_(*report_.error);
+  } catch (const std::exception&) {
+    return;  // not even for a sentence; the report has the error
   }
 }
 

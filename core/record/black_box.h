@@ -83,7 +83,10 @@ class BlackBox {
 
   BlackBox(std::shared_ptr<FrameRing> ring, const Options& options, std::unique_ptr<FrameSegments> segments,
            std::function<void(const Error&)> on_stopped);
-  void run();
+  void run() noexcept;
+  [[nodiscard]] Status begin();
+  [[nodiscard]] Status keep(bool ending);
+  void stopped(Error error) noexcept;
   void take();
   void hold(const RingFrame& frame);
   [[nodiscard]] Nanoseconds due() const;
@@ -95,6 +98,7 @@ class BlackBox {
   std::shared_ptr<FrameRing> ring_;
   bool virtual_time_;
   std::unique_ptr<FrameSegments> segments_;
+  Error no_memory_;
   std::function<void(const Error&)> on_stopped_;
   // The thread's own.
   std::deque<Held> held_;

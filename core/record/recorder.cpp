@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "reasons/because.h"
 #include "record/recording_schema.h"
+#include "sqlite/database_files.h"
 
 namespace syncline {
 namespace {
@@ -24,11 +27,23 @@ Result<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, const
                                                   const Options& options, std::function<void(const Stop&)> on_stopped) {
   auto writer = RecordingWriter::create(path, about);
   if (!writer) return tl::unexpected(writer.error());
-  return std::unique_ptr<Recorder>(new Recorder(std::move(*writer), options, std::move(on_stopped)));
+  try {
+    return std::unique_ptr<Recorder>(new Recorder(std::move(*writer), options, std::move(on_stopped)));
+  } catch (const std::system_error&) {  // the system gives no thread
+    remove_database(path);
+    return fail(
+        Error{.code = ErrorCode::kFileNotWritable, .detail = because("there is not enough memory"), .file = path});
+  }
 }
 
 Recorder::Recorder(RecordingWriter writer, const Options& options, std::function<void(const Stop&)> on_stopped)
-    : writer_(std::move(writer)), options_(options), on_stopped_(std::move(on_stopped)), thread_([this] { run(); }) {}
+    : writer_(std::move(writer)),
+      options_(options),
+      on_stopped_(std::move(on_stopped)),
+      no_memory_(failed({.code = ErrorCode::kFileNotWritable,
+                         .detail = because("there is not enough memory"),
+                         .file = writer_.path()})),
+      thread_([this] { run(); }) {}
 
 Recorder::~Recorder() { (void)finish(); }
 
@@ -98,7 +113,28 @@ void Recorder::cut() {
   news_.notify_one();
 }
 
-void Recorder::run() {
+/// Memory that there is not ends the recording, not the run: what is written is whole.
+void Recorder::run() noexcept {
+  try {
+    write_all();
+    return;
+  } catch (const std::exception&) {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+    why_stopped_.swap(no_memory_.why);
+    if (status_) status_ = tl::unexpected(std::move(*no_memory_.error));  // made before: there is none for it now
+    open_ = {};
+    ready_.clear();
+  }
+  room_.notify_all();
+  try {
+    if (on_stopped_) on_stopped_({why_stopped_, status_.error()});
+  } catch (const std::exception&) {
+    return;  // not even for a sentence; finish() tells it
+  }
+}
+
+void Recorder::write_all() {
   std::unique_lock lock(mutex_);
   for (;;) {
     const bool came = news_.wait_for(lock, std::chrono::nanoseconds(options_.commit_every),

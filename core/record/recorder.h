@@ -55,7 +55,8 @@ class Recorder {
   static constexpr std::size_t kMostWaiting = 1U << 19;  // samples between the two threads, 150 MB
 
   Recorder(RecordingWriter writer, const Options& options, std::function<void(const Stop&)> on_stopped);
-  void run();
+  void run() noexcept;
+  void write_all();
   /// With the lock: what is open has its length. Cut by the run's time, so that the same run gives the same file.
   [[nodiscard]] bool is_due() const;
   void cut();
@@ -67,6 +68,7 @@ class Recorder {
   RecordingWriter writer_;
   Options options_;
   std::function<void(const Stop&)> on_stopped_;
+  Stop no_memory_;
   mutable std::mutex mutex_;
   std::condition_variable news_, room_;
   RecordingBatch open_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -36,6 +37,9 @@ CREATE INDEX problems_by_file ON problems(file);
 CREATE VIRTUAL TABLE words USING fts5(text, detail=none, columnsize=0, prefix='1 2 3', tokenize='unicode61 remove_diacritics 2');
 )";
 
+/// Of the first page of each of our files, whatever its version.
+constexpr std::string_view kOwnTable = "CREATE TABLE hides(device INTEGER NOT NULL, vendor_id INTEGER";
+
 // A cache may lose its last transaction with the power, not with the program: no waiting for the disk.
 constexpr const char* kConnection = R"(
 PRAGMA synchronous=OFF;
@@ -45,16 +49,23 @@ CREATE TEMP TABLE chosen(rank INTEGER PRIMARY KEY, file INTEGER UNIQUE);
 
 enum class Owner { kNobody, kUs, kOthers };
 
-/// From the file's first bytes alone, so that a damaged one is known too: SQLite keeps the application id at offset 68.
+constexpr std::size_t kPage = 4096;  // SQLite's, as we make it
+
+/// From the file's first page alone, so that a damaged one is known too: SQLite keeps the application id at offset 68
+/// and, behind its header, the statements that made the tables. A text has no zeros, as the rest of that page has.
 Owner owner_of(const std::string& path) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   if (error || size == 0) return Owner::kNobody;
-  std::array<char, 72> header{};
-  std::ifstream(path, std::ios::binary).read(header.data(), header.size());
+  std::array<char, kPage> bytes{};
+  std::ifstream(path, std::ios::binary).read(bytes.data(), bytes.size());
+  const std::string_view page(bytes.data(), std::min<std::uintmax_t>(size, bytes.size()));
   std::uint32_t id = 0;
-  for (std::size_t i = 68; i < header.size(); ++i) id = id << 8 | static_cast<std::uint8_t>(header[i]);
-  return std::string_view(header.data(), 15) == "SQLite format 3" && id == kApplicationId ? Owner::kUs : Owner::kOthers;
+  for (std::size_t i = 68; i < 72; ++i) id = id << 8 | static_cast<std::uint8_t>(bytes[i]);
+  if (page.starts_with("SQLite format 3")) return id == kApplicationId ? Owner::kUs : Owner::kOthers;
+  const bool headless =
+      size % kPage == 0 && page.find('\0') != std::string_view::npos && page.find(kOwnTable) != std::string_view::npos;
+  return headless ? Owner::kUs : Owner::kOthers;
 }
 
 Status make_tables(SqlDatabase& database) {
@@ -109,7 +120,9 @@ Result<SqlDatabase> open_catalogue_database(const std::string& path, Reason& rep
   const bool named_as_ours =
       std::filesystem::path(path).extension() == ".sqlite" && path.find("esi-catalogue") != std::string::npos;
   if (!path.empty() && owner_of(path) == Owner::kOthers && !named_as_ours) {
-    return fail(Error{.code = ErrorCode::kCatalogue, .detail = because("it is no device catalogue"), .file = path});
+    return fail(Error{.code = ErrorCode::kCatalogue,
+                      .detail = because("it is no device catalogue, or its beginning is damaged"),
+                      .file = path});
   }
   auto database = try_open(path, replaced);
   if (!database && is_damaged(database.error())) replaced = because("it was damaged: {words}", database.error().detail);

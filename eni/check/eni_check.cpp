@@ -25,32 +25,37 @@ Finding unreadable(const Error& error) {
 }
 
 /// What the reader refuses and the structure does not explain.
-void add_reader_error(EniCheck& check, const Error& error) {
+void add_reader_error(EniCheck& check, FindingList& found, const Error& error) {
   check.understood = false;
-  if (!has_errors(check.findings)) check.findings.push_back(unreadable(error));
+  if (!has_errors(found.kept())) found.add(unreadable(error));
 }
 
-void add_semantic_findings(EniCheck& check, const NetworkConfig& config, const EniLocations& locations) {
-  for (Finding& found : check_network(config)) {
-    EniLocation location = locations.locate(found.place.part);
-    found.place.line = location.line;
-    found.place.path = std::move(location.path);
-    check.findings.push_back(std::move(found));
+void add_semantic_findings(FindingList& found, const NetworkConfig& config, const EniLocations& locations) {
+  const std::size_t first = found.kept().size();
+  check_network(config, found);
+  for (std::size_t i = first; i < found.kept().size(); ++i) {
+    Place& place = found[i].place;
+    EniLocation location = locations.locate(place.part);
+    place.line = location.line;
+    place.path = std::move(location.path);
   }
 }
 
-void sort_by_line(EniCheck& check) {
+void put_by_line(EniCheck& check, FindingList& found) {
+  check.findings = found.take_kept();
   std::ranges::stable_sort(check.findings, {}, [](const Finding& finding) { return finding.place.line; });
+  check.not_listed = found.left_out();
+  if (auto rest = found.rest()) check.findings.push_back(std::move(*rest));
 }
 
 /// Before the file is read into a configuration, which takes several times its size.
-Result<EniLocations> check_text(std::string_view text, const std::string& file_name, std::vector<Finding>& findings) {
+Result<EniLocations> check_text(std::string_view text, const std::string& file_name, FindingList& findings) {
   auto pieces = XmlPieces::parse(text, file_name, is_eni_piece);
   if (!pieces) return fail(pieces.error());
-  findings = check_structure(*pieces);
+  check_structure(*pieces, findings);
   EniLocations locations(*pieces);
   if (!pieces->error()) return locations;
-  findings.clear();
+  findings = {};
   return fail(*pieces->error());
 }
 
@@ -61,9 +66,17 @@ std::string EniCheck::slave_name(const Finding& finding) const {
   return finding.place.slave >= 0 && at < slaves.size() ? slaves[at] : std::string();
 }
 
+std::size_t EniCheck::count(Severity severity) const {
+  const auto listed = std::ranges::count_if(findings, [severity](const Finding& finding) {
+    return finding.severity == severity && finding.code != FindingList::kRest;
+  });
+  return static_cast<std::size_t>(listed) + not_listed[severity];
+}
+
 Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_name) {
   EniCheck check;
-  const auto locations = check_text(text, file_name, check.findings);
+  FindingList found;
+  const auto locations = check_text(text, file_name, found);
   if (!locations) {
     if (locations.error().code != ErrorCode::kXmlMalformed) return fail(locations.error());
     check.understood = false;
@@ -77,11 +90,11 @@ Result<EniCheck> check_eni_text(std::string_view text, const std::string& file_n
   }
   if (config) {
     for (const SlaveConfig& slave : config->slaves) check.slaves.push_back(slave.name);
-    add_semantic_findings(check, *config, *locations);
+    add_semantic_findings(found, *config, *locations);
   } else {
-    add_reader_error(check, config.error());
+    add_reader_error(check, found, config.error());
   }
-  sort_by_line(check);
+  put_by_line(check, found);
   return check;
 }
 

@@ -6,17 +6,23 @@
 #include <vector>
 
 #include "findings/finding.h"
+#include "findings/finding_list.h"
 #include "support/result.h"
 
 namespace syncline::eni {
 
 struct EniCheck {
-  std::vector<Finding> findings;  // by line; their places have slave, line and path
+  /// By line; their places have slave, line and path. Where there are more than a FindingList takes, the last one says
+  /// how many.
+  std::vector<Finding> findings;
+  SeverityCounts not_listed;
   /// False when a value or the XML itself kept the file from being read: only its structure was checked then.
   bool understood = true;
   std::vector<std::string> slaves;  // names, as far as the file was understood
   /// "" where the finding is about none, or the file was not understood.
   [[nodiscard]] std::string slave_name(const Finding& finding) const;
+  /// Of what was found, whether it is listed or not.
+  [[nodiscard]] std::size_t count(Severity severity) const;
 };
 
 /// Checks structure and meaning by the rules of check_rules(). An error only where there is no ENI to check:

@@ -11,6 +11,7 @@
 #include "eni/format/eni_reader.h"
 #include "eni/xml/xml_pieces.h"
 #include "eni/xml/xml_text.h"
+#include "findings/finding_list.h"
 #include "findings/recovered_words.h"
 #include "findings/sentence.h"
 
@@ -32,35 +33,45 @@ struct Part {
   auto operator<=>(const Part&) const = default;
 };
 
-void count_left_out(const Element& parent, XmlPieces& pieces, std::map<Part, Count>& counts) {
+/// Of so many kinds as are listed; the others are `unlisted`.
+void count_left_out(const Element& parent, XmlPieces& pieces, std::map<Part, Count>& counts, std::size_t& unlisted) {
   for (const auto* e = parent.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     const std::string_view name = e->Name();
     if (std::ranges::find(kLeftOut, name) == std::end(kLeftOut)) {
-      if (const Element* whole = pieces.whole(*e)) count_left_out(*whole, pieces, counts);
+      if (const Element* whole = pieces.whole(*e)) count_left_out(*whole, pieces, counts, unlisted);
       continue;
     }
-    Count& count = counts[{std::string(name), parent.Name()}];
+    Part part{std::string(name), parent.Name()};
+    if (counts.size() == FindingList::kMostOfRule && !counts.contains(part)) {
+      ++unlisted;
+      continue;
+    }
+    Count& count = counts[std::move(part)];
     if (count.times++ == 0) count.line = line_of(*e);
   }
 }
 
 std::vector<Finding> unread_parts(XmlPieces& pieces) {
   const Element& root = *pieces.root();
-  std::vector<Finding> out;
+  FindingList out;
   std::set<std::string> told;
   const auto add = [&](std::string what, int line) {
     Place place;
     place.line = line;
-    out.push_back(make_finding<words::kRecovered, "line", "what">(
+    out.add(make_finding<words::kRecovered, "line", "what">(
         "eni-part-unread", std::move(place), fig::number<"line">(line), fig::text<"what">(std::move(what))));
   };
-  for (const Finding& finding : check_structure(pieces)) {
+  FindingList structure;
+  check_structure(pieces, structure);
+  for (const Finding& finding : structure.kept()) {
+    if (finding.code == "ENI-XML-11") out.add(finding);  // names and comments may have come as others
     if (finding.code != "ENI-XML-04") continue;
     told.insert(finding.figures[0].text + '\n' + finding.figures[1].text);
     add(facts_text(finding), finding.place.line);
   }
   std::map<Part, Count> counts;
-  count_left_out(root, pieces, counts);
+  std::size_t unlisted = 0;
+  count_left_out(root, pieces, counts, unlisted);
   for (const auto& [part, count] : counts) {
     if (told.contains(part.name + '\n' + part.parent)) continue;
     const auto what = fmt::format("<{}> in <{}>", part.name, part.parent);
@@ -74,10 +85,15 @@ std::vector<Finding> unread_parts(XmlPieces& pieces) {
     const int line = line_of(*slave);
     Place place;
     place.line = line;
-    out.push_back(make_finding<words::kRecovered, "line">("eni-part-unread/end-cap", std::move(place),
-                                                          fig::number<"line">(line)));
+    out.add(make_finding<words::kRecovered, "line">("eni-part-unread/end-cap", std::move(place),
+                                                    fig::number<"line">(line)));
   }
-  return out;
+  // ENI-XML-04 is the one note among the rules of the structure.
+  out.leave_out(*find_finding_words("eni-part-unread"), structure.left_out()[Severity::kNote] + unlisted);
+  auto rest = out.rest();
+  auto unread = out.take_kept();
+  if (rest) unread.push_back(std::move(*rest));
+  return unread;
 }
 
 }  // namespace

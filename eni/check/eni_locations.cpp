@@ -14,6 +14,9 @@ namespace {
 
 using Element = tinyxml2::XMLElement;
 
+/// As many as have station addresses; what is found about later ones stands at the Config.
+constexpr std::size_t kMostSlaves = 0xFFFF;
+
 int line_or_none(const Element* element) { return element ? line_of(*element) : 0; }
 
 /// The element at the end of a path of names, or null.
@@ -50,6 +53,7 @@ EniLocations::EniLocations(XmlPieces& pieces) : root_(fmt::format("/{}/Config", 
     ++index;
     const Element* slave = pieces.whole(*e);
     if (slave == nullptr || is_end_cap(*slave)) continue;
+    if (slaves_.size() == kMostSlaves) break;
     slaves_.push_back(read_slave(*slave));
     slaves_.back().index = index;
   }

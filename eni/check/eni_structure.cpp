@@ -14,6 +14,7 @@
 #include "eni/xml/xml_reader.h"
 #include "eni/xml/xml_text.h"
 #include "findings/eni_structure_words.h"
+#include "findings/finding_list.h"
 #include "findings/sentence.h"
 #include "protocol/station_address.h"
 
@@ -56,7 +57,7 @@ using Sentence = std::type_identity_t<FindingSentence<words::kEniStructure, kNam
 class PreviousPorts {
  public:
   void add(const Element& slave);
-  void check(std::string_view root, std::vector<Finding>& out) const;
+  void check(std::string_view root, FindingList& out) const;
 
  private:
   struct Told {
@@ -71,7 +72,7 @@ class PreviousPorts {
 
 class StructureCheck {
  public:
-  StructureCheck(XmlPieces& pieces, std::vector<Finding>& out) : pieces_(pieces), out_(out) {}
+  StructureCheck(XmlPieces& pieces, FindingList& out) : pieces_(pieces), out_(out) {}
 
   void run() {
     const Element& root = *pieces_.root();
@@ -89,7 +90,8 @@ class StructureCheck {
  private:
   template <FigureName... kNames>
   void add(Sentence<kNames...> code, const Step& step, Named<kNames>... figures) {
-    out_.push_back(make_finding<words::kEniStructure, kNames...>(code, place_of(step), std::move(figures)...));
+    if (!out_.has_room(code.words().code)) return out_.leave_out(code.words());
+    out_.add(make_finding<words::kEniStructure, kNames...>(code, place_of(step), std::move(figures)...));
   }
   static Place place_of(const Step& step) {
     Place place;
@@ -193,14 +195,20 @@ class StructureCheck {
     }
   }
 
-  /// Extensions come by the hundred: each kind is told once, where it comes first.
+  /// Extensions come by the hundred: each kind is told once, where it comes first. Where no more kinds are listed, each
+  /// of what comes counts as one.
   void unknown(const Step& step, const char* name, bool attribute, const Element& found) {
-    Unknown& entry = unknown_[{name, step.element->Name(), attribute}];
-    if (entry.count++ > 0) return;
+    Extension kind{name, step.element->Name(), attribute};
+    if (const auto known = unknown_.find(kind); known != unknown_.end()) {
+      ++known->second.count;
+      return;
+    }
+    const bool listed = out_.has_room("ENI-XML-04");
     attribute ? add("ENI-XML-04/attribute", step, element(name), parent(step))
               : add("ENI-XML-04", step, element(name), parent(step));
-    out_.back().place.line = line_of(found);
-    entry.finding = out_.size() - 1;
+    if (!listed) return;
+    out_.last().place.line = line_of(found);
+    unknown_.emplace(std::move(kind), Unknown{1, out_.kept().size() - 1});
   }
 
   void report_unknown() {
@@ -230,7 +238,7 @@ class StructureCheck {
     std::size_t count = 0, finding = 0;
   };
   XmlPieces& pieces_;
-  std::vector<Finding>& out_;
+  FindingList& out_;
   PreviousPorts ports_;
   const EniChild* slave_child_ = nullptr;
   std::map<Extension, Unknown> unknown_;
@@ -252,23 +260,29 @@ void PreviousPorts::add(const Element& slave) {
   ++slaves_;
 }
 
-void PreviousPorts::check(std::string_view root, std::vector<Finding>& out) const {
+void PreviousPorts::check(std::string_view root, FindingList& out) const {
   for (const Told& told : told_) {
     if (addresses_.contains(parse_number(told.address).value_or(-1))) continue;
     Place place(static_cast<int>(told.slave));
     place.line = told.line;
     place.path = fmt::format("/{}/Config/Slave[{}]/PreviousPort[{}]", root, told.slave + 1, told.index);
-    out.push_back(make_finding<words::kEniStructure, "address">("ENI-REF-01", std::move(place),
-                                                                fig::text<"address">(shown(told.address))));
+    out.add(make_finding<words::kEniStructure, "address">("ENI-REF-01", std::move(place),
+                                                          fig::text<"address">(shown(told.address))));
   }
+}
+
+Finding encoding_finding(const EncodingDoubt& doubt) {
+  Place place;
+  place.line = doubt.line;
+  return make_finding<words::kEniStructure, "reason">("ENI-XML-11", std::move(place),
+                                                      fig::reason<"reason">(doubt.reason));
 }
 
 }  // namespace
 
-std::vector<Finding> check_structure(XmlPieces& pieces) {
-  std::vector<Finding> out;
-  StructureCheck(pieces, out).run();
-  return out;
+void check_structure(XmlPieces& pieces, FindingList& findings) {
+  if (const auto& doubt = pieces.doubt()) findings.add(encoding_finding(*doubt));
+  StructureCheck(pieces, findings).run();
 }
 
 }  // namespace syncline::eni

@@ -114,21 +114,13 @@ class EsiDocument {
   SideFiles* side_files_;
 };
 
-/// What find_encoding() guesses; see there.
-void warn_of_encoding(const TextEncoding& encoding, Reading& reading) {
-  if (!encoding.guessed) return;
-  reading.warn(1, "?xml",
-               because("the text is not UTF-8, though it should be; read as {encoding}",
-                       encoding.name == "CP1252" ? "ISO-8859-1 (windows-1252)" : encoding.name));
-}
-
 Result<EsiFile> read_text(std::string_view text, const std::string& file_name, const EsiReadOptions& options,
                           const std::filesystem::path* folder) {
   auto pieces = XmlPieces::parse(text, file_name, is_esi_piece);
   if (!pieces) return tl::unexpected(pieces.error());
   EsiFile file;
   Reading reading(file_name, file.warnings, options.language);
-  warn_of_encoding(find_encoding(text), reading);
+  if (const auto& doubt = pieces->doubt()) reading.warn(doubt->line, "?xml", doubt->reason);
   std::optional<SideFiles> side_files;
   if (folder != nullptr) {
     side_files.emplace(*folder, reading);

@@ -7,12 +7,11 @@
 
 namespace syncline::eni {
 
-std::vector<EniElement> EniElement::children(const char* name) const {
-  std::vector<EniElement> out;
-  for (const Node& node : node_.children(name)) {
-    out.emplace_back(node);
-  }
-  return out;
+EniChildren EniElement::children(const char* name) const { return {node_, name}; }
+
+EniChildren::Iterator& EniChildren::Iterator::operator++() {
+  node_ = node_.reading().ok() ? Node(node_.element()->NextSiblingElement(name_), node_.reading()) : Node();
+  return *this;
 }
 
 std::vector<std::uint8_t> EniElement::bytes() const {

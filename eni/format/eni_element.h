@@ -2,11 +2,14 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "eni/xml/xml_reader.h"
@@ -18,8 +21,10 @@ inline constexpr int kMaxSyncManagers = 16;
 
 /// An element of an ENI file, or none: every access on a missing element gives the default. Takes the forms that the
 /// field's files use beyond the schema; what it cannot take is kXmlBadValue with the element and its line.
+class EniChildren;
 class EniElement {
  public:
+  EniElement() = default;
   explicit EniElement(Node node) : node_(node) {}
 
   explicit operator bool() const { return static_cast<bool>(node_); }
@@ -27,7 +32,8 @@ class EniElement {
   [[nodiscard]] EniElement child(const char* name) const { return EniElement(node_.child(name)); }
   /// The child; a missing one is an error that names it.
   [[nodiscard]] EniElement required(const char* name) const { return EniElement(node_.required(name)); }
-  [[nodiscard]] std::vector<EniElement> children(const char* name) const;
+  /// Those of that name, as far as the reading has come without an error: what follows one is of no use to anybody.
+  [[nodiscard]] EniChildren children(const char* name) const;
 
   [[nodiscard]] std::string text() const { return node_.text(); }
   [[nodiscard]] std::string attribute(const char* name) const { return node_.attribute(name); }
@@ -83,5 +89,47 @@ class EniElement {
 
   Node node_;
 };
+
+/// A file may have a million of them: they are walked, not gathered.
+class EniChildren {
+ public:
+  class Iterator {
+   public:
+    using value_type = EniElement;
+    using difference_type = std::ptrdiff_t;
+    Iterator() = default;
+    Iterator(Node node, const char* name) : node_(node), name_(name) {}
+    EniElement operator*() const { return EniElement(node_); }
+    Iterator& operator++();
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return node_.element() == other.node_.element(); }
+
+   private:
+    Node node_;
+    const char* name_ = nullptr;
+  };
+
+  EniChildren(const Node& parent, const char* name) : first_(parent.child(name), name) {}
+  [[nodiscard]] Iterator begin() const { return first_; }
+  [[nodiscard]] Iterator end() const { return {}; }
+  [[nodiscard]] bool empty() const { return begin() == end(); }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::distance(begin(), end())); }
+
+ private:
+  Iterator first_;
+};
+
+/// What `read` makes of each of the children, in no more memory than they take.
+template <class Read>
+[[nodiscard]] auto read_each(const EniChildren& children, Read read) {
+  std::vector<std::decay_t<decltype(read(*children.begin()))>> out;
+  out.reserve(children.size());
+  for (const EniElement& element : children) out.push_back(read(element));
+  return out;
+}
 
 }  // namespace syncline::eni

@@ -44,8 +44,8 @@ std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
   }
   for (auto port = ports.begin(); port != ports.end(); ++port) {
     if (const auto number = port == selected ? std::nullopt : read_port(*port)) {
-      config.other_ports.push_back({*number, port->optional_number_of<std::uint16_t>("PhysAddr"),
-                                    port->optional_number_of<std::uint32_t>("DeviceId")});
+      config.other_ports.push_back({*number, (*port).optional_number_of<std::uint16_t>("PhysAddr"),
+                                    (*port).optional_number_of<std::uint32_t>("DeviceId")});
     }
   }
   const auto port = selected == ports.end() ? std::nullopt : read_port(*selected);
@@ -53,7 +53,7 @@ std::uint16_t read_previous(const EniElement& slave, SlaveConfig& config) {
     return 0;
   }
   config.previous = PreviousPort{0, *port};
-  return selected->number_of<std::uint16_t>("PhysAddr");
+  return (*selected).number_of<std::uint16_t>("PhysAddr");
 }
 
 Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading, XmlPieces& pieces) {
@@ -64,7 +64,7 @@ Result<NetworkConfig> read_config(const EniElement& root, const Reading& reading
   std::vector<std::uint16_t> previous_addresses;
   for (const EniElement& stub : config_element.children("Slave")) {
     const EniElement slave = whole(stub);
-    if (!slave) break;
+    if (!slave || !reading.ok()) break;
     if (is_end_cap(*slave.element())) continue;
     config.slaves.push_back(read_slave(slave, static_cast<std::uint16_t>(config.slaves.size())));
     previous_addresses.push_back(read_previous(slave, config.slaves.back()));

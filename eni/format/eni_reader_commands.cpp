@@ -76,20 +76,18 @@ CyclicCmd read_cyclic_cmd(const EniElement& element) {
   read_datagram(element, cmd);
   cmd.input_offset = element.number_of<std::uint32_t>("InputOffs");
   cmd.output_offset = element.number_of<std::uint32_t>("OutputOffs");
-  for (const EniElement& copy : element.child("CopyInfos").children("CopyInfo")) {
-    cmd.copy_infos.push_back({copy.number_of<std::uint32_t>("SrcBitOffs"), copy.number_of<std::uint32_t>("DstBitOffs"),
-                              copy.number_of<std::uint32_t>("BitSize")});
-  }
+  cmd.copy_infos = read_each(element.child("CopyInfos").children("CopyInfo"), [](const EniElement& copy) {
+    return CopyInfo{copy.number_of<std::uint32_t>("SrcBitOffs"), copy.number_of<std::uint32_t>("DstBitOffs"),
+                    copy.number_of<std::uint32_t>("BitSize")};
+  });
   return cmd;
 }
 
 std::vector<Variable> read_variables(const EniElement& element) {
-  std::vector<Variable> variables;
-  for (const EniElement& variable : element.children("Variable")) {
-    variables.push_back({variable.text_of("Name"), variable.text_of("DataType"), variable.text_of("Comment"),
-                         variable.number_of<std::uint32_t>("BitSize"), variable.number_of<std::uint32_t>("BitOffs")});
-  }
-  return variables;
+  return read_each(element.children("Variable"), [](const EniElement& variable) {
+    return Variable{variable.text_of("Name"), variable.text_of("DataType"), variable.text_of("Comment"),
+                    variable.number_of<std::uint32_t>("BitSize"), variable.number_of<std::uint32_t>("BitOffs")};
+  });
 }
 
 }  // namespace
@@ -121,11 +119,7 @@ InitCmd read_init_cmd(const EniElement& element) {
 }
 
 std::vector<InitCmd> read_init_cmds(const EniElement& init_cmds) {
-  std::vector<InitCmd> cmds;
-  for (const EniElement& element : init_cmds.children("InitCmd")) {
-    cmds.push_back(read_init_cmd(element));
-  }
-  return cmds;
+  return read_each(init_cmds.children("InitCmd"), read_init_cmd);
 }
 
 CyclicTask read_cyclic(const EniElement& cyclic) {
@@ -135,13 +129,9 @@ CyclicTask read_cyclic(const EniElement& cyclic) {
   task.cycle_time_given = task.cycle_time > 0;
   task.priority = cyclic.optional_number_of<std::int32_t>("Priority");
   task.task_id = cyclic.text_of("TaskId");
-  for (const EniElement& frame_element : cyclic.children("Frame")) {
-    CyclicFrame& frame = task.frames.emplace_back();
-    frame.comment = frame_element.text_of("Comment");
-    for (const EniElement& element : frame_element.children("Cmd")) {
-      frame.commands.push_back(read_cyclic_cmd(element));
-    }
-  }
+  task.frames = read_each(cyclic.children("Frame"), [](const EniElement& frame) {
+    return CyclicFrame{read_each(frame.children("Cmd"), read_cyclic_cmd), frame.text_of("Comment")};
+  });
   return task;
 }
 

@@ -54,11 +54,7 @@ MailboxInitCmd read_message(const EniElement& element) {
 
 template <class Cmd>
 std::vector<Cmd> read_list(const EniElement& protocol, Cmd (*read)(const EniElement&)) {
-  std::vector<Cmd> cmds;
-  for (const EniElement& element : protocol.child("InitCmds").children("InitCmd")) {
-    cmds.push_back(read(element));
-  }
-  return cmds;
+  return read_each(protocol.child("InitCmds").children("InitCmd"), read);
 }
 
 void read_protocols(const EniElement& element, MailboxConfig& mailbox) {

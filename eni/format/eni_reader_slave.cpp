@@ -93,9 +93,7 @@ ConfiguredSyncManager read_sync_manager(const EniElement& element, int number) {
   description.enable = element.boolean_of("Enable");
   description.is_virtual = element.boolean_of("Virtual");
   manager.watchdog = element.optional_number_of<std::uint32_t>("Watchdog");
-  for (const EniElement& pdo : element.children("Pdo")) {
-    manager.pdos.push_back(pdo.number<std::uint16_t>());
-  }
+  manager.pdos = read_each(element.children("Pdo"), [](const EniElement& pdo) { return pdo.number<std::uint16_t>(); });
   return manager;
 }
 
@@ -140,12 +138,9 @@ ConfiguredPdo read_pdo(const EniElement& element) {
   pdo.os_max = element.number_attribute<std::uint16_t>("OSMax");
   pdo.os_index_increment = element.number_attribute<std::uint16_t>("OSIndexInc");
   pdo.overwritten_by_module = element.boolean_attribute("OverwrittenByModule");
-  for (const EniElement& excluded : element.children("Exclude")) {
-    pdo.exclude.push_back(excluded.number<std::uint16_t>());
-  }
-  for (const EniElement& entry : element.children("Entry")) {
-    pdo.entries.push_back(read_entry(entry));
-  }
+  pdo.exclude = read_each(element.children("Exclude"),
+                          [](const EniElement& excluded) { return excluded.number<std::uint16_t>(); });
+  pdo.entries = read_each(element.children("Entry"), read_entry);
   return out;
 }
 
@@ -158,6 +153,7 @@ void read_process_data(const EniElement& process_data, SlaveConfig& slave) {
       slave.sync_managers.push_back(read_sync_manager(element, number));
     }
   }
+  slave.pdos.reserve(process_data.children("TxPdo").size() + process_data.children("RxPdo").size());
   for (const char* name : {"TxPdo", "RxPdo"}) {
     for (const EniElement& pdo : process_data.children(name)) {
       slave.pdos.push_back(read_pdo(pdo));
@@ -172,9 +168,7 @@ std::optional<HotConnectConfig> read_hot_connect(const EniElement& element) {
   HotConnectConfig group;
   group.group = element.text_of("GroupName");
   group.member_count = std::max<std::uint16_t>(1, element.number_of<std::uint16_t>("GroupMemberCnt", 1));
-  for (const EniElement& command : element.children("IdentifyCmd")) {
-    group.identify_cmds.push_back(read_init_cmd(command));
-  }
+  group.identify_cmds = read_each(element.children("IdentifyCmd"), read_init_cmd);
   return group;
 }
 

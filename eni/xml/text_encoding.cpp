@@ -27,9 +27,21 @@ constexpr Mark kMarks[] = {{"\xEF\xBB\xBF", "UTF-8"},
                            {{"\0\0\xFE\xFF", 4}, "UTF-32BE"},
                            {"\xFF\xFE", "UTF-16LE"},
                            {"\xFE\xFF", "UTF-16BE"}};
-/// "<" without a mark before it.
-constexpr Mark kStarts[] = {
-    {{"<\0\0\0", 4}, "UTF-32LE"}, {{"\0\0\0<", 4}, "UTF-32BE"}, {{"<\0", 2}, "UTF-16LE"}, {{"\0<", 2}, "UTF-16BE"}};
+
+/// By the zeros around an ASCII character that begins a document without a mark: "<" or a space before it.
+const char* wide_start(std::string_view text) {
+  const auto begins = [&](std::size_t at) {
+    return at < text.size() && std::string_view("< \t\r\n").find(text[at]) != std::string_view::npos;
+  };
+  const auto zeros = [&](std::size_t from, std::size_t count) {
+    return text.size() >= from + count && text.substr(from, count).find_first_not_of('\0') == std::string_view::npos;
+  };
+  if (begins(0) && zeros(1, 3)) return "UTF-32LE";
+  if (zeros(0, 3) && begins(3)) return "UTF-32BE";
+  if (begins(0) && zeros(1, 1)) return "UTF-16LE";
+  if (zeros(0, 1) && begins(1)) return "UTF-16BE";
+  return nullptr;
+}
 
 /// Value of encoding="..." in the XML declaration, in capitals; "" = none.
 std::string declared_encoding(std::string_view text) {
@@ -67,6 +79,19 @@ bool looks_chinese(std::string_view text) {
     ++i;
   }
   return pairs >= kEnough;
+}
+
+/// Of the bytes that are not ASCII more stand before an ASCII one than come in pairs: of codes whose letters have two
+/// such bytes there is none so, and only rare letters of their supersets have an ASCII one for the second.
+bool stand_alone(std::string_view text) {
+  std::size_t alone = 0, pairs = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (byte_at(text, i) < 0x80) continue;
+    const bool pair = i + 1 < text.size() && byte_at(text, i + 1) >= 0x80;
+    ++(pair ? pairs : alone);
+    if (pair) ++i;
+  }
+  return alone > pairs;
 }
 
 /// The name by which iconv converts what makers mean: supersets, since they name the page and write the larger one.
@@ -117,6 +142,27 @@ class Converter {
 /// Every byte is a letter: five of windows-1252 have none there, and are control characters.
 void from_latin1(std::string_view text, std::string& out) { (void)Converter("ISO-8859-1").convert(text, out); }
 
+int line_at(std::string_view text, std::size_t at) {
+  return static_cast<int>(1 + std::ranges::count(text.substr(0, at), '\n'));
+}
+
+std::string shown_name(const std::string& name) { return name == "CP1252" ? "ISO-8859-1 (windows-1252)" : name; }
+
+std::optional<EncodingDoubt> doubt_of(const TextEncoding& encoding) {
+  if (!encoding.guessed) return std::nullopt;
+  const auto shown = shown_name(encoding.name);
+  if (encoding.denied.empty())
+    return EncodingDoubt{because("the text is not UTF-8, though it should be; read as {encoding}", shown)};
+  if (encoding.name == "CP1252") {
+    return EncodingDoubt{
+        because("it names the encoding {name}, but its letters stand alone as Western ones do; read as {encoding}",
+                encoding.denied, shown)};
+  }
+  return EncodingDoubt{
+      because("it names the encoding {name}, but its letters come in pairs as those of GB 2312; read as {encoding}",
+              encoding.denied, shown)};
+}
+
 }  // namespace
 
 TextEncoding find_encoding(std::string_view text) {
@@ -126,9 +172,7 @@ TextEncoding find_encoding(std::string_view text) {
       return {broken ? "CP1252" : mark.name, mark.bytes.size(), broken};
     }
   }
-  for (const Mark& start : kStarts) {
-    if (text.starts_with(start.bytes)) return {start.name, 0, false};
-  }
+  if (const char* wide = wide_start(text)) return {wide, 0, false};
   const std::string declared = declared_encoding(text);
   const bool utf8 = is_utf8(text);
   const bool says_utf8 = declared.empty() || declared == "UTF-8" || declared == "UTF8";
@@ -138,15 +182,18 @@ TextEncoding find_encoding(std::string_view text) {
   if (!says_utf8 && one_byte) {
     const std::string name = widest(declared);
     // Letters of two bytes each: many editors save UTF-8 and leave the declaration as it was.
-    return utf8 && name == "CP1252" ? TextEncoding{} : TextEncoding{name, 0, false};
+    if (utf8 && name == "CP1252") return {};
+    if (name == "CP1252" && looks_chinese(text)) return {"GB18030", 0, true, declared};
+    if ((name == "GB18030" || name == "CP949") && stand_alone(text)) return {"CP1252", 0, true, declared};
+    return {name, 0, false};
   }
   return {looks_chinese(text) ? "GB18030" : "CP1252", 0, true};
 }
 
-Result<std::string_view> decode_text(std::string_view text, std::string& buffer, const std::string& file_name) {
+Result<DecodedText> decode_text(std::string_view text, std::string& buffer, const std::string& file_name) {
   const TextEncoding encoding = find_encoding(text);
   text.remove_prefix(encoding.mark);
-  if (encoding.name == "UTF-8") return text;
+  if (encoding.name == "UTF-8") return DecodedText{text};
   const Converter converter(encoding.name);
   if (!converter) {
     return fail(Error{
@@ -158,18 +205,25 @@ Result<std::string_view> decode_text(std::string_view text, std::string& buffer,
         .line = 1});
   }
   const std::size_t converted = converter.convert(text, buffer);
-  if (converted == text.size()) return std::string_view(buffer);
+  if (converted == text.size()) return DecodedText{buffer, doubt_of(encoding)};
+  const auto byte = fmt::format("{:02x}", byte_at(text, converted));
+  const int line = line_at(text, converted);
   if (encoding.name == "CP1252") {
     from_latin1(text, buffer);
-    return std::string_view(buffer);
+    const auto doubt = doubt_of(encoding);
+    return DecodedText{buffer,
+                       doubt ? *doubt
+                             : EncodingDoubt{because("the byte 0x{byte} is no letter of the encoding {name}; read as a "
+                                                     "control character",
+                                                     byte, "windows-1252"),
+                                             line}};
   }
-  const auto line = 1 + std::ranges::count(text.substr(0, converted), '\n');
   return fail(Error{.code = ErrorCode::kFileNotReadable,
                     .detail = because("it should be written in the encoding \"{name}\", to which the byte 0x{byte} "
                                       "does not belong; save it as UTF-8",
-                                      encoding.name, fmt::format("{:02x}", byte_at(text, converted))),
+                                      encoding.name, byte),
                     .file = file_name,
-                    .line = static_cast<int>(line)});
+                    .line = line});
 }
 
 }  // namespace syncline::eni

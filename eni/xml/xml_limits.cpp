@@ -20,7 +20,13 @@ class LimitCheck {
       start_ = at_;
       if (auto status = markup(); !status) return status;
     }
-    return {};
+    const std::size_t parts = elements_ + attributes_ + others_;
+    if (parts <= kManyParts || parts * kLeastBytesOfPart <= text_.size()) return {};
+    return fail(Error{.code = ErrorCode::kFileLimit,
+                      .detail = because("it has {count} elements, attributes and comments of less than {bytes} bytes "
+                                        "each, as no tool writes them",
+                                        parts, kLeastBytesOfPart),
+                      .file = file_name_});
   }
 
  private:
@@ -41,6 +47,7 @@ class LimitCheck {
   }
 
   Status no_element(std::string_view rest) {
+    ++others_;
     if (rest.starts_with("<!--")) return skip_to("-->", 4);
     if (rest.starts_with("<![CDATA[")) return skip_to("]]>", 9);
     const auto head = rest.substr(0, rest.find('>'));
@@ -88,7 +95,7 @@ class LimitCheck {
 
   std::string_view text_;
   const std::string& file_name_;
-  std::size_t at_ = 0, start_ = 0, elements_ = 0, attributes_ = 0;
+  std::size_t at_ = 0, start_ = 0, elements_ = 0, attributes_ = 0, others_ = 0;
   int depth_ = 0;
 };
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
-#include "eni/xml/text_encoding.h"
 #include "eni/xml/xml_limits.h"
 #include "eni/xml/xml_text.h"
 #include "reasons/because.h"
@@ -126,9 +126,10 @@ Result<XmlPieces> XmlPieces::parse(std::string_view text, const std::string& fil
   XmlPieces out;
   out.file_name_ = file_name;
   out.converted_ = std::make_unique<std::string>();
-  const auto decoded = decode_text(text, *out.converted_, file_name);
+  auto decoded = decode_text(text, *out.converted_, file_name);
   if (!decoded) return tl::unexpected(decoded.error());
-  out.text_ = *decoded;
+  out.text_ = decoded->text;
+  out.doubt_ = std::move(decoded->doubt);
   if (auto status = check_xml_limits(out.text_, file_name); !status) return tl::unexpected(status.error());
   Splitter splitter(out.text_, is_piece);
   if (splitter.run()) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "eni/xml/text_encoding.h"
 #include "eni/xml/xml_reader.h"
 
 /// Files of many large elements of one kind. A tree takes ten times the memory of its text and more; of an ESI with a
@@ -30,6 +31,8 @@ class XmlPieces {
   [[nodiscard]] const tinyxml2::XMLElement* whole(const tinyxml2::XMLElement& element);
   /// As parse_xml() tells of the whole text: whoever finds it drops what he has read.
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  /// Of the encoding in which the text was read.
+  [[nodiscard]] const std::optional<EncodingDoubt>& doubt() const { return doubt_; }
 
  private:
   struct Piece {
@@ -48,6 +51,7 @@ class XmlPieces {
   std::vector<Piece> pieces_;  // the elements of the tree point to them
   XmlDocument document_, piece_;
   std::optional<Error> error_;
+  std::optional<EncodingDoubt> doubt_;
 };
 
 }  // namespace syncline::eni

@@ -213,8 +213,8 @@ Result<XmlDocument> parse_xml(std::string_view text, const std::string& file_nam
   std::string converted;
   const auto utf8 = decode_text(text, converted, file_name);
   if (!utf8) return tl::unexpected(utf8.error());
-  if (auto status = check_xml_limits(*utf8, file_name); !status) return tl::unexpected(status.error());
-  return parse_utf8(*utf8, file_name);
+  if (auto status = check_xml_limits(utf8->text, file_name); !status) return tl::unexpected(status.error());
+  return parse_utf8(utf8->text, file_name);
 }
 
 Result<XmlDocument> load_xml(const std::string& path) {

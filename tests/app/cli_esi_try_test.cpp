@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <thread>
 
+#include "cli_process.h"
 #include "cli_runner.h"
 #include "engine/try_esi.h"
 #include "eni/trial/eni_trial_files.h"
@@ -228,6 +231,21 @@ TEST_F(EsiTry, PdosThatDoNotFitIntoTheirSyncManagerAreExcepted) {
   EXPECT_EQ(tried.devices[1].reason, "the ESI assigns 3 bytes (PDO 0x1600) to SM0, which takes 1");
   EXPECT_EQ(tried.devices[2].reason, "the ESI assigns 2 bytes (PDO 0x1600, 0x1601) to SM0, which takes 1");
   EXPECT_EQ(tried.devices[3].outcome, TryOutcome::kPassed) << tried.devices[3].reason;
+}
+
+/// A table that is not whole is no "all passed".
+TEST_F(EsiTry, EndedByASignalItSaysSo) {
+  for (int i = 0; i < 4'000; ++i) write(fmt::format("{:04}.xml", i), esi(kRegisters));
+  test::CliProcess lines({"esi", "try", folder_.string(), "--threads", "1", "--all"});
+  ASSERT_TRUE(lines.wait_for_out("passed"));
+  lines.signal(SIGTERM);
+  EXPECT_EQ(lines.wait(), kAnswerIsNo);
+  EXPECT_THAT(lines.out(), HasSubstr("0 failed; cancelled before all were tried"));
+  test::CliProcess json({"esi", "try", folder_.string(), "--threads", "1", "--json"});
+  while (!json.catches(SIGTERM)) std::this_thread::yield();
+  json.signal(SIGTERM);
+  EXPECT_EQ(json.wait(), kAnswerIsNo);
+  EXPECT_EQ(nlohmann::json::parse(json.out())["cancelled"], true);
 }
 
 /// What a vendor's file says of its own SyncManager is not what the compiler can do: such a device fails, visibly.

@@ -121,6 +121,15 @@ TEST_F(EsiWarnings, AreOfEachKindInTheseFiles) {
   };
   for (const char* name : {"sloppy.xml", "broken.xml", "endless.xml"}) add(read(name));
   add(parse_esi(sample::sloppy_device(), "text.xml")->warnings);
+  // What a text says of its encoding that is not so; see text_encoding_test.cpp.
+  for (const char* text : {"gb2312\"?><!-- f\xFCr -->", "iso-8859-1\"?><!-- \xCB\xC5\xB7\xFE\xC7\xFD\xB6\xAF -->",
+                           "iso-8859-1\"?><!-- \x81 -->"}) {
+    const auto file = parse_esi(std::string("<?xml version=\"1.0\" encoding=\"") + text +
+                                    "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions/></EtherCATInfo>",
+                                "text.xml");
+    ASSERT_TRUE(file) << describe(file.error());
+    add(file->warnings);
+  }
   constexpr std::size_t kOfTheIndex = 4;  // those of the database itself, which other tests have
   for (std::size_t i = 0; i + kOfTheIndex < std::size(words::kEsiReasons); ++i)
     EXPECT_NE(std::ranges::find(rows, words::kEsiReasons[i]), rows.end()) << words::kEsiReasons[i];

@@ -108,6 +108,21 @@ TEST_P(HostileInput, ManyElementsAreRefused) {
   EXPECT_THAT(describe(error), HasSubstr("more than 4000000 elements"));
 }
 
+/// Each takes more than a hundred bytes of memory, whatever it has in the file.
+TEST_P(HostileInput, ElementsAttributesAndCommentsWithoutContentAreRefused) {
+  for (const char* part : {"<A/>", "<A b=\"\"/>", "<!---->"}) {
+    const auto error = refused(root(repeat(part, 120'000)));
+    EXPECT_EQ(error.code, ErrorCode::kFileLimit) << part;
+    EXPECT_THAT(describe(error), HasSubstr("of less than 10 bytes each, as no tool writes them"));
+  }
+}
+
+TEST(XmlLimits, ManyElementsAsToolsWriteThemPass) {
+  const std::string text = "<A>" + repeat("<B>12345</B>", 120'000) + repeat("<C/>", 10'000) + "</A>";
+  EXPECT_TRUE(check_xml_limits(text, "x.xml"));
+  EXPECT_TRUE(check_xml_limits("<A>" + repeat("<B/>", 90'000) + "</A>", "x.xml")) << "few of them do no harm";
+}
+
 TEST_P(HostileInput, ALongAttributeIsReadOrRefusedInTime) {
   const double start = processor_seconds();
   (void)GetParam().read(root("<A B=\"" + std::string(64U << 20, 'x') + "\"/>"));

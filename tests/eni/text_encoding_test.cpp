@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eni/xml/text_encoding.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iconv.h>
@@ -32,7 +33,7 @@ std::string encode(const std::string& utf8, const char* encoding) {
 std::string decoded(const std::string& text) {
   std::string buffer;
   const auto result = decode_text(text, buffer, "x.xml");
-  return result ? std::string(*result) : result.error().detail.text();
+  return result ? std::string(result->text) : result.error().detail.text();
 }
 
 std::string declared(const std::string& encoding, const std::string& content) {
@@ -64,6 +65,50 @@ TEST(TextEncoding, WideEncodingsWithAndWithoutMark) {
     EXPECT_EQ(decoded(encode("\xEF\xBB\xBF" + text, name)), text) << name << " with its mark";
   }
   EXPECT_EQ(decoded("\xEF\xBB\xBF" + text), text);
+}
+
+/// XML 1.0, appendix F: where there is no mark the zeros tell; a document without declaration may begin with spaces.
+TEST(TextEncoding, WideEncodingsWithoutMarkMayBeginWithSpaces) {
+  const std::string text = "\r\n <A>Größe 速</A>";
+  for (const char* name : {"UTF-16LE", "UTF-16BE", "UTF-32LE", "UTF-32BE"}) {
+    EXPECT_EQ(decoded(encode(text, name)), text) << name;
+    EXPECT_EQ(decoded(encode("<A/>", name)), "<A/>") << name;
+  }
+}
+
+std::string doubt_of(const std::string& text) {
+  std::string buffer;
+  const auto result = decode_text(text, buffer, "x.xml");
+  if (!result || !result->doubt) return {};
+  return fmt::format("{}: {}", result->doubt->line, result->doubt->reason.text());
+}
+
+/// An editor that saves in the code of its country under the declaration that was there.
+TEST(TextEncoding, ADeclarationThatTheBytesContradictIsSaid) {
+  const auto chinese = declared("windows-1252", "伺服驱动器 速度"), german = declared("gb2312", "Größe für Öl");
+  EXPECT_EQ(decoded(encode(chinese, "GB18030")), chinese);
+  EXPECT_THAT(doubt_of(encode(chinese, "GB18030")), HasSubstr("names the encoding WINDOWS-1252"));
+  EXPECT_EQ(decoded(encode(german, "CP1252")), german);
+  EXPECT_THAT(doubt_of(encode(german, "CP1252")), HasSubstr("names the encoding GB2312"));
+  for (const auto& [name, content] : {std::pair{"windows-1252", "Größe für Öl"}, std::pair{"gb2312", "伺服驱动器"}}) {
+    EXPECT_EQ(doubt_of(encode(declared(name, content), name)), "") << name;
+  }
+}
+
+TEST(TextEncoding, AByteThatTheCodePageDoesNotAssignIsSaidWithItsLine) {
+  EXPECT_THAT(doubt_of(declared("windows-1252",
+                                "Gr\xF6\xDF"
+                                "e\n\x8D")),
+              HasSubstr("2: the byte 0x8d is no letter of the encoding windows-1252"));
+  const auto file = parse_esi(declared("iso-8859-1", "\x81"), "x.xml");
+  ASSERT_FALSE(file) << "no ESI file";
+  const auto esi = parse_esi(
+      "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?><EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions><Groups/>"
+      "<Devices/></Descriptions><!-- \x81 --></EtherCATInfo>",
+      "x.xml");
+  ASSERT_TRUE(esi);
+  ASSERT_EQ(esi->warnings.size(), 1U);
+  EXPECT_THAT(esi->warnings[0].reason.text(), HasSubstr("0x81"));
 }
 
 TEST(TextEncoding, WhatIsUtf8StaysWhateverItDeclares) {
@@ -114,7 +159,7 @@ TEST(TextEncoding, AnyBytesGiveUtf8OrAnError) {
     const std::string text = declare ? declared("gb2312", bytes) : bytes;
     std::string buffer;
     const auto result = decode_text(text, buffer, "x.xml");
-    if (result) RC_ASSERT(is_utf8(*result));
+    if (result) RC_ASSERT(is_utf8(result->text));
   }));
 }
 

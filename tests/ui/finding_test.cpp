@@ -53,6 +53,7 @@ bool isTheSameInAll(std::string_view text) {
                                         "{place}: {reason}",
                                         "{sentence} {next}",
                                         "{sentence}.",
+                                        "{reason}",
                                         "{reason}.",
                                         "{text}",
                                         "{subject}: {from} -> {to}",

@@ -4237,6 +4237,34 @@
         <translation>Das Wurzelelement ist nicht EtherCATConfig</translation>
     </message>
     <message>
+        <source>Save the file as UTF-8, and have its first line say so</source>
+        <translation>Die Datei als UTF-8 speichern und das in ihrer ersten Zeile angeben</translation>
+    </message>
+    <message>
+        <source>Names and comments come out as other letters, here or in the next program</source>
+        <translation>Namen und Kommentare erscheinen mit anderen Buchstaben, hier oder im nächsten Programm</translation>
+    </message>
+    <message>
+        <source>The text is not in the encoding that the file names</source>
+        <translation>Der Text steht nicht in der Kodierung, die die Datei nennt</translation>
+    </message>
+    <message>
+        <source>{count:# finding more is|# findings more are} not listed</source>
+        <translation>{count:# weiterer Befund ist|# weitere Befunde sind} nicht aufgeführt</translation>
+    </message>
+    <message>
+        <source>Mend what is listed, then check again</source>
+        <translation>Das Aufgeführte berichtigen, dann noch einmal prüfen</translation>
+    </message>
+    <message>
+        <source>What is wrong in each of thousands of elements is one mistake: the first 1,000 findings of a rule are listed, and 10,000 in all</source>
+        <translation>Was in jedem von Tausenden Elementen falsch ist, ist ein einziger Fehler: Aufgeführt sind die ersten 1.000 Befunde einer Regel, und 10.000 insgesamt</translation>
+    </message>
+    <message>
+        <source>There are more findings than are listed</source>
+        <translation>Es gibt mehr Befunde, als aufgeführt sind</translation>
+    </message>
+    <message>
         <source>The second overwrites the data of the first; buffers change twice a cycle</source>
         <translation>Das zweite überschreibt die Daten des ersten; Puffer wechseln zweimal je Zyklus</translation>
     </message>
@@ -6713,6 +6741,10 @@
         <translation>{error}</translation>
     </message>
     <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
         <source>{field} is {said} in Info, the command expects the bytes {expected}</source>
         <translation>{field} ist in Info {said}, das Kommando erwartet die Bytes {expected}</translation>
     </message>
@@ -7329,6 +7361,10 @@
         <translation>sie ist beschädigt: {words}</translation>
     </message>
     <message>
+        <source>there is not enough memory</source>
+        <translation>der Speicher reicht nicht aus</translation>
+    </message>
+    <message>
         <source>there is one of this name already, and a recording replaces nothing</source>
         <translation>es gibt schon eine dieses Namens, und eine Aufzeichnung ersetzt nichts</translation>
     </message>
@@ -7385,8 +7421,8 @@
         <translation>keines der {count} Geräte in den ESI-Dateien hat diesen Hersteller und dieses Produkt</translation>
     </message>
     <message>
-        <source>it is no device catalogue</source>
-        <translation>sie ist kein Gerätekatalog</translation>
+        <source>it is no device catalogue, or its beginning is damaged</source>
+        <translation>sie ist kein Gerätekatalog, oder ihr Anfang ist beschädigt</translation>
     </message>
     <message>
         <source>it is no ordinary file</source>
@@ -8757,6 +8793,10 @@
         <translation>mehr als {most} Elemente</translation>
     </message>
     <message>
+        <source>it has {count} elements, attributes and comments of less than {bytes} bytes each, as no tool writes them</source>
+        <translation>sie hat {count} Elemente, Attribute und Kommentare mit je weniger als {bytes} Byte, wie kein Werkzeug sie schreibt</translation>
+    </message>
+    <message>
         <source>an element with more than {most} attributes</source>
         <translation>ein Element mit mehr als {most} Attributen</translation>
     </message>
@@ -9175,6 +9215,18 @@
     <message>
         <source>the text is not UTF-8, though it should be; read as {encoding}</source>
         <translation>der Text ist nicht UTF-8, obwohl er es sein sollte; gelesen als {encoding}</translation>
+    </message>
+    <message>
+        <source>the byte 0x{byte} is no letter of the encoding {name}; read as a control character</source>
+        <translation>das Byte 0x{byte} ist kein Buchstabe der Kodierung {name}; gelesen als Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>it names the encoding {name}, but its letters stand alone as Western ones do; read as {encoding}</source>
+        <translation>sie nennt die Kodierung {name}, aber ihre Buchstaben stehen einzeln wie westliche; gelesen als {encoding}</translation>
+    </message>
+    <message>
+        <source>it names the encoding {name}, but its letters come in pairs as those of GB 2312; read as {encoding}</source>
+        <translation>sie nennt die Kodierung {name}, aber ihre Buchstaben stehen in Paaren wie die von GB 2312; gelesen als {encoding}</translation>
     </message>
     <message>
         <source>Transition is missing; taken for PS</source>

@@ -4237,6 +4237,34 @@
         <translation>根元素不是 EtherCATConfig</translation>
     </message>
     <message>
+        <source>Save the file as UTF-8, and have its first line say so</source>
+        <translation>把文件另存为 UTF-8，并在第一行中声明</translation>
+    </message>
+    <message>
+        <source>Names and comments come out as other letters, here or in the next program</source>
+        <translation>名称和注释会显示为别的字符，在这里或在下一个程序中</translation>
+    </message>
+    <message>
+        <source>The text is not in the encoding that the file names</source>
+        <translation>文本不是文件所声明的编码</translation>
+    </message>
+    <message>
+        <source>{count:# finding more is|# findings more are} not listed</source>
+        <translation>另有 {count} 个问题未列出</translation>
+    </message>
+    <message>
+        <source>Mend what is listed, then check again</source>
+        <translation>改正所列出的问题，然后重新检查</translation>
+    </message>
+    <message>
+        <source>What is wrong in each of thousands of elements is one mistake: the first 1,000 findings of a rule are listed, and 10,000 in all</source>
+        <translation>成千上万个元素中同样的错误其实是一个错误：每条规则只列出前 1000 个问题，总共最多 10000 个</translation>
+    </message>
+    <message>
+        <source>There are more findings than are listed</source>
+        <translation>发现的问题多于所列出的</translation>
+    </message>
+    <message>
         <source>The second overwrites the data of the first; buffers change twice a cycle</source>
         <translation>第二个会覆盖第一个的数据；缓冲区在每个周期更改两次</translation>
     </message>
@@ -6713,6 +6741,10 @@
         <translation>{error}</translation>
     </message>
     <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
+    </message>
+    <message>
         <source>{field} is {said} in Info, the command expects the bytes {expected}</source>
         <translation>Info 中的 {field} 为 {said}，命令期望的字节为 {expected}</translation>
     </message>
@@ -7329,6 +7361,10 @@
         <translation>它已损坏：{words}</translation>
     </message>
     <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
         <source>there is one of this name already, and a recording replaces nothing</source>
         <translation>同名文件已存在，录制不会替换任何文件</translation>
     </message>
@@ -7385,8 +7421,8 @@
         <translation>ESI 文件中的 {count} 个设备均无此厂商和产品</translation>
     </message>
     <message>
-        <source>it is no device catalogue</source>
-        <translation>它不是设备目录</translation>
+        <source>it is no device catalogue, or its beginning is damaged</source>
+        <translation>它不是设备目录，或其开头已损坏</translation>
     </message>
     <message>
         <source>it is no ordinary file</source>
@@ -8757,6 +8793,10 @@
         <translation>元素超过 {most} 个</translation>
     </message>
     <message>
+        <source>it has {count} elements, attributes and comments of less than {bytes} bytes each, as no tool writes them</source>
+        <translation>文件有 {count} 个元素、属性和注释，平均每个不足 {bytes} 字节，没有工具会这样写</translation>
+    </message>
+    <message>
         <source>an element with more than {most} attributes</source>
         <translation>某个元素的属性超过 {most} 个</translation>
     </message>
@@ -9175,6 +9215,18 @@
     <message>
         <source>the text is not UTF-8, though it should be; read as {encoding}</source>
         <translation>文本不是 UTF-8，尽管应当是；按 {encoding} 读取</translation>
+    </message>
+    <message>
+        <source>the byte 0x{byte} is no letter of the encoding {name}; read as a control character</source>
+        <translation>字节 0x{byte} 不是编码 {name} 中的字符；按控制字符读取</translation>
+    </message>
+    <message>
+        <source>it names the encoding {name}, but its letters stand alone as Western ones do; read as {encoding}</source>
+        <translation>它声明的编码是 {name}，但其字符像西文那样单个出现；按 {encoding} 读取</translation>
+    </message>
+    <message>
+        <source>it names the encoding {name}, but its letters come in pairs as those of GB 2312; read as {encoding}</source>
+        <translation>它声明的编码是 {name}，但其字符像 GB 2312 那样成对出现；按 {encoding} 读取</translation>
     </message>
     <message>
         <source>Transition is missing; taken for PS</source>

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -40,7 +42,11 @@ std::chrono::milliseconds next_search_after(std::chrono::milliseconds last, bool
 struct StandstillSearch::Impl {
   explicit Impl(Options own_options) : options(std::move(own_options)) {
     const StopSignalsBlocked deaf;  // whoever started the run hears them
-    thread = std::thread([this] { run(); });
+    try {
+      thread = std::thread([this] { search(); });
+    } catch (const std::system_error&) {
+      return;  // without it nobody is named, and that is all
+    }
   }
   ~Impl() {
     {
@@ -48,7 +54,15 @@ struct StandstillSearch::Impl {
       stop = true;
     }
     wake.notify_one();
-    thread.join();
+    if (thread.joinable()) thread.join();
+  }
+
+  void search() noexcept {
+    try {
+      run();
+    } catch (const std::exception&) {
+      return;  // without memory for it nobody is named any more; the run goes on
+    }
   }
 
   void run() {

@@ -204,6 +204,23 @@ TEST(SimLineFaults, OnTheWayBackTheSlavesHaveExecutedTheFrame) {
   EXPECT_EQ(slaves_on(probe), 3) << "the burst is over";
 }
 
+/// The length of the EtherCAT header is nothing that an ESC looks at (ESC data sheet I, 2.3): the datagrams' own count.
+TEST(SimFrame, IsServedByItsDatagramsWhateverItsHeaderSays) {
+  for (const std::uint16_t length : {std::uint16_t{0}, std::uint16_t{13}, std::uint16_t{15}, std::uint16_t{0x7FF}}) {
+    SimProbe probe(three());
+    FrameBuilder builder;
+    builder.add(Command::kBrd, 1, device_address(0, reg::kType), std::vector<std::uint8_t>{0});
+    const auto sent = builder.finish();
+    std::vector<std::uint8_t> frame(sent.begin(), sent.end());
+    store_le(std::span(frame).subspan(kEthernetHeaderSize), static_cast<std::uint16_t>(0x1000 | length));
+    ASSERT_FALSE(probe.bus->execute(frame, probe.now).lost) << length;
+    FrameReader reader(frame, FrameReader::LengthField::kIgnored);
+    EXPECT_EQ(reader.next()->wkc(), 3) << length;
+    EXPECT_EQ(load_le<std::uint16_t>(std::span(frame).subspan(kEthernetHeaderSize)), 0x1000 | length)
+        << "left as it is";
+  }
+}
+
 TEST(SimLineFaults, AFrameLostAtASlaveHasReachedThoseBefore) {
   auto config = three();
   config.faults.push_back({FaultKind::kLoseFrames, 1, 0, 0, 1});

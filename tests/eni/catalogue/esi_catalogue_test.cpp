@@ -301,6 +301,43 @@ TEST_F(Catalogue, MakesADamagedDatabaseAgainAndSaysSo) {
   EXPECT_THAT(update(), ReportIs(40, 0, 0, 0));
 }
 
+/// Whatever it is called: by what stands behind SQLite's header it is known for ours.
+TEST_F(Catalogue, MakesOneWhoseBeginningIsDamagedAgain) {
+  put("a.xml", esi_text({{}}));
+  for (const std::size_t length : {1U, 16U, 100U}) {
+    ASSERT_TRUE(update());
+    {
+      std::fstream stream(database(), std::ios::in | std::ios::out | std::ios::binary);
+      stream << std::string(length, '\x5A');
+    }
+    auto catalogue = opened();
+    EXPECT_THAT(catalogue.add_folder(folder().string()), ReportIs(1, 1, 0, 0)) << length;
+    ASSERT_THAT(catalogue.notes(), SizeIs(1)) << length;
+    EXPECT_THAT(catalogue.notes()[0].reason.text(), HasSubstr("made again: it was damaged"));
+  }
+}
+
+/// A file of which nothing says that it is ours stays as it is, and the sentence tells what to do.
+TEST_F(Catalogue, LeavesWhatCannotBeKnownForOurs) {
+  put("a.xml", esi_text({{}}));
+  ASSERT_TRUE(update());
+  const auto size = std::filesystem::file_size(database());
+  const std::string own_words =
+      "CREATE TABLE hides(device INTEGER NOT NULL, vendor_id INTEGER, product_code INTEGER);\n";
+  std::string script;
+  while (script.size() < size) script += own_words;
+  script.resize(size);
+  for (const std::string& other : {std::string(size, '\0'), script}) {
+    std::ofstream(database(), std::ios::binary) << other;
+    auto catalogue = EsiCatalogue::open(database());
+    const auto added = catalogue ? catalogue->add_folder(folder().string()) : tl::unexpected(catalogue.error());
+    ASSERT_FALSE(added);
+    EXPECT_THAT(describe(added.error()), HasSubstr("delete it and it is made again"));
+    std::ifstream in(database(), std::ios::binary);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), other);
+  }
+}
+
 TEST_F(Catalogue, SurvivesADatabaseThatIsDamagedAnywhere) {
   for (int i = 0; i < 40; ++i) put(std::to_string(i) + ".xml", esi_text({{1, static_cast<std::uint32_t>(i), "A1"}}));
   ASSERT_TRUE(update());

@@ -15,6 +15,9 @@
 #include "config/process_image.h"
 #include "eni/check/check_bed.h"
 #include "eni/check/rule_cases.h"
+#include "eni/format/eni_element.h"
+#include "eni/xml/xml_reader.h"
+#include "findings/finding_list.h"
 #include "protocol/command.h"
 #include "support/sample_folder.h"
 #include "tests/support/source_dir.h"
@@ -114,8 +117,63 @@ TEST(EniCheck, CommandsWithoutSenseAreFound) {
               Contains("ENI-REF-10"));
 }
 
+/// A million elements with the same mistake are one mistake; a finding each would take gigabytes.
+TEST(EniCheck, OfTooManyFindingsTheRestIsCounted) {
+  constexpr std::size_t kMore = 500;
+  std::string many;
+  for (std::size_t i = 0; i < FindingList::kMostOfRule + kMore; ++i) many += "<SerialNo>0</SerialNo>";
+  const auto text = replaced(eni::write_eni(checked_machine()), "<SerialNo>0</SerialNo>", many);
+  const auto check = eni::check_eni_text(text, "test.xml");
+  ASSERT_TRUE(check);
+  // The first of them is right.
+  ASSERT_EQ(check->findings.size(), FindingList::kMostOfRule + 1);
+  EXPECT_EQ(check->findings.back().code, FindingList::kRest);
+  EXPECT_EQ(check->findings.back().severity, Severity::kError);
+  EXPECT_EQ(facts_text(check->findings.back()), "499 findings more are not listed");
+  EXPECT_EQ(check->not_listed[Severity::kError], kMore - 1);
+  EXPECT_EQ(check->count(Severity::kError), FindingList::kMostOfRule + kMore - 1);
+  EXPECT_EQ(check->count(Severity::kNote), 0U);
+}
+
+/// Kinds of extensions are listed once each, and there may be as many as there are elements.
+TEST(EniCheck, OfTooManyKindsOfExtensionsTheRestIsCounted) {
+  std::string many;
+  for (std::size_t i = 0; i < FindingList::kMostOfRule + 7; ++i) many += fmt::format("<Own{}>0</Own{}>", i, i);
+  const auto text =
+      replaced(eni::write_eni(checked_machine()), "<VendorId>1516</VendorId>", "<VendorId>1516</VendorId>" + many);
+  const auto check = eni::check_eni_text(text, "test.xml");
+  ASSERT_TRUE(check);
+  EXPECT_EQ(check->findings.size(), FindingList::kMostOfRule + 1);
+  EXPECT_EQ(check->count(Severity::kNote), FindingList::kMostOfRule + 7);
+  const auto imported = eni::import_eni_text(text, "test.xml");
+  ASSERT_TRUE(imported);
+  EXPECT_EQ(imported->unread.size(), FindingList::kMostOfRule + 1);
+  EXPECT_EQ(facts_text(imported->unread.back()), "7 findings more are not listed");
+}
+
+TEST(EniCheck, AnImportSaysTooThatTheTextIsNotInItsEncoding) {
+  const auto text = replaced(eni::write_eni(checked_machine()), "<EtherCATConfig ", "<!-- \x8D -->\n<EtherCATConfig ");
+  const auto imported = eni::import_eni_text(text, "test.xml");
+  ASSERT_TRUE(imported);
+  ASSERT_EQ(imported->unread.size(), 1U);
+  EXPECT_EQ(imported->unread[0].code, "ENI-XML-11");
+  EXPECT_EQ(imported->unread[0].place.line, 1);
+}
+
+/// What was read behind a value that cannot be is thrown away: it would cost hundreds of bytes for each element.
+TEST(EniCheck, BehindTheFirstErrorNothingIsRead) {
+  eni::Reading reading("x.xml");
+  const auto document = eni::parse_xml("<Frame><Cmd/><Cmd/><Cmd/></Frame>", "x.xml");
+  ASSERT_TRUE(document);
+  const eni::EniElement frame(eni::Node((*document)->RootElement(), reading));
+  EXPECT_EQ(frame.children("Cmd").size(), 3U);
+  std::size_t read = 0;
+  for (const auto& cmd : frame.children("Cmd")) read += cmd.required("Cmd") ? 0 : 1;
+  EXPECT_EQ(read, 1U);
+}
+
 TEST(EniCheck, EachRuleHasACaseAndTexts) {
-  std::set<std::string> tested;
+  std::set<std::string> tested{std::string(FindingList::kRest)};  // OfTooManyFindingsTheRestIsCounted
   for (const RuleCase& rule : all_cases()) tested.insert(rule.code);
   for (const TextCase& rule : text_cases()) tested.insert(rule.code);
   std::set<std::string> rules;

@@ -30,6 +30,7 @@ std::vector<TextCase> text_cases() {
          return replaced(replaced(std::move(text), "<EtherCATConfig ", "<EncryptedEtherCATConfig "),
                          "</EtherCATConfig>", "</EncryptedEtherCATConfig>");
        }},
+      {"ENI-XML-11", replace("<EtherCATConfig ", "<!-- \x8D -->\n<EtherCATConfig ")},
       {"ENI-REF-01",
        [](std::string text) {
          const auto port = text.rfind("<PreviousPort");
