@@ -3904,17 +3904,12 @@ Einstellung %2</translation>
             <translation>kein Slave hat diesen Zähler</translation>
         </message>
         <message>
-            <source>none</source>
-            <comment>SM2 events missed in the range shown</comment>
-            <translation>keine</translation>
-        </message>
-        <message>
             <source>%1: %2/s</source>
             <translation>%1: %2/s</translation>
         </message>
         <message>
-            <source>no reading in the range shown</source>
-            <translation>keine Ablesung im gezeigten Bereich</translation>
+            <source>no reading</source>
+            <translation>keine Ablesung</translation>
         </message>
 </context>
 <context>
@@ -4783,10 +4778,6 @@ Einstellung %2</translation>
         <message>
             <source>In-sync limit</source>
             <translation>Synchron-Grenze</translation>
-        </message>
-        <message>
-            <source>Settle time</source>
-            <translation>Einschwingzeit</translation>
         </message>
         <message>
             <source>Monitor the sync window</source>
@@ -5812,6 +5803,14 @@ Einstellung %2</translation>
             <source>Shift of SYNC1</source>
             <translation>Verschiebung von SYNC1</translation>
         </message>
+        <message>
+            <source>Settle time of the window</source>
+            <translation>Einschwingzeit des Fensters</translation>
+        </message>
+        <message>
+            <source>Settle time of the controller</source>
+            <translation>Einschwingzeit des Reglers</translation>
+        </message>
 </context>
 <context>
     <name>FieldBinder</name>
@@ -6294,6 +6293,14 @@ Einstellung %2</translation>
             <source>None: the slave starts with what it has.</source>
             <translation>Keine: der Slave startet mit dem, was er hat.</translation>
         </message>
+        <message>
+            <source>What is sent otherwise than listed</source>
+            <translation>Was anders gesendet wird als aufgeführt</translation>
+        </message>
+        <message>
+            <source>Sent for a bus cycle of %1, otherwise than listed: %2.</source>
+            <translation>Für einen Buszyklus von %1 wird anders gesendet als aufgeführt: %2.</translation>
+        </message>
 </context>
 <context>
     <name>FoundDialog</name>
@@ -6507,6 +6514,10 @@ Einstellung %2</translation>
         <message>
             <source>Connected to %1; in the project to %2</source>
             <translation>Angeschlossen an %1; im Projekt an %2</translation>
+        </message>
+        <message>
+            <source>Vendor %1, product %2 instead of %3, %4</source>
+            <translation>Hersteller %1, Produkt %2 statt %3, %4</translation>
         </message>
 </context>
 <context>
@@ -7354,6 +7365,10 @@ Einstellung %2</translation>
             <source>filtered, lasting: %1</source>
             <translation>gefiltert, anhaltend: %1</translation>
         </message>
+        <message>
+            <source>DCM error (raw)</source>
+            <translation>DCM-Fehler (roh)</translation>
+        </message>
 </context>
 <context>
     <name>RecordingBar</name>
@@ -7855,6 +7870,10 @@ Einstellung %2</translation>
         <message>
             <source>&amp;Forget the favourites of %1</source>
             <translation>Favoriten von %1 &amp;vergessen</translation>
+        </message>
+        <message>
+            <source>No favourites of %1 yet</source>
+            <translation>Noch keine Favoriten von %1</translation>
         </message>
 </context>
 <context>
@@ -9867,10 +9886,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Die Unterschiede konnten nicht geschrieben werden.</translation>
         </message>
         <message numerus="yes">
-            <source>(%n change(s) of the project, and what follows or makes no difference)</source>
+            <source>(%n of them are changes of the project; the others follow from these, or change nothing)</source>
             <translation>
-                <numerusform>(%n Änderung des Projekts, und was daraus folgt oder nichts ausmacht)</numerusform>
-                <numerusform>(%n Änderungen des Projekts, und was daraus folgt oder nichts ausmacht)</numerusform>
+                <numerusform>(%n davon ist eine Änderung des Projekts; die anderen folgen daraus oder ändern nichts)</numerusform>
+                <numerusform>(%n davon sind Änderungen des Projekts; die anderen folgen daraus oder ändern nichts)</numerusform>
             </translation>
         </message>
 </context>
@@ -10400,10 +10419,6 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation> (%1 weitere in der Sperrzeit)</translation>
         </message>
         <message>
-            <source>, %1 left out</source>
-            <translation>, %1 ausgelassen</translation>
-        </message>
-        <message>
             <source>What is shown is a recording already</source>
             <translation>Was gezeigt wird, ist schon eine Aufzeichnung</translation>
         </message>
@@ -10422,6 +10437,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>Which variable; they are watched on the page Variables</source>
             <translation>Welche Variable; beobachtet werden sie auf der Seite Variablen</translation>
+        </message>
+        <message>
+            <source>, %1 within the hold-off</source>
+            <translation>, %1 innerhalb der Sperrzeit</translation>
         </message>
 </context>
 <context>
@@ -12679,10 +12698,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>Die Maschine lief nicht an; die Meldungen sagen, wie weit sie kam.</translation>
         </message>
         <message numerus="yes">
-            <source>(%n further error(s) in the messages)</source>
+            <source>(%n further slave(s) in the messages)</source>
             <translation>
-                <numerusform>(%n weiterer Fehler in den Meldungen)</numerusform>
-                <numerusform>(%n weitere Fehler in den Meldungen)</numerusform>
+                <numerusform>(%n weiterer Slave in den Meldungen)</numerusform>
+                <numerusform>(%n weitere Slaves in den Meldungen)</numerusform>
             </translation>
         </message>
 </context>

@@ -485,11 +485,11 @@
                 <numerusform>%n differences</numerusform>
             </translation>
         </message>
-            <message numerus="yes">
-            <source>(%n change(s) of the project, and what follows or makes no difference)</source>
+        <message numerus="yes">
+            <source>(%n of them are changes of the project; the others follow from these, or change nothing)</source>
             <translation>
-                <numerusform>(%n change of the project, and what follows or makes no difference)</numerusform>
-                <numerusform>(%n changes of the project, and what follows or makes no difference)</numerusform>
+                <numerusform>(%n of them is a change of the project; the others follow from it, or change nothing)</numerusform>
+                <numerusform>(%n of them are changes of the project; the others follow from these, or change nothing)</numerusform>
             </translation>
         </message>
 </context>
@@ -600,10 +600,10 @@
 <context>
     <name>StartBar</name>
         <message numerus="yes">
-            <source>(%n further error(s) in the messages)</source>
+            <source>(%n further slave(s) in the messages)</source>
             <translation>
-                <numerusform>(%n further error in the messages)</numerusform>
-                <numerusform>(%n further errors in the messages)</numerusform>
+                <numerusform>(%n further slave in the messages)</numerusform>
+                <numerusform>(%n further slaves in the messages)</numerusform>
             </translation>
         </message>
 </context>

@@ -3892,17 +3892,12 @@ Setting %2</source>
             <translation>没有从站具有此计数器</translation>
         </message>
         <message>
-            <source>none</source>
-            <comment>SM2 events missed in the range shown</comment>
-            <translation>无</translation>
-        </message>
-        <message>
             <source>%1: %2/s</source>
             <translation>%1：%2/s</translation>
         </message>
         <message>
-            <source>no reading in the range shown</source>
-            <translation>所示范围内没有读数</translation>
+            <source>no reading</source>
+            <translation>无读数</translation>
         </message>
 </context>
 <context>
@@ -4763,10 +4758,6 @@ Setting %2</source>
         <message>
             <source>In-sync limit</source>
             <translation>同步限值</translation>
-        </message>
-        <message>
-            <source>Settle time</source>
-            <translation>稳定时间</translation>
         </message>
         <message>
             <source>Monitor the sync window</source>
@@ -5792,6 +5783,14 @@ Setting %2</source>
             <source>Shift of SYNC1</source>
             <translation>SYNC1 的偏移</translation>
         </message>
+        <message>
+            <source>Settle time of the window</source>
+            <translation>窗口的稳定时间</translation>
+        </message>
+        <message>
+            <source>Settle time of the controller</source>
+            <translation>控制器的稳定时间</translation>
+        </message>
 </context>
 <context>
     <name>FieldBinder</name>
@@ -6274,6 +6273,14 @@ Setting %2</source>
             <source>None: the slave starts with what it has.</source>
             <translation>无：从站按其已有的值启动。</translation>
         </message>
+        <message>
+            <source>What is sent otherwise than listed</source>
+            <translation>与列表不同的实际发送内容</translation>
+        </message>
+        <message>
+            <source>Sent for a bus cycle of %1, otherwise than listed: %2.</source>
+            <translation>总线周期为 %1 时，实际发送与列表不同：%2。</translation>
+        </message>
 </context>
 <context>
     <name>FoundDialog</name>
@@ -6479,6 +6486,10 @@ Setting %2</source>
         <message>
             <source>Connected to %1; in the project to %2</source>
             <translation>连接到 %1；项目中连接到 %2</translation>
+        </message>
+        <message>
+            <source>Vendor %1, product %2 instead of %3, %4</source>
+            <translation>厂商 %1、产品 %2，而不是 %3、%4</translation>
         </message>
 </context>
 <context>
@@ -7321,6 +7332,10 @@ Setting %2</source>
             <source>filtered, lasting: %1</source>
             <translation>滤波后持续：%1</translation>
         </message>
+        <message>
+            <source>DCM error (raw)</source>
+            <translation>DCM 误差（原始）</translation>
+        </message>
 </context>
 <context>
     <name>RecordingBar</name>
@@ -7820,6 +7835,10 @@ Setting %2</source>
         <message>
             <source>&amp;Forget the favourites of %1</source>
             <translation>清除 %1 的收藏(&amp;F)</translation>
+        </message>
+        <message>
+            <source>No favourites of %1 yet</source>
+            <translation>尚无 %1 的收藏</translation>
         </message>
 </context>
 <context>
@@ -9816,9 +9835,9 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>无法写入差异。</translation>
         </message>
         <message numerus="yes">
-            <source>(%n change(s) of the project, and what follows or makes no difference)</source>
+            <source>(%n of them are changes of the project; the others follow from these, or change nothing)</source>
             <translation>
-                <numerusform>（项目中有 %n 处更改，其余由此产生或没有影响）</numerusform>
+                <numerusform>（其中 %n 处是项目的更改；其余由此产生，或没有改变任何内容）</numerusform>
             </translation>
         </message>
 </context>
@@ -10347,10 +10366,6 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>（抑制期内还有 %1 个）</translation>
         </message>
         <message>
-            <source>, %1 left out</source>
-            <translation>，略去 %1 个</translation>
-        </message>
-        <message>
             <source>What is shown is a recording already</source>
             <translation>显示的已是记录</translation>
         </message>
@@ -10369,6 +10384,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>Which variable; they are watched on the page Variables</source>
             <translation>选择变量；在“变量”页面上设置监视</translation>
+        </message>
+        <message>
+            <source>, %1 within the hold-off</source>
+            <translation>，保持期内 %1 次</translation>
         </message>
 </context>
 <context>
@@ -12617,9 +12636,9 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>机器未启动；消息中说明了进行到哪一步。</translation>
         </message>
         <message numerus="yes">
-            <source>(%n further error(s) in the messages)</source>
+            <source>(%n further slave(s) in the messages)</source>
             <translation>
-                <numerusform>（消息中另有 %n 个错误）</numerusform>
+                <numerusform>（消息中另有 %n 个从站）</numerusform>
             </translation>
         </message>
 </context>

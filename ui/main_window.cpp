@@ -359,6 +359,14 @@ void MainWindow::showWhetherItGoesOn() {
   const bool goes_on = phase == LiveSession::Phase::kOnline || phase == LiveSession::Phase::kStarting;
   overview_->setLive(goes_on);
   strip_->timeView()->setGoesOn(goes_on);
+  // A start that failed has nothing to plot.
+  if (phase == LiveSession::Phase::kOffline && !workspace_.recording().isOpen()) {
+    const auto* record = workspace_.live().record();
+    if (record == nullptr || record->samples().empty()) {
+      strip_->setRecord(nullptr);
+      centre_->showStrip(false);
+    }
+  }
 }
 
 MainWindow::Place MainWindow::place() const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "record/run_record.h"
 #include "ui/dialogs/recording_commands.h"
 #include "ui/panels/live_strip.h"
 #include "ui/panels/trigger_panel.h"
@@ -20,6 +21,11 @@ WindowTrigger::WindowTrigger(TriggerMonitor& monitor, TriggerPanel& panel, LiveS
   connect(&monitor, &TriggerMonitor::changed, this, &WindowTrigger::showLevel);
   connect(&strip, &LiveStrip::triggerLevelDragged, this, &WindowTrigger::moveLevel);
   connect(&monitor, &TriggerMonitor::completed, this, [this](const TriggerEpisode& episode) {
+    // A recording that opens, and a run that comes up, are looked at as they are; the list has what was found in them.
+    const auto* record = monitor_.record();
+    if (monitor_.isRecorded() || record == nullptr || !record->overview().armed ||
+        episode.time < *record->overview().armed)
+      return;
     const auto mode = monitor_.trigger().mode;
     if (mode != Trigger::Mode::kAutomatic) show(episode, mode == Trigger::Mode::kSingle);
   });

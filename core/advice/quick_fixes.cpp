@@ -222,7 +222,7 @@ std::vector<QuickFix> quick_fixes(const Project& project, const Finding& finding
       if (one.code == finding.code && one.place.key == finding.place.key) return true;
       const bool there = std::ranges::any_of(slaves, [&](int slave) { return slave == one.place.slave; });
       if (one.code == finding.code && there) return true;
-      return one.severity >= finding.severity && !contains(before, one);
+      return one.severity >= std::min(finding.severity, Severity::kWarning) && !contains(before, one);
     });
   };
   std::vector<QuickFix> fixes;

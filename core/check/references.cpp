@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 #include <unordered_map>
 
@@ -79,6 +80,8 @@ void check_wiring(const NetworkView& view, Findings& findings) {
   std::vector<std::optional<PreviousPort>> wiring;
   for (const auto& slave : slaves) wiring.push_back(slave.previous);
   const auto entries = entry_ports(wiring);
+  std::map<std::uint16_t, int> with_address;
+  for (const auto& slave : slaves) ++with_address[slave.station_address];
   std::size_t group_end = 0;  // slaves of hot-connect groups may be plugged in anywhere
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     if (slaves[i].hot_connect) group_end = i + slaves[i].hot_connect->member_count;
@@ -92,7 +95,10 @@ void check_wiring(const NetworkView& view, Findings& findings) {
     if (previous->position > i) {
       findings.add("ENI-REF-11", place, view.slave<"slave">(previous->position));
     }
-    if (i >= group_end && !used.emplace(previous->position, previous->port).second) {
+    // Whose port it is an address that two have does not say; that there are two is said.
+    const bool known =
+        previous->position >= slaves.size() || with_address[slaves[previous->position].station_address] == 1;
+    if (i >= group_end && known && !used.emplace(previous->position, previous->port).second) {
       findings.add("ENI-REF-09", place, fig::text<"port">(std::string(1, static_cast<char>('A' + previous->port))),
                    view.slave<"slave">(previous->position));
     }

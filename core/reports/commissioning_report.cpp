@@ -45,14 +45,17 @@ std::string head(const RunRecord& run, const CommissioningFacts& facts, const Ac
                                                                               ? "r-error"
                                                                               : "r-warning");
   table.row({"Machine", facts.machine});
-  table.row({"Watched", fmt::format("{} to {}", utc(overview.armed.value_or(overview.begin)), utc(overview.end))});
+  table.row({"Watched", fmt::format("{} to {}", utc(overview.armed.value_or(overview.begin)), utc(overview.end)) +
+                            (run.simulated() ? " by the clock of a simulated machine" : "")});
   table.row({"Recording", facts.recording.empty() ? "none: out of memory" : facts.recording});
   table.row({"Run by", facts.recorded_by.empty() ? "not told" : facts.recorded_by});
   table.row({"Link", facts.link.empty() ? "not told" : facts.link});
   table.row({"End", facts.ended ? *facts.ended : std::string("cut short, or it goes on")});
   for (const auto& document : facts.documents) {
     table.row(
-        {document.kind == "project" ? "Project" : "Configuration",
+        {document.kind == "project"    ? "Project"
+         : document.kind == "triggers" ? "Triggers"
+                                       : "Configuration",
          fmt::format("{}, {} bytes, SHA-256 {}", document.name, document.body.size(), sha256_text(document.body))});
   }
   table.row({"Report", fmt::format("{}, {}", facts.date, facts.program)});

@@ -79,7 +79,7 @@ std::vector<Setting> window_rows() {
           [](auto& p, const Place&) -> auto& { return window(p).exponent; }),
       field_setting(
           "master.dc.sync_window_settle_ms", integer(0, limits::kLongestSettleMs, "ms"),
-          {.label = "Settle time",
+          {.label = "Settle time of the window",
            .help = "Time inside the window before the bus counts as in sync.",
            .no_eni = not_in_eni::kJudged},
           [](auto& p, const Place&) -> auto& { return window(p).settle_time_ms; }),

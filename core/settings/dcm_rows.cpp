@@ -93,7 +93,7 @@ std::vector<Setting> judgement_rows() {
           [](auto& p, const Place&) -> auto& { return dcm(p).in_sync_limit; }),
       field_setting(
           "master.dc.in_sync_settle_ms", integer(0, limits::kLongestSettleMs, "ms"),
-          {.label = "Settle time",
+          {.label = "Settle time of the controller",
            .help = "Time inside that limit before the controller counts as in sync; 0 is 1500 ms.",
            .object = "dwInSyncSettleTime",
            .no_eni = not_in_eni::kJudged},

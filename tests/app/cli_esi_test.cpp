@@ -114,7 +114,7 @@ TEST_F(CliEsi, ACacheThatIsSomethingElseIsRefused) {
   const auto run = esi({"search", "x"});
   EXPECT_EQ(run.code, cli::kFailed);
   EXPECT_THAT(run.err, HasSubstr("it is no device catalogue"));
-  EXPECT_THAT(run.err, HasSubstr("delete it and it is made again"));
+  EXPECT_THAT(run.err, HasSubstr("Delete it"));
   EXPECT_EQ(read_text(database()), "my own file");
   const auto project =
       cli_run({"project", "create", folder_.file("m.syncline"), "--scan", demo(), "--cache", database()});

@@ -303,7 +303,7 @@ TEST_F(FromCatalogue, AnotherRevisionKeepsWhatTheUserSet) {
   }));
   auto& tree = *find<QTreeView>(*window_, "explorerTree");
   tree.setFocus();
-  QTest::keyClick(&tree, Qt::Key_R, Qt::ControlModifier);
+  QTest::keyClick(&tree, Qt::Key_H, Qt::ControlModifier);
   auto* dialog = window_->findChild<QDialog*>(QStringLiteral("replaceDialog"));
   ASSERT_NE(dialog, nullptr);
   auto* list = find<QListWidget>(*dialog, "replaceList");

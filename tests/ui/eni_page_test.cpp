@@ -349,6 +349,14 @@ TEST_F(EniPageTest, OpensAtWhatChanged) {
   EXPECT_FALSE(kind().isEmpty()) << "the first of all";
 }
 
+TEST_F(EniPageTest, ANewLayoutLeavesItsLinesWhole) {
+  open();
+  const int width = text().columnWidth(EniModel::kText);
+  ASSERT_GT(width, 300);
+  field<QAction>("actionResetLayout").trigger();
+  EXPECT_EQ(text().columnWidth(EniModel::kText), width);
+}
+
 TEST_F(EniPageTest, ComparesWithTheTimeThatIsChosen) {
   const QTemporaryDir folder;
   open();

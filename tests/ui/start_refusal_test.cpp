@@ -10,6 +10,7 @@
 #include "support/running_window.h"
 #include "ui/dialogs/found_dialog.h"
 #include "ui/panels/explorer_panel.h"
+#include "ui/panels/live_strip.h"
 
 namespace syncline::ui {
 namespace {
@@ -38,6 +39,11 @@ TEST_F(RefusedStart, IsSaidBelowThePagesUntilItIsClosed) {
   start();
   ASSERT_TRUE(field("startBar").isVisible());
   EXPECT_TRUE(said().contains(QString::fromStdString(project().slaves[kServo].name))) << qPrintable(said());
+  EXPECT_TRUE(said().contains(QStringLiteral("0x00007002")))
+      << "as the project and the ESI write it: " << qPrintable(said());
+  EXPECT_FALSE(said().contains(QStringLiteral("further")))
+      << "one slave, however often it was asked: " << qPrintable(said());
+  EXPECT_LE(window_.liveStrip().height(), 2 * window_.fontMetrics().height()) << "nothing to plot";
   window_.selectNode(kCoupler);
   field<QPushButton>("startBarSlave").click();
   EXPECT_EQ(window_.explorer().selected(), kServo);
@@ -51,6 +57,9 @@ TEST_F(RefusedStart, LooksAtTheBusBesideTheProject) {
   field<QPushButton>("startBarScan").click();
   ASSERT_TRUE(test::waitFor([this] { return window_.findChild<FoundDialog*>() != nullptr; }));
   window_.findChild<FoundDialog*>()->reject();
+  EXPECT_TRUE(field("startBar").isVisible());
+  workspace_.document().replace(QStringLiteral("taken over"), test::smallProject());
+  EXPECT_FALSE(field("startBar").isVisible()) << "other slaves, perhaps those of the bus";
 }
 
 TEST_F(RefusedStart, IsForgottenWithAStartThatSucceeds) {

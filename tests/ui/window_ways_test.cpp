@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QHash>
+#include <QKeySequence>
 #include <QLabel>
 #include <QListWidget>
 #include <QTabWidget>
@@ -12,6 +13,7 @@
 #include <QUndoStack>
 #include <QWhatsThis>
 
+#include "settings/settings_table.h"
 #include "support/running_window.h"
 #include "support/speak.h"
 #include "ui/dialogs/link_chooser.h"
@@ -84,6 +86,53 @@ TEST_F(WaysOfTheWindow, ThePagesHaveTheRoomWhileThereIsNothingToPlot) {
   window_.selectNode(kServo);
   QApplication::processEvents();
   EXPECT_EQ(window_.liveStrip().height(), usual) << "as it was";
+}
+
+TEST_F(WaysOfTheWindow, ThePageOfASlaveIsThatOfTheNextOneAlsoByWayOfTheMaster) {
+  load();
+  show(kServo, "slaveRegistersPage");
+  window_.selectNode(-1);
+  EXPECT_NE(window_.place().page, QStringLiteral("slaveRegistersPage"));
+  window_.selectNode(kOtherServo);
+  EXPECT_EQ(window_.place().page, QStringLiteral("slaveRegistersPage"));
+}
+
+/// Values that the ESI gives for 1 ms are written for the cycle that is set.
+TEST_F(WaysOfTheWindow, TheStartUpPageSaysWhatIsSentOtherwise) {
+  load();
+  show(kServo, "slaveStartupPage");
+  auto& sent = field<QLabel>("startupSent");
+  EXPECT_FALSE(sent.isVisible()) << qPrintable(sent.text());
+  const auto& cycle = settings::row("master.cycle_time_us");
+  ASSERT_TRUE(workspace_.document().set(QStringLiteral("cycle"), {{&cycle, {}, std::int64_t{500 * kMicrosecond}}}));
+  static_cast<void>(workspace_.configuration().current());
+  QApplication::processEvents();
+  ASSERT_TRUE(sent.isVisible());
+  EXPECT_TRUE(sent.text().contains(QStringLiteral("0x60C2:01 = 0x05"))) << qPrintable(sent.text());
+  EXPECT_TRUE(sent.text().contains(QStringLiteral("0x60C2:02 = 0xFC"))) << qPrintable(sent.text());
+  EXPECT_TRUE(sent.text().contains(QStringLiteral("500")));
+}
+
+/// No two commands of the window hear the same key where both are there.
+TEST_F(WaysOfTheWindow, EachKeyHasOneCommand) {
+  QHash<QKeySequence, QString> used;
+  for (const auto* action : window_.findChildren<QAction*>()) {
+    const bool of_a_part =
+        action->shortcutContext() == Qt::WidgetWithChildrenShortcut || action->shortcutContext() == Qt::WidgetShortcut;
+    if (of_a_part) continue;
+    for (const auto& key : action->shortcuts()) {
+      EXPECT_FALSE(used.contains(key)) << qPrintable(key.toString()) << ": " << qPrintable(action->objectName())
+                                       << " and " << qPrintable(used[key]);
+      used[key] = action->objectName();
+    }
+  }
+  for (const auto* action : window_.findChildren<QAction*>()) {
+    if (action->shortcutContext() != Qt::WidgetWithChildrenShortcut || !action->objectName().startsWith(u"action"))
+      continue;
+    for (const auto& key : action->shortcuts())
+      EXPECT_FALSE(used.contains(key)) << "in its part of the window neither is done: " << qPrintable(key.toString())
+                                       << " " << qPrintable(action->objectName()) << " and " << qPrintable(used[key]);
+  }
 }
 
 /// The figures of the plots stay; the plots come back by a click, or because something is to be shown in them.

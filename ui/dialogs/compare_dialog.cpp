@@ -279,7 +279,8 @@ void CompareDialog::showResult() {
   auto told = model_->differences() == 0 ? tr("There is no difference.")
                                          : tr("%n difference(s)", nullptr, model_->differences());
   if (const int changes = model_->changes(); changes > 0 && changes < model_->differences())
-    told += u' ' + tr("(%n change(s) of the project, and what follows or makes no difference)", nullptr, changes);
+    told += u' ' + tr("(%n of them are changes of the project; the others follow from these, or change nothing)",
+                      nullptr, changes);
   if (!result->unread.empty()) told += u' ' + findingWhole(result->unread.front());
   status_->setText(told);
 }

@@ -102,6 +102,7 @@ void LinkChooser::browse() {
   if (file.isEmpty()) return;
   addLink(QStringLiteral("sim:") + file, QFileInfo(file).fileName(), tr("Simulated bus"), QStringLiteral("demo"));
   list_->setCurrentRow(list_->count() - 1);
+  list_->setFocus();  // Enter takes it
 }
 
 }  // namespace syncline::ui

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "record/import_run.h"
+#include "record/run_record.h"
 #include "ui/dialogs/black_box_dialog.h"
 #include "ui/dialogs/commissioning_dialog.h"
 #include "ui/dialogs/error_dialog.h"
@@ -139,6 +140,9 @@ QString RecordingCommands::saveLastText() const {
 void RecordingCommands::saveLast() {
   auto& disk = workspace_.disk();
   const auto remembered = disk.remembered();
+  const auto* record = workspace_.runs().current().run.record();
+  // Of the moment of the click: while somebody chooses, the run goes on.
+  const auto now = record != nullptr && !record->samples().empty() ? record->samples().last_time() : 0;
   QStringList choices{tr("All that is in memory: %1").arg(spanText(remembered))};
   std::vector<Nanoseconds> spans{remembered};
   for (const auto span : {10 * kSecond, 60 * kSecond, 600 * kSecond}) {
@@ -155,7 +159,9 @@ void RecordingCommands::saveLast() {
   const auto span = spans[static_cast<std::size_t>(std::max<qsizetype>(choices.indexOf(choice), 0))];
   const auto path = askFile(tr("Save the Last"));
   if (path.isEmpty()) return;
-  if (auto status = disk.saveLast(span, path); !status) tell(tr("Nothing could be saved."), status.error());
+  const bool all = span == remembered;
+  const auto status = all ? disk.saveLast(disk.remembered(), path) : disk.saveRange(now - span, now, path);
+  if (!status) tell(tr("Nothing could be saved."), status.error());
 }
 
 void RecordingCommands::saveRange(Nanoseconds from, Nanoseconds to) {

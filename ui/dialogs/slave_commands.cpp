@@ -29,7 +29,7 @@ SlaveCommands::SlaveCommands(Workspace& workspace, DeviceCatalogue& catalogue, Q
   move_down = make("actionMoveDown", tr("Move Do&wn"), tr("Change places with the slave behind it in its line"),
                    QKeySequence(Qt::ALT | Qt::Key_Down));
   replace = make("actionReplaceSlave", tr("Re&place…"), tr("Put another revision or another device in its place"),
-                 QKeySequence(Qt::CTRL | Qt::Key_R));
+                 QKeySequence(Qt::CTRL | Qt::Key_H));
   remove = make("actionRemoveSlave", tr("Remo&ve"), tr("Take the slave with its branches out; its line closes"),
                 QKeySequence(Qt::Key_Delete));
   // The others are keys of the explorer: in a field they mean something else.

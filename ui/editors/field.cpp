@@ -44,6 +44,7 @@ void markField(QWidget& field, const QString& reason) {
   if (!marked && reason.isEmpty()) return;
   if (!marked) field.setProperty(kToolTip, field.toolTip());
   field.setProperty(kReason, reason.isEmpty() ? QVariant() : QVariant(reason));
+  if (reason.isEmpty() && QToolTip::text() == field.accessibleDescription()) QToolTip::hideText();
   const auto usual = field.property(kToolTip).toString();
   field.setToolTip(reason.isEmpty() ? usual : reason + QStringLiteral("\n\n") + usual);
   field.setAccessibleDescription(reason);
@@ -56,7 +57,8 @@ void refuseText(QWidget& field, const QString& reason) {
   markField(field, reason);
   // Afterwards: the focus that goes on now takes every tip away.
   const auto tell = [&field, reason] {
-    if (field.isVisible()) QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), reason, &field);
+    if (field.isVisible() && field.accessibleDescription() == reason)
+      QToolTip::showText(field.mapToGlobal(field.rect().bottomLeft()), reason, &field);
   };
   QMetaObject::invokeMethod(&field, tell, Qt::QueuedConnection);
 }

@@ -70,6 +70,10 @@ QString FoundModel::difference(const FoundSlave& line) const {
       return tr("Revision %1 instead of %2")
           .arg(hexText(found->device.identity.revision_no, 8), hexText(ours->device.identity.revision_no, 8));
     case FoundKind::kOtherDevice:
+      if (deviceText(*found) == deviceText(*ours))
+        return tr("Vendor %1, product %2 instead of %3, %4")
+            .arg(hexText(found->device.identity.vendor_id, 8), hexText(found->device.identity.product_code, 8),
+                 hexText(ours->device.identity.vendor_id, 8), hexText(ours->device.identity.product_code, 8));
       return tr("%1 instead of %2").arg(deviceText(*found), deviceText(*ours));
     case FoundKind::kMissing:
       return tr("Not on the bus; ticked: goes out of the project");

@@ -210,11 +210,14 @@ void DeviceEditor::reveal(Page* page) {
 }
 
 void DeviceEditor::showNode(int slave) {
+  if (const auto* now = static_cast<Page*>(tabs_->currentWidget()))
+    (slave_ < 0 ? front_of_master_ : front_of_slaves_) = now->title();
+  const bool other_kind = (slave < 0) != (slave_ < 0);
   slave_ = slave;
   for (auto* page : pages_) {
     if (page->appliesTo(slave)) page->setNode(slave);
   }
-  chooseTabs();
+  chooseTabs(other_kind ? (slave < 0 ? front_of_master_ : front_of_slaves_) : QString());
   refresh();
   state_bar_->setSlave(slave);
   showLive();
@@ -274,7 +277,9 @@ void DeviceEditor::revertFields() {
   for (auto* page : pages_) page->fields().revert();
 }
 
-void DeviceEditor::chooseTabs() {
+/// `front`: the page to bring there, by its title; where there is none, the same kind of page stays, and so does one
+/// that master and slaves have alike.
+void DeviceEditor::chooseTabs(QString front) {
   QList<Page*> wanted;
   for (auto* page : pages_) {
     if (!page->appliesTo(slave_) || !isShown(*page)) continue;
@@ -288,9 +293,9 @@ void DeviceEditor::chooseTabs() {
   if (auto* now = tabs_->currentWidget();
       now != nullptr && !wanted.contains(now) && now->isAncestorOf(window()->focusWidget()))
     tabs_->setFocus();
-  // The same kind of page stays in front when the selection moves on.
-  const auto front =
-      tabs_->currentWidget() != nullptr ? static_cast<Page*>(tabs_->currentWidget())->title() : QString();
+  auto* now_in_front = static_cast<Page*>(tabs_->currentWidget());
+  const bool known = std::ranges::find(wanted, front, &Page::title) != wanted.end();
+  if (now_in_front != nullptr && (!known || wanted.contains(now_in_front))) front = now_in_front->title();
   // What comes before what goes: each page that is taken away from the front would bring the next one there, laid out.
   int place = 0;
   for (auto* page : wanted) {

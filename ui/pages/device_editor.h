@@ -77,7 +77,7 @@ class DeviceEditor final : public QWidget {
   void refresh();
   void showNotes();
   void showLive();
-  void chooseTabs();
+  void chooseTabs(QString front = {});
   [[nodiscard]] Segments* buildModes();
   void buildEniKey();
   [[nodiscard]] bool isShown(const Page& page) const;
@@ -97,6 +97,7 @@ class DeviceEditor final : public QWidget {
   EniPage* eni_ = nullptr;
   SlaveObjectsPage* objects_ = nullptr;
   int slave_ = -1;
+  QString front_of_master_, front_of_slaves_;  // titles of the pages that were in front last
 };
 
 }  // namespace syncline::ui

@@ -34,6 +34,7 @@ EniTextView::EniTextView(EniModel& model, QWidget* parent) : QTableView(parent),
   setModel(&model_);
   horizontalHeader()->hide();
   horizontalHeader()->setMinimumSectionSize(8);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // by adaptColumns(): nobody drags them
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   verticalHeader()->setMinimumSectionSize(fontMetrics().height());
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 2);

@@ -121,9 +121,9 @@ InitCommandsPage::InitCommandsPage(Workspace& workspace)
   table_ = named(new QTableView, "initCommandTable", tr("Init commands"));
   table_->setModel(filter_);
   setUpTable(*table_);
-  const std::pair<InitColumn, int> widths[] = {{kInitSlave, 130},  {kInitTransition, 90}, {kInitCommand, 110},
-                                               {kInitTarget, 190}, {kInitData, 130},      {kInitAnswer, 150},
-                                               {kInitOrigin, 130}};
+  const std::pair<InitColumn, int> widths[] = {{kInitSlave, 120},  {kInitTransition, 80}, {kInitCommand, 90},
+                                               {kInitTarget, 170}, {kInitData, 110},      {kInitAnswer, 120},
+                                               {kInitOrigin, 100}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setMinimumHeight(kLowestInitTable);

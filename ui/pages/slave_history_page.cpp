@@ -72,11 +72,12 @@ SlaveHistoryPage::SlaveHistoryPage(Workspace& workspace)
   setUpTable(*table_);
   table_->setModel(model_);
   const std::pair<DiagnosisModel::Column, int> widths[] = {{DiagnosisModel::kPlace, 76},  {DiagnosisModel::kType, 82},
-                                                           {DiagnosisModel::kState, 104}, {DiagnosisModel::kText, 270},
-                                                           {DiagnosisModel::kTime, 172},  {DiagnosisModel::kCode, 92},
+                                                           {DiagnosisModel::kState, 104}, {DiagnosisModel::kText, 300},
+                                                           {DiagnosisModel::kTime, 156},  {DiagnosisModel::kCode, 92},
                                                            {DiagnosisModel::kStamp, 152}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setMinimumSectionSize(60);
+  table_->horizontalHeader()->setStretchLastSection(true);
   layout->addWidget(table_, 1);
   layout->addWidget(buildStatus("historyStatus"));
   connectReaders();

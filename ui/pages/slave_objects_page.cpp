@@ -109,8 +109,9 @@ void SlaveObjectsPage::fillFavourites() {
   const auto& device = settings()->device;
   const auto type = QString::fromStdString(device.type);
   const auto liked = FavouriteObjects(workspace().memory()).of(device.identity);
-  auto* watch =
-      favourites_->addAction(tr("&Watch %n favourite(s) of %1", nullptr, static_cast<int>(liked.size())).arg(type));
+  auto* watch = favourites_->addAction(
+      liked.empty() ? tr("No favourites of %1 yet").arg(type)
+                    : tr("&Watch %n favourite(s) of %1", nullptr, static_cast<int>(liked.size())).arg(type));
   watch->setObjectName(QStringLiteral("favouritesWatch"));
   watch->setEnabled(!liked.empty());
   connect(watch, &QAction::triggered, this, [this, liked] {

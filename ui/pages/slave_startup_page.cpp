@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pages/slave_startup_page.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
+#include "config/network_config.h"
 #include "config/startup_messages.h"
+#include "config/sync_unit_cycle.h"
 #include "protocol/coe_data_type.h"
 #include "protocol/object_value.h"
 #include "settings/predicates.h"
@@ -17,8 +20,12 @@
 #include "ui/editors/object_picker.h"
 #include "ui/editors/record_editor.h"
 #include "ui/editors/record_form.h"
+#include "ui/models/dictionary.h"
 #include "ui/pages/message_parts.h"
 #include "ui/pages/startup_parts.h"
+#include "ui/session/workspace.h"
+#include "ui/text/joined_text.h"
+#include "ui/text/units.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/named.h"
 
@@ -58,6 +65,10 @@ SlaveStartupPage::SlaveStartupPage(Workspace& workspace) : Page(workspace, "slav
   layout->setContentsMargins(12, 10, 12, 10);
   layout->setSpacing(14);
   layout->addWidget(coe_, 1);
+  sent_ = named(new QLabel, "startupSent", tr("What is sent otherwise than listed"));
+  sent_->setWordWrap(true);
+  sent_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layout->addWidget(sent_);
   layout->addWidget(soe_, 1);
   for (const auto& [type, name, key] : kMessageLists) {
     const auto protocol = std::ranges::find(kMessageProtocols, type, &MessageProtocol::type);
@@ -167,6 +178,33 @@ void SlaveStartupPage::showPlace(const settings::Setting& setting, const setting
     if (setting.key == list.key) list.editor->select(item);
 }
 
+/// Values of the ESI that depend on the bus cycle are written for the one that is set.
+void SlaveStartupPage::showSent() {
+  QStringList sent;
+  const auto* config = workspace().configuration().config();
+  const auto at = static_cast<std::size_t>(node());
+  if (config != nullptr && at < config->slaves.size() && config->slaves[at].mailbox) {
+    const auto& listed = slave()->startup;
+    for (const auto& cmd : config->slaves[at].mailbox->coe_commands) {
+      const auto& command = cmd.command;
+      const bool of_listed = std::ranges::find(listed, command.index, &StartupCommand::index) != listed.end();
+      const bool as_listed = std::ranges::any_of(listed, [&command](const StartupCommand& one) {
+        return one.index == command.index && one.sub_index == command.sub_index && one.data == command.data;
+      });
+      if (!of_listed || as_listed || command.data.size() > sizeof(std::uint64_t)) continue;
+      std::uint64_t value = 0;
+      for (std::size_t i = command.data.size(); i-- > 0;) value = value << 8 | command.data[i];
+      sent << QStringLiteral("%1 = %2").arg(objectText({command.index, command.sub_index}),
+                                            hexText(value, static_cast<int>(command.data.size()) * 2));
+    }
+  }
+  sent_->setText(sent.isEmpty()
+                     ? QString()
+                     : tr("Sent for a bus cycle of %1, otherwise than listed: %2.")
+                           .arg(cycleText(compiler::sync_unit_cycle(project().master, *slave())), joinedParts(sent)));
+  sent_->setVisible(!sent.isEmpty());
+}
+
 void SlaveStartupPage::refresh() {
   const auto* of = slave();
   if (of == nullptr) return;
@@ -181,6 +219,7 @@ void SlaveStartupPage::refresh() {
   }
   showTypes();
   fields().refresh();
+  showSent();
   coe_->refreshButtons();
   soe_->refreshButtons();
   for (const auto& list : messages_) list.editor->refreshButtons();

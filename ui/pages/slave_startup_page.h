@@ -10,6 +10,7 @@
 #include "ui/editors/page.h"
 
 class QComboBox;
+class QLabel;
 
 namespace syncline {
 struct MessageProtocol;
@@ -44,6 +45,7 @@ class SlaveStartupPage final : public Page {
   void showTypes();
   void chooseObject();
   [[nodiscard]] const SlaveSettings* slave() const;
+  void showSent();
   [[nodiscard]] std::uint16_t typeOf(const StartupCommand& command) const;
   [[nodiscard]] std::optional<StartupCommand> selected() const;
 
@@ -55,6 +57,7 @@ class SlaveStartupPage final : public Page {
   };
 
   RecordEditor *coe_, *soe_;
+  QLabel* sent_;
   std::vector<Messages> messages_;
   QComboBox* type_;
   QWidget* choose_;

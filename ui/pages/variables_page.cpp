@@ -71,10 +71,10 @@ VariablesPage::VariablesPage(Workspace& workspace) : Page(workspace, "variablesP
   table_ = named(new QTableView, "variableTable", tr("Variables of the process image"));
   table_->setModel(filter_);
   setUpTable(*table_);
-  const std::pair<VariableModel::Column, int> widths[] = {{VariableModel::kDirection, 80}, {VariableModel::kType, 80},
-                                                          {VariableModel::kPlace, 70},     {VariableModel::kValue, 140},
-                                                          {VariableModel::kRaw, 130},      {VariableModel::kForced, 80},
-                                                          {VariableModel::kMonitor, 80}};
+  const std::pair<VariableModel::Column, int> widths[] = {{VariableModel::kDirection, 72}, {VariableModel::kType, 70},
+                                                          {VariableModel::kPlace, 60},     {VariableModel::kValue, 104},
+                                                          {VariableModel::kRaw, 92},       {VariableModel::kForced, 68},
+                                                          {VariableModel::kMonitor, 72}};
   for (const auto& [column, width] : widths) table_->setColumnWidth(column, width);
   stretchColumn(*table_, VariableModel::kName);
   table_->setTextElideMode(Qt::ElideMiddle);  // slave in front, entry behind

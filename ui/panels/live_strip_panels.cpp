@@ -170,9 +170,8 @@ QString Sm2Panel::summary(Nanoseconds time) const {
       highest = found;
     }
   }
-  if (fastest == nullptr)
-    return source().overview().missed.known ? tr("no reading in the range shown") : tr("no slave has this counter");
-  if (highest == 0) return tr("none", "SM2 events missed in the range shown");
+  if (fastest == nullptr) return source().overview().missed.known ? tr("no reading") : tr("no slave has this counter");
+  if (highest == 0) return QStringLiteral("0/s");  // in the range, while the legend counts all of the run
   return tr("%1: %2/s").arg(fastest->title().text(), QLocale().toString(highest, 'f', highest < 10 ? 2 : 0));
 }
 

@@ -67,7 +67,7 @@ OverviewPanel::OverviewPanel(QWidget* parent)
              "wire has or-ed of all of them: none is off by more, and perhaps none by so much"))),
       missed_(new FigureCard("overviewMissed", tr("SM2 events missed"),
                              tr("Object 0x1C32:0B or 0x1C32:0C of the slaves that have one, since it was armed"))),
-      dcm_(new FigureCard("overviewDcm", tr("DCM error"),
+      dcm_(new FigureCard("overviewDcm", tr("DCM error (raw)"),
                           tr("Time of the frame at the reference clock minus its wanted time in the cycle. The margin "
                              "is that of the filtered error as far as it has lasted for 200 ms: what is over before "
                              "is no loss of synchronisation"))),

@@ -62,17 +62,18 @@ void SlaveStateBar::setSlave(int slave) {
 }
 
 /// "SAFEOP + ERR, 0x001B: sync manager watchdog"
-QString SlaveStateBar::status() const {
+QString SlaveStateBar::status(bool whole) const {
   const auto running = runningSlave(workspace_, slave_);
   if (!running) return tr("The machine was started without this slave.");
   if (!running->present()) return tr("No answer (register 0x0130)");
   const auto status = running->status->al_status;
-  auto text = tr("AL status %1: %2").arg(hexText(status, 4), stateName(running->state()));
+  auto text =
+      whole ? tr("AL status %1: %2").arg(hexText(status, 4), stateName(running->state())) : stateName(running->state());
   if ((status & kAlErrorFlag) == 0) return text;
   const auto code = running->status->al_status_code;
   const auto words = al_status_code_text(code);
   text += QStringLiteral(" + ERR, %1 %2").arg(hexText(code, 4), fromView(words.meaning));
-  return words.check.empty() ? text : text + QStringLiteral(" \u2013 ") + fromView(words.check);
+  return words.check.empty() || !whole ? text : text + QStringLiteral(" \u2013 ") + fromView(words.check);
 }
 
 std::uint16_t SlaveStateBar::statusNow() const {
@@ -99,7 +100,10 @@ void SlaveStateBar::showLive() {
   ageAnswer();
   const auto running = runningSlave(workspace_, slave_);
   const bool failed = commands_.failed(slave_);
-  text_->setText(answer_.isEmpty() ? status() : QStringLiteral("%1 \u2013 %2").arg(answer_, status()));
+  const auto said = [this](bool whole) {
+    return answer_.isEmpty() ? status(whole) : QStringLiteral("%1 \u2013 %2").arg(answer_, status(whole));
+  };
+  text_->setText(said(true), said(false));
   auto colors = palette();
   const bool red = failed || (bad_ && !answer_.isEmpty());
   if (red) colors.setColor(QPalette::WindowText, theme::toneColor(colors, theme::Tone::kBad));

@@ -26,7 +26,8 @@ class SlaveStateBar final : public QWidget {
   void showLive();
 
  private:
-  [[nodiscard]] QString status() const;
+  /// `whole`: with the number of the state, and what to check of an error.
+  [[nodiscard]] QString status(bool whole) const;
   [[nodiscard]] std::uint16_t statusNow() const;
   void ageAnswer();
 

@@ -50,8 +50,8 @@ void StartBar::refresh() {
   const auto& reason = refusal_.reason();
   auto text = reason ? tr("The machine did not start. %1: %2").arg(reason->source, reason->text)
                      : tr("The machine did not start; the messages say how far it came.");
-  if (const int more = refusal_.furtherErrors(); more > 0)
-    text += u' ' + tr("(%n further error(s) in the messages)", nullptr, more);
+  if (const int more = refusal_.furtherSlaves(); more > 0)
+    text += u' ' + tr("(%n further slave(s) in the messages)", nullptr, more);
   text_->setText(text);
   slave_->setVisible(reason && reason->slave >= 0);
 }

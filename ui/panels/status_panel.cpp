@@ -118,8 +118,7 @@ void StatusPanel::showRecorded() {
     const auto reading = told(signal);
     return reading ? countText(static_cast<std::uint64_t>(reading->value)) : noText();
   };
-  losses_->setText(tr("Lost %1  Late %2  Left out %3")
-                       .arg(count(Signal::kLostFrames), count(Signal::kLateFrames), count(Signal::kLeftOutCycles)));
+  showLosses(count(Signal::kLostFrames), count(Signal::kLateFrames), count(Signal::kLeftOutCycles), {});
 }
 
 void StatusPanel::showSlavesSync(StateText verdict, const std::optional<SlavesStanding>& standing) {
@@ -156,12 +155,21 @@ void StatusPanel::showLive() {
   drift_->setText(tr("Drift %1").arg(drifting ? ppmText(snapshot.dcm.drift_ppm) : QStringLiteral("\u2013")));
   cycle_->setText(tr("Cycle %1").arg(cycleText(snapshot.online ? snapshot.cycle_time : project.master.cycle_time)));
   const auto dropped = live.droppedSamples();
-  auto losses =
-      tr("Lost %1  Late %2  Left out %3")
-          .arg(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles));
-  if (dropped > 0) losses += tr("  Dropped %1").arg(countText(dropped));
-  losses_->setText(losses);
+  showLosses(countText(snapshot.lost_frames), countText(snapshot.late_frames), countText(snapshot.skipped_cycles),
+             dropped > 0 ? countText(dropped) : QString());
   forced_->setState(theme::Tone::kWarning, tr("%n bit(s) forced", nullptr, static_cast<int>(snapshot.forced_bits)));
+}
+
+/// In a narrow window the figures alone, in the same order: the tool tip names them.
+void StatusPanel::showLosses(const QString& lost, const QString& late, const QString& left_out,
+                             const QString& dropped) {
+  auto text = tr("Lost %1  Late %2  Left out %3").arg(lost, late, left_out);
+  QStringList figures{lost, late, left_out};
+  if (!dropped.isEmpty()) {
+    text += tr("  Dropped %1").arg(dropped);
+    figures << dropped;
+  }
+  static_cast<ValueLabel*>(losses_)->setText(text, figures.join(QStringLiteral(" / ")));
 }
 
 /// What goes on where nobody looks: with one network its state, with more how many and the gravest tone.

@@ -36,6 +36,7 @@ class StatusPanel final : public QObject {
   void showSlavesSync(StateText verdict, const std::optional<SlavesStanding>& standing);
   void showRecording();
   void showBlackBox();
+  void showLosses(const QString& lost, const QString& late, const QString& left_out, const QString& dropped);
   void showOthers();
 
   Workspace& workspace_;

@@ -153,8 +153,8 @@ TriggerPanel::TriggerPanel(TriggerMonitor& monitor, QWidget* parent) : QWidget(p
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
   table_->setToolTip(tr("Enter or a double click shows the episode in the plots; F2 names it"));
   table_->setMinimumHeight(44);
-  for (const auto& [column, width] : {std::pair(kTimeColumn, 90), std::pair(kCycleColumn, 70),
-                                      std::pair(kSlaveColumn, 100), std::pair(kNameColumn, 90)})
+  for (const auto& [column, width] : {std::pair(kTimeColumn, 84), std::pair(kCycleColumn, 64),
+                                      std::pair(kSlaveColumn, 76), std::pair(kNameColumn, 66)})
     table_->setColumnWidth(column, width);
   table_->horizontalHeader()->setSectionResizeMode(kCauseColumn, QHeaderView::Stretch);
 
@@ -399,7 +399,8 @@ void TriggerPanel::showEpisodes() {
   showing_ = true;
   arm_->setChecked(monitor_.isArmed());
   auto state = monitor_.stateText();
-  if (const auto left_out = monitor_.leftOut(); left_out > 0) state += tr(", %1 left out").arg(countText(left_out));
+  if (const auto left_out = monitor_.leftOut(); left_out > 0)
+    state += tr(", %1 within the hold-off").arg(countText(left_out));
   state_->setText(state);
   const auto& episodes = monitor_.episodes();
   // Rows move up where early episodes are forgotten; who has chosen one keeps it.

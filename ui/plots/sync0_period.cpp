@@ -16,6 +16,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kMarks = 8;  // at most
+constexpr int kTooLateAlpha = 30;
 
 }  // namespace
 
@@ -40,7 +41,9 @@ void Sync0Period::drawSync0(QPainter& painter, std::optional<Nanoseconds> calc_a
   const auto palette = plot_.palette();
   if (calc_and_copy) {
     const double left = xOf(static_cast<double>(std::max<Nanoseconds>(period_ - *calc_and_copy, 0)));
-    painter.fillRect(QRectF(left, area_.top(), area_.right() - left, area_.height()), plot_colors::limitFill(palette));
+    auto too_late = plot_colors::limitLine(palette);  // what comes there is not used by this SYNC0
+    too_late.setAlpha(kTooLateAlpha);
+    painter.fillRect(QRectF(left, area_.top(), area_.right() - left, area_.height()), too_late);
     painter.setPen(QPen(plot_colors::limitLine(palette), 0, Qt::DashLine));
     painter.drawLine(QPointF(left, area_.top()), QPointF(left, area_.bottom()));
   }

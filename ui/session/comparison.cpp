@@ -56,7 +56,9 @@ Result<Compared> comparedSides(const SideContent& left, const Result<SideContent
 }  // namespace
 
 int changesOf(const std::vector<SettingDifference>& settings, const std::vector<ConfigDifference>& network) {
-  const auto slaves = std::ranges::count(network, DifferenceGroup::kSlaves, &ConfigDifference::group);
+  const auto slaves = std::ranges::count_if(network, [](const ConfigDifference& one) {
+    return one.group == DifferenceGroup::kSlaves && one.left_slave != one.right_slave;
+  });
   return static_cast<int>(std::ranges::count(settings, true, &SettingDifference::matters) + slaves);
 }
 

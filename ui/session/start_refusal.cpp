@@ -19,7 +19,7 @@ void StartRefusal::follow() {
   const auto before = std::exchange(phase_, live_.phase());
   const bool same_run = std::exchange(run_, &live_.run()) == &live_.run();
   if (phase_ == LiveSession::Phase::kStarting && (before != phase_ || !same_run)) {
-    errors_ = 0;
+    slaves_.clear();
     reason_.reset();
     return forget();
   }
@@ -35,7 +35,8 @@ void StartRefusal::take(const Event& event) {
   if (live_.phase() != LiveSession::Phase::kStarting || live_.record() == nullptr) return;
   auto message = messageOf(event, live_.record()->config());
   if (!message || message->severity != Severity::kError) return;
-  if (errors_++ == 0) reason_ = std::move(message);
+  if (message->slave >= 0) slaves_.insert(message->slave);
+  if (!reason_) reason_ = std::move(message);
 }
 
 void StartRefusal::forget() {

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <optional>
+#include <set>
 
 #include "ui/session/live_session.h"
 #include "ui/text/message.h"
@@ -25,8 +26,10 @@ class StartRefusal final : public QObject {
   [[nodiscard]] bool isRefused() const { return refused_; }
   /// The first error of that start; nothing where the master ended without one.
   [[nodiscard]] const std::optional<Message>& reason() const { return reason_; }
-  /// Of the same start.
-  [[nodiscard]] int furtherErrors() const { return errors_ > 0 ? errors_ - 1 : 0; }
+  /// Slaves that are wrong besides, in the same start.
+  [[nodiscard]] int furtherSlaves() const {
+    return static_cast<int>(slaves_.size()) - (reason_ && reason_->slave >= 0);
+  }
   void forget();
 
  Q_SIGNALS:
@@ -41,7 +44,7 @@ class StartRefusal final : public QObject {
   LiveSession::Phase phase_ = LiveSession::Phase::kOffline;
   bool refused_ = false;
   std::optional<Message> reason_;
-  int errors_ = 0;
+  std::set<int> slaves_;  // with an error
 };
 
 }  // namespace syncline::ui

@@ -72,6 +72,8 @@ Workspace::Workspace(Environment environment, QObject* parent)
     cables_.setProject(document_.project());
     network_.setConfiguration(document_.network(), configuration_.config());
   });
+  // Other slaves than those that did not start: perhaps mended.
+  connect(&document_, &ProjectDocument::slavesReplaced, &start_refusal_, &StartRefusal::forget);
   connect(&configuration_, &ConfigurationMonitor::compiled, this, [this] {
     network_.setConfiguration(document_.network(), configuration_.config());
     showFindings();

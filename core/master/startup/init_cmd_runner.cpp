@@ -135,8 +135,11 @@ void InitCmdWork::fail_validation() {
   const bool identity = command().ado == reg::kSiiData;
   Error error{identity ? ErrorCode::kIdentityMismatch : ErrorCode::kInitCmdValidation,
               identity ? context_.subject : what(command(), context_.subject)};
-  const auto due = fmt::format("{}{}", relation(command().validate->type), hex_bytes(wanted));
-  const auto found = hex_bytes(read.first(std::min(read.size(), wanted.size())));
+  const auto shown = [identity](std::span<const std::uint8_t> bytes) {
+    return identity && bytes.size() == 4 ? fmt::format("0x{:08X}", load_le<std::uint32_t>(bytes)) : hex_bytes(bytes);
+  };
+  const auto due = fmt::format("{}{}", relation(command().validate->type), shown(wanted));
+  const auto found = shown(read.first(std::min(read.size(), wanted.size())));
   const auto& comment = command().comment;
   error.detail = identity && !comment.empty()
                      ? because("{comment}: expected {wanted}, read {read}", comment, due, found)

@@ -146,6 +146,23 @@ TEST(QuickFixes, OfferTheCyclesNextToOneThatADeviceRefuses) {
   }
 }
 
+/// An error that goes is no bargain where a warning comes.
+TEST(QuickFixes, BringNoOtherFinding) {
+  auto project = two_axes();
+  project.master.cycle_time = 200 * kMicrosecond;
+  project.slaves[2].device.identity = {0x539, 0x02200301, 0x00040000, 0};
+  const auto before = checked(project);
+  const auto* finding = find(before, "ENI-DEV-01");
+  ASSERT_NE(finding, nullptr);
+  for (const auto& fix : quick_fixes(project, *finding, {}, 8)) {
+    auto changed = project;
+    apply(changed, fix);
+    for (const auto& one : checked(changed)) {
+      EXPECT_TRUE(one.severity == Severity::kNote || find(before, one.code) != nullptr) << one.code;
+    }
+  }
+}
+
 TEST(QuickFixes, GiveANameThatOthersHaveTheNextNumber) {
   auto project = two_axes();
   project.slaves[0].name = "Axis (2)";

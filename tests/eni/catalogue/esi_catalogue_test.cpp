@@ -332,7 +332,7 @@ TEST_F(Catalogue, LeavesWhatCannotBeKnownForOurs) {
     auto catalogue = EsiCatalogue::open(database());
     const auto added = catalogue ? catalogue->add_folder(folder().string()) : tl::unexpected(catalogue.error());
     ASSERT_FALSE(added);
-    EXPECT_THAT(describe(added.error()), HasSubstr("delete it and it is made again"));
+    EXPECT_THAT(describe(added.error()), HasSubstr("Delete it"));
     std::ifstream in(database(), std::ios::binary);
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), other);
   }
