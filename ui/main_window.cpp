@@ -383,13 +383,19 @@ void MainWindow::goToPlace(const Place& place) {
 /// What the workspace has already, when a window comes to it.
 void MainWindow::takeUp() {
   strip_->setViews(workspace_.document().views());
-  showRun();
+  showRecord();
   showWhetherItGoesOn();
   updateRecordingActions();
 }
 
-/// Plots and figures of what is shown: the run, or the recording in its place.
+/// Another run, or a recording in its place: an armed trigger looks at it.
 void MainWindow::showRun() {
+  workspace_.trigger().setRecord(workspace_.shownRecord(), workspace_.recording().isOpen());
+  showRecord();
+}
+
+/// Plots and figures of what is shown.
+void MainWindow::showRecord() {
   const bool recorded = workspace_.recording().isOpen();
   strip_->setPickedSlave(recorded ? -1 : workspace_.runningSlaves().positionOf(explorer_->selected()));
   strip_->setOfferedViews(recorded ? recordedViews(workspace_.recording().run().info.about)
@@ -397,7 +403,6 @@ void MainWindow::showRun() {
   strip_->setRecord(workspace_.shownRecord(), recorded);
   centre_->showStrip(workspace_.shownRecord() != nullptr);
   showLimits();
-  workspace_.trigger().setRecord(workspace_.shownRecord(), recorded);
   overview_->setRecord(workspace_.shownRecord(), recorded);
   overview_->setFindings(workspace_.shownFindings());
   if (recorded) showOverview(true);

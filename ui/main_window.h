@@ -81,6 +81,7 @@ class MainWindow final : public QMainWindow {
   void updateActions();
   void updateRecordingActions();
   void showRun();
+  void showRecord();
   void showLimits();
   void showOverview(bool overview);
   void goToMoment(qint64 moment);

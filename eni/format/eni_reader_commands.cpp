@@ -119,7 +119,7 @@ InitCmd read_init_cmd(const EniElement& element) {
 }
 
 std::vector<InitCmd> read_init_cmds(const EniElement& init_cmds) {
-  return read_each(init_cmds.children("InitCmd"), read_init_cmd);
+  return read_each(init_cmds.children("InitCmd"), [](const EniElement& cmd) { return read_init_cmd(cmd); });
 }
 
 CyclicTask read_cyclic(const EniElement& cyclic) {
@@ -130,7 +130,8 @@ CyclicTask read_cyclic(const EniElement& cyclic) {
   task.priority = cyclic.optional_number_of<std::int32_t>("Priority");
   task.task_id = cyclic.text_of("TaskId");
   task.frames = read_each(cyclic.children("Frame"), [](const EniElement& frame) {
-    return CyclicFrame{read_each(frame.children("Cmd"), read_cyclic_cmd), frame.text_of("Comment")};
+    return CyclicFrame{read_each(frame.children("Cmd"), [](const EniElement& cmd) { return read_cyclic_cmd(cmd); }),
+                       frame.text_of("Comment")};
   });
   return task;
 }

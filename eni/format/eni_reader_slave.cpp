@@ -140,7 +140,7 @@ ConfiguredPdo read_pdo(const EniElement& element) {
   pdo.overwritten_by_module = element.boolean_attribute("OverwrittenByModule");
   pdo.exclude = read_each(element.children("Exclude"),
                           [](const EniElement& excluded) { return excluded.number<std::uint16_t>(); });
-  pdo.entries = read_each(element.children("Entry"), read_entry);
+  pdo.entries = read_each(element.children("Entry"), [](const EniElement& entry) { return read_entry(entry); });
   return out;
 }
 
@@ -168,7 +168,8 @@ std::optional<HotConnectConfig> read_hot_connect(const EniElement& element) {
   HotConnectConfig group;
   group.group = element.text_of("GroupName");
   group.member_count = std::max<std::uint16_t>(1, element.number_of<std::uint16_t>("GroupMemberCnt", 1));
-  group.identify_cmds = read_each(element.children("IdentifyCmd"), read_init_cmd);
+  group.identify_cmds =
+      read_each(element.children("IdentifyCmd"), [](const EniElement& cmd) { return read_init_cmd(cmd); });
   return group;
 }
 
