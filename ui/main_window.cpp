@@ -214,10 +214,9 @@ void MainWindow::buildMenus() {
   connect(recent, &RecentMenu::fileWanted, this, [this](const QString& path) {
     if (commitFields()) files_->openAny(path);
   });
-  auto* language = new LanguageMenu(workspace_.memory(), this);
-  connect(language, &LanguageMenu::chosen, this, [this] {
-    if (commitFields()) Q_EMIT languageChosen();
-  });
+  auto* language = new LanguageMenu(
+      workspace_.memory(), [this] { return commitFields(); }, this);
+  connect(language, &LanguageMenu::chosen, this, &MainWindow::languageChosen);
   auto* exports = new ExportMenu(workspace_, *files_, *this, [this] { return commitFields(); });
   auto* network =
       ui::buildMenus(*menuBar(), *actions_,

@@ -166,14 +166,11 @@ void show(ui::MainWindow& window) {
 }
 
 /// The window in the language that was chosen, in the place and with the looks of the one before; what runs goes on.
-std::unique_ptr<ui::MainWindow> inItsLanguage(std::unique_ptr<ui::MainWindow> before, ui::Workspace& workspace,
-                                              const std::function<void()>& again) {
+std::unique_ptr<ui::MainWindow> inItsLanguage(std::unique_ptr<ui::MainWindow> before, ui::Workspace& workspace) {
   before->panels().remember();
   const auto place = before->place();
   ui::installTranslation(workspace.memory().value(ui::kLanguageSetting).toString());
   auto window = std::make_unique<ui::MainWindow>(workspace);
-  QObject::connect(window.get(), &ui::MainWindow::languageChosen, QCoreApplication::instance(), again,
-                   Qt::QueuedConnection);
   show(*window);
   window->goToPlace(place);
   return window;  // the one before goes now: without any window the program would end
@@ -233,8 +230,14 @@ int main(int argc, char* argv[]) {
       return renderFaultPictures(*window, workspace, options.faults, options.screenshots) ? 0 : 1;
     return renderScreenshots(*window, workspace, workspace.environment().demo_link, options.screenshots) ? 0 : 1;
   }
-  const std::function<void()> speak_anew = [&] { window = inItsLanguage(std::move(window), workspace, speak_anew); };
-  QObject::connect(window.get(), &ui::MainWindow::languageChosen, &app, speak_anew, Qt::QueuedConnection);
+  const std::function<void()> hear_of_language = [&] {
+    const auto speak_anew = [&] {
+      window = inItsLanguage(std::move(window), workspace);
+      hear_of_language();
+    };
+    QObject::connect(window.get(), &ui::MainWindow::languageChosen, &app, speak_anew, Qt::QueuedConnection);
+  };
+  hear_of_language();
   show(*window);
   // Asks nothing: who closes the terminal or shuts the machine down does not answer. The slaves go to INIT all the
   // same.

@@ -104,9 +104,15 @@ TEST(LanguageMenu, RemembersWhatWasChosen) {
   const auto file = folder.filePath(QStringLiteral("settings.ini"));
   {
     WindowMemory memory(file);
-    LanguageMenu menu(memory);
+    bool typing = true;
+    LanguageMenu menu(memory, [&typing] { return !typing; });
     EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("actionLanguage_"))->isChecked()) << "the desktop's";
     QSignalSpy chosen(&menu, &LanguageMenu::chosen);
+    menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->trigger();
+    EXPECT_EQ(chosen.count(), 0) << "a field holds what cannot be a value";
+    EXPECT_FALSE(memory.value(kLanguageSetting).isValid());
+    EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("actionLanguage_"))->isChecked()) << "as it was";
+    typing = false;
     menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->trigger();
     EXPECT_EQ(chosen.count(), 1);
     menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->trigger();
@@ -114,7 +120,7 @@ TEST(LanguageMenu, RemembersWhatWasChosen) {
   }
   WindowMemory memory(file);
   EXPECT_EQ(memory.value(kLanguageSetting).toString(), QStringLiteral("zh_CN"));
-  LanguageMenu menu(memory);
+  LanguageMenu menu(memory, [] { return true; });
   EXPECT_TRUE(menu.findChild<QAction*>(QStringLiteral("actionLanguage_zh_CN"))->isChecked());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMenu>
+#include <functional>
 
 namespace syncline::ui {
 
@@ -12,7 +13,8 @@ class LanguageMenu final : public QMenu {
   Q_OBJECT
 
  public:
-  explicit LanguageMenu(WindowMemory& memory, QWidget* parent = nullptr);
+  /// `commit`: takes what is typed in fields, which the words of another language would take away; false: not now.
+  LanguageMenu(WindowMemory& memory, std::function<bool()> commit, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// Another one than the window speaks.
@@ -20,8 +22,10 @@ class LanguageMenu final : public QMenu {
 
  private:
   void choose(const QString& language);
+  void showSpoken();
 
   WindowMemory& memory_;
+  std::function<bool()> commit_;
 };
 
 }  // namespace syncline::ui

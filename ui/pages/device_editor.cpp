@@ -290,12 +290,10 @@ void DeviceEditor::chooseTabs(QString front) {
   for (int i = 0; i < tabs_->count(); ++i) shown.append(static_cast<Page*>(tabs_->widget(i)));
   if (shown == wanted) return;
   // A page that goes takes the focus with it: what is typed next is for no field of the one that comes.
-  if (auto* now = tabs_->currentWidget();
-      now != nullptr && !wanted.contains(now) && now->isAncestorOf(window()->focusWidget()))
-    tabs_->setFocus();
-  auto* now_in_front = static_cast<Page*>(tabs_->currentWidget());
+  auto* now = static_cast<Page*>(tabs_->currentWidget());
+  if (now != nullptr && !wanted.contains(now) && now->isAncestorOf(window()->focusWidget())) tabs_->setFocus();
   const bool known = std::ranges::find(wanted, front, &Page::title) != wanted.end();
-  if (now_in_front != nullptr && (!known || wanted.contains(now_in_front))) front = now_in_front->title();
+  if (now != nullptr && (!known || wanted.contains(now))) front = now->title();
   // What comes before what goes: each page that is taken away from the front would bring the next one there, laid out.
   int place = 0;
   for (auto* page : wanted) {

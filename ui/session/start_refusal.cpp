@@ -18,17 +18,17 @@ StartRefusal::StartRefusal(LiveSession& live, QObject* parent) : QObject(parent)
 void StartRefusal::follow() {
   const auto before = std::exchange(phase_, live_.phase());
   const bool same_run = std::exchange(run_, &live_.run()) == &live_.run();
-  if (phase_ == LiveSession::Phase::kStarting && (before != phase_ || !same_run)) {
-    slaves_.clear();
-    reason_.reset();
-    return forget();
-  }
-  if (!same_run || phase_ != LiveSession::Phase::kOffline || before != LiveSession::Phase::kStarting) {
-    if (!same_run || phase_ != LiveSession::Phase::kOffline) forget();
+  if (same_run && before == LiveSession::Phase::kStarting && phase_ == LiveSession::Phase::kOffline) {
+    refused_ = true;
+    Q_EMIT changed();
     return;
   }
-  refused_ = true;
-  Q_EMIT changed();
+  if (same_run && phase_ == LiveSession::Phase::kOffline) return;
+  if (phase_ == LiveSession::Phase::kStarting) {
+    slaves_.clear();
+    reason_.reset();
+  }
+  forget();
 }
 
 void StartRefusal::take(const Event& event) {
