@@ -37,11 +37,11 @@ Status RecordingReader::ranges(const Block& block, std::span<const Signal> colum
       note_row("summary", *row);
       whole = false;
     }
-    const auto found =
-        std::ranges::find(columns, row->integer(kSummaryId) - first, [](Signal s) { return series_number(s); });
-    if (found == columns.end()) return;
-    out[static_cast<std::size_t>(found - columns.begin())] = {static_cast<float>(row->real(kSummaryMin)),
-                                                              static_cast<float>(row->real(kSummaryMax))};
+    // Several pictures may be asked for at once, of the same signal.
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (row->integer(kSummaryId) - first != series_number(columns[i])) continue;
+      out[i] = {static_cast<float>(row->real(kSummaryMin)), static_cast<float>(row->real(kSummaryMax))};
+    }
   });
   if (!status) return read_error(database_, status.error());
   if (whole && (block.sums < 0 || rows == block.sums)) return {};

@@ -97,7 +97,8 @@ void RunRecord::set_notes(std::vector<RunNote> notes) {
 }
 
 void RunRecord::keep(KeptTrigger found) {
-  const auto same = std::ranges::find(triggers_, found.trigger, &KeptTrigger::trigger);
+  const auto same = std::ranges::find_if(
+      triggers_, [&found](const KeptTrigger& one) { return finds_the_same(one.trigger, found.trigger); });
   if (same != triggers_.end()) {
     *same = std::move(found);
     return;

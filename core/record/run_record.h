@@ -52,7 +52,7 @@ class RunRecord {
   /// Samples of the next list of watched variables may come from now on; the master is told by watched().command().
   /// False, and nothing is changed, where it cannot be: see WatchLists::add().
   bool watch(std::span<const WatchedVariable> variables) { return samples_.watch(variables); }
-  /// What a trigger has found by now, in place of what it had.
+  /// What a trigger has found by now, in place of what it had, in whatever mode.
   void keep(KeptTrigger found);
   /// The latest kMostTriggers, in the order in which they were set.
   [[nodiscard]] const std::vector<KeptTrigger>& triggers() const { return triggers_; }

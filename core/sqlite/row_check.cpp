@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sqlite/row_check.h"
 
+#include <libdeflate.h>
 #include <sqlite3.h>
-#include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -14,8 +16,8 @@
 namespace syncline {
 namespace {
 
-/// One value behind another, each with its type and length, so that no two rows read alike. Numbers are gathered: the
-/// sum of many bytes at once costs less than that of a few at a time.
+/// One value behind another, each with its type and length, so that no two rows read alike. Numbers and short texts are
+/// gathered: the sum of many bytes at once costs less than that of a few at a time.
 class Check {
  public:
   void add(sqlite3_value* value) {
@@ -53,17 +55,23 @@ class Check {
   void add_bytes(const void* bytes, int size) {
     add_number(static_cast<std::uint64_t>(size));
     if (size <= 0) return;
-    sum_up();
-    crc_ = ::crc32_z(crc_, static_cast<const unsigned char*>(bytes), static_cast<std::size_t>(size));
+    const std::span all(static_cast<const unsigned char*>(bytes), static_cast<std::size_t>(size));
+    if (gathered_.size() - used_ < all.size()) sum_up();
+    if (all.size() > gathered_.size()) {
+      crc_ = ::libdeflate_crc32(crc_, all.data(), all.size());
+      return;
+    }
+    std::ranges::copy(all, gathered_.begin() + static_cast<std::ptrdiff_t>(used_));
+    used_ += all.size();
   }
   void sum_up() {
-    crc_ = ::crc32_z(crc_, gathered_.data(), used_);
+    crc_ = ::libdeflate_crc32(crc_, gathered_.data(), used_);
     used_ = 0;
   }
 
-  std::array<unsigned char, 128> gathered_{};
+  alignas(8) std::array<unsigned char, 256> gathered_;  // not cleared: what is summed up was written
   std::size_t used_ = 0;
-  unsigned long crc_ = 0;
+  std::uint32_t crc_ = 0;
 };
 
 void row_crc(sqlite3_context* context, int count, sqlite3_value** values) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/large_pages.h"
 #include "trace/min_max_series.h"
 
 namespace syncline {
@@ -31,8 +32,8 @@ EvenSamples::EvenSamples(const MinMaxSeries& series, Nanoseconds begin, Nanoseco
 }
 
 void EvenSamples::reserve(std::size_t count) {
-  times_.reserve(count);
-  values_.reserve(count);
+  reserve_in_large_pages(times_, count);
+  reserve_in_large_pages(values_, count);
 }
 
 void EvenSamples::add(Nanoseconds time, float value) {

@@ -16,20 +16,11 @@ namespace {
 constexpr float kHuge = std::numeric_limits<float>::infinity();
 constexpr std::uint64_t kTop = 4096;
 
-template <class T>
-void make_room(std::vector<T>& ring, std::size_t count) {
-  if (count <= ring.capacity()) return;
-  std::vector<T> larger;
-  larger.reserve(count);
-  use_large_pages(larger.data(), larger.capacity() * sizeof(T));  // before anything lies in it
-  larger.assign(ring.begin(), ring.end());
-  ring.swap(larger);
-}
-
 /// For so many more; it grows by as much as it has, so that what is there is seldom moved.
 template <class T>
 void grow(std::vector<T>& ring, std::size_t more) {
-  if (ring.capacity() - ring.size() < more) make_room(ring, std::max(ring.size() + more, 2 * ring.capacity()));
+  if (ring.capacity() - ring.size() < more)
+    reserve_in_large_pages(ring, std::max(ring.size() + more, 2 * ring.capacity()));
 }
 
 /// Overwrites the slot, or grows the ring by it as long as it is not full for the first time.
@@ -133,9 +124,9 @@ void MinMaxSeries::append(std::span<const Nanoseconds> times, std::span<const fl
 
 void MinMaxSeries::reserve(std::size_t samples) {
   samples = std::min(samples, static_cast<std::size_t>(capacity_));
-  if (leads_) make_room(*times_, samples);
-  make_room(values_, samples);
-  for (auto& level : levels_) make_room(level, samples /= kFactor);
+  if (leads_) reserve_in_large_pages(*times_, samples);
+  reserve_in_large_pages(values_, samples);
+  for (auto& level : levels_) reserve_in_large_pages(level, samples /= kFactor);
 }
 
 void MinMaxSeries::complete_buckets(std::size_t place) {

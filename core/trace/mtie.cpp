@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "support/large_pages.h"
+
 namespace syncline {
 namespace {
 
@@ -29,7 +31,12 @@ struct Extremes {
 template <class Value>
 class DoublingWindows {
  public:
-  explicit DoublingWindows(std::span<const Value> x) : high_(x.begin(), x.end()), low_(x.begin(), x.end()) {}
+  explicit DoublingWindows(std::span<const Value> x) {
+    for (auto* values : {&high_, &low_}) {
+      reserve_in_large_pages(*values, x.size());
+      values->assign(x.begin(), x.end());
+    }
+  }
 
   /// Windows of length + 1 samples, which is `length` intervals; nothing when the stretch is too short.
   [[nodiscard]] std::optional<double> largest_span() const {

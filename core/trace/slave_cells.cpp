@@ -115,10 +115,11 @@ void SlaveCells::forget() {
   cells_.clear();
   firsts_.clear();
   grid_ = {};
+  carried_ = {};
   until_ = 0;
 }
 
-SlaveCells::Part SlaveCells::kept(const Grid& grid, Nanoseconds longest) const {
+SlaveCells::Carried SlaveCells::kept(const Grid& grid, Nanoseconds longest) const {
   if (grid.width != grid_.width || grid_.columns == 0) return {};
   // What ends before is settled: the next reading is known, or comes too late.
   const auto settled = (until_ - longest - grid_.origin) / grid_.width;
@@ -127,7 +128,7 @@ SlaveCells::Part SlaveCells::kept(const Grid& grid, Nanoseconds longest) const {
   const auto begin = std::max<Nanoseconds>(-shift, 0);
   const auto end = std::min({columns, settled - shift, static_cast<Nanoseconds>(grid_.columns) - shift});
   if (begin >= end) return {};
-  return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
+  return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end), static_cast<std::ptrdiff_t>(shift)};
 }
 
 void SlaveCells::show(const SampleStore& store, const Grid& grid) {
@@ -141,8 +142,10 @@ void SlaveCells::show(const SampleStore& store, const Grid& grid) {
   for (std::size_t slave = 0; slave < firsts.size(); ++slave)
     firsts[slave] = store.series(Signal::kSlaveDeviation, slave).first_time();
   firsts_.resize(firsts.size(), 0);
+  const bool same_firsts = firsts == firsts_;
   const bool all = known.begin == known.end;
-  const auto fresh = all || known.begin > 0 || firsts != firsts_ ? 0 : known.end;
+  carried_ = same_firsts ? known : Carried{};
+  const auto fresh = all || known.begin > 0 || !same_firsts ? 0 : known.end;
   const auto origin = grid.origin + static_cast<Nanoseconds>(fresh) * grid.width;
   outages_ = outages(store, origin - longest,
                      grid.origin + static_cast<Nanoseconds>(grid.columns) * grid.width + longest, grid.width);
@@ -150,24 +153,23 @@ void SlaveCells::show(const SampleStore& store, const Grid& grid) {
   cells_.resize(firsts_.size() * grid.columns);
   for (std::size_t slave = 0; slave < firsts_.size(); ++slave) {
     if (firsts[slave] != std::exchange(firsts_[slave], firsts[slave]) || all) {
-      fill(store, slave, {0, grid.columns});
+      fill(store, slave, 0, grid.columns);
       continue;
     }
-    const auto shift = (grid.origin - before.origin) / grid.width;
     const auto source = old_.begin() + static_cast<std::ptrdiff_t>(slave * before.columns) +
-                        static_cast<std::ptrdiff_t>(known.begin) + shift;
+                        static_cast<std::ptrdiff_t>(known.begin) + known.moved;
     std::copy_n(source, known.end - known.begin,
                 cells_.begin() + static_cast<std::ptrdiff_t>(slave * grid.columns + known.begin));
-    fill(store, slave, {0, known.begin});
-    fill(store, slave, {known.end, grid.columns});
+    fill(store, slave, 0, known.begin);
+    fill(store, slave, known.end, grid.columns);
   }
 }
 
-void SlaveCells::fill(const SampleStore& store, std::size_t slave, Part part) {
-  if (part.begin == part.end) return;
+void SlaveCells::fill(const SampleStore& store, std::size_t slave, std::size_t begin, std::size_t end) {
+  if (begin == end) return;
   CellRow row(store.series(Signal::kSlaveDeviation, slave), outages_, grid_, store.longest_gap(Signal::kSlaveDeviation),
               until_);
-  row.fill(std::span(cells_).subspan(slave * grid_.columns, grid_.columns), part.begin, part.end, columns_);
+  row.fill(std::span(cells_).subspan(slave * grid_.columns, grid_.columns), begin, end, columns_);
 }
 
 }  // namespace syncline

@@ -36,6 +36,13 @@ class SlaveCells {
   void show(const SampleStore& store, const Grid& grid);
   void forget();
   [[nodiscard]] const Grid& grid() const { return grid_; }
+  /// What the last show() has from the one before it: columns [begin, end) of each row, which stood `moved` columns
+  /// further right then.
+  struct Carried {
+    std::size_t begin = 0, end = 0;
+    std::ptrdiff_t moved = 0;
+  };
+  [[nodiscard]] const Carried& carried() const { return carried_; }
   [[nodiscard]] std::size_t slaves() const { return firsts_.size(); }
   /// Magnitudes in ns, or kNoReading; by column.
   [[nodiscard]] std::span<const float> row(std::size_t slave) const {
@@ -43,14 +50,12 @@ class SlaveCells {
   }
 
  private:
-  struct Part {
-    std::size_t begin = 0, end = 0;  // columns
-  };
-  /// Columns of the new grid whose cells are known.
-  [[nodiscard]] Part kept(const Grid& grid, Nanoseconds longest) const;
-  void fill(const SampleStore& store, std::size_t slave, Part part);
+  /// Of the new grid.
+  [[nodiscard]] Carried kept(const Grid& grid, Nanoseconds longest) const;
+  void fill(const SampleStore& store, std::size_t slave, std::size_t begin, std::size_t end);
 
   Grid grid_;
+  Carried carried_;
   Nanoseconds until_ = 0;            // the newest cycle
   std::vector<float> cells_, old_;   // row by row
   std::vector<Nanoseconds> firsts_;  // of each series, when its row was made

@@ -48,6 +48,11 @@ bool crosses(Trigger::Edge edge, double level, double before, double now) {
 
 }  // namespace
 
+bool finds_the_same(Trigger one, const Trigger& other) {
+  one.mode = other.mode;
+  return one == other;
+}
+
 TriggerWatch::TriggerWatch(Trigger trigger, Nanoseconds from)
     : trigger_(std::move(trigger)), next_(from), begin_(from) {}
 

@@ -49,6 +49,9 @@ struct Trigger {
   bool operator==(const Trigger&) const = default;
 };
 
+/// Whatever their modes, they find the same; a single one is done with the first of it.
+[[nodiscard]] bool finds_the_same(Trigger one, const Trigger& other);
+
 struct TriggerEpisode {
   Nanoseconds time = 0;                // host clock
   std::optional<std::uint64_t> cycle;  // in which it was; nothing where it is not kept any more

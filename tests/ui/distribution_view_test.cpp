@@ -82,6 +82,28 @@ TEST_F(DistributionViewTest, CountsEverySampleAndSaysTheQuantiles) {
   EXPECT_EQ(figure(5), "10000");
 }
 
+/// An or of magnitudes is more than any of them.
+TEST_F(DistributionViewTest, AnUpperEstimateIsCalledOne) {
+  EXPECT_EQ(figure(4), "900 ns");
+  std::vector<CycleSample> more(11'000);
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    auto& sample = more[i];
+    sample.cycle = 10'000 + i;
+    sample.send_time = kFirstCycle + static_cast<Nanoseconds>(sample.cycle) * kMillisecond;
+    sample.flags = CycleSample::kFollowersRead | CycleSample::kDeviationValid;
+    sample.master_state = static_cast<std::uint8_t>(AlState::kOp);
+    sample.slaves_sync = sample.master_sync = SyncState::kInSync;
+    sample.deviation_ns = sample.deviation_ored_ns = 15;
+    sample.slave_position = -1;
+  }
+  record->add(more);
+  settle();
+  ASSERT_TRUE(record->overview().is_deviation_ored());
+  EXPECT_EQ(figure(0), "\u2264 15 ns");
+  EXPECT_EQ(figure(4), "\u2264 900 ns");
+  EXPECT_NE(figure(5).find("000"), std::string::npos) << "a count is none";
+}
+
 TEST_F(DistributionViewTest, WhatLiesOutsideIsCountedAtTheEnds) {
   view().findChild<QComboBox*>(QStringLiteral("distributionAxis"))->setCurrentIndex(1);  // limit 63 ns
   settle();

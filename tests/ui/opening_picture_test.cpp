@@ -71,6 +71,45 @@ QImage pictureOf(SeriesItem& item, const ColumnGrid& grid) {
   return test::itemPicture(item, grid, {kPictureWidth, kPictureHeight}, 1000);
 }
 
+/// Those of one range are made together: each has what it would have alone, whichever signals it shares with another.
+TEST_F(OpeningPictureTest, PicturesOfOneRangeAreThoseThatEachWouldHaveAlone) {
+  auto reader = RecordingReader::open(path_.toStdString());
+  ASSERT_TRUE(reader);
+  const auto info = reader->info();
+  const auto begin = info->begin;
+  const auto end = info->end + 1;
+  const auto wide = (end - begin) / 300;
+  const std::vector<FirstPicture> wanted{
+      {{Signal::kDeviation, Signal::kDcmError}, begin, end, wide},
+      {{Signal::kDcmError}, begin, end, 2 * wide},
+      {{Signal::kDcmError, Signal::kRoundTrip, Signal::kDeviation}, begin, end, wide}};
+  FirstPictures together;
+  together.ask(wanted);
+  const auto made = together.answer(path_.toStdString());
+  ASSERT_TRUE(made);
+  ASSERT_EQ(made->size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    FirstPictures alone;
+    alone.ask({wanted[i]});
+    const auto one = alone.answer(path_.toStdString());
+    ASSERT_TRUE(one);
+    EXPECT_EQ((*made)[i].signals, wanted[i].signals) << i;
+    ASSERT_EQ((*made)[i].columns.size(), wanted[i].signals.size()) << i;
+    for (std::size_t k = 0; k < wanted[i].signals.size(); ++k) {
+      const auto& columns = (*made)[i].columns[k];
+      const auto& expected = one->front().columns[k];
+      ASSERT_EQ(columns.size(), expected.size());
+      EXPECT_TRUE(std::ranges::any_of(columns, &SeriesColumn::valid)) << i << ' ' << k;
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        ASSERT_EQ(columns[c].valid, expected[c].valid);
+        if (!columns[c].valid) continue;
+        ASSERT_EQ(columns[c].min, expected[c].min) << i << ' ' << k << ' ' << c;
+        ASSERT_EQ(columns[c].max, expected[c].max) << i << ' ' << k << ' ' << c;
+      }
+    }
+  }
+}
+
 TEST_F(OpeningPictureTest, HasThePixelsOfAllSamples) {
   const auto run = whole();
   const auto& store = run.record->samples();

@@ -98,7 +98,6 @@ TEST_F(OverviewPanelTest, ALampOverDeadSlavesIsRed) {
   EXPECT_EQ(slaves().tone(), theme::Tone::kGood);
 }
 
-/// Also where nothing runs that would refresh it.
 /// An or of magnitudes is more than any of them, and no figure of a slave.
 TEST_F(OverviewPanelTest, AnUpperEstimateIsCalledOne) {
   go(100);
@@ -116,6 +115,7 @@ TEST_F(OverviewPanelTest, AnUpperEstimateIsCalledOne) {
   EXPECT_EQ(told().count(QStringLiteral("\u2264 12")), 5) << qPrintable(told());
 }
 
+/// Also where nothing runs that would refresh it.
 TEST_F(OverviewPanelTest, TheSlavesInOpHaveTheColourOfTheTheme) {
   go(1000);
   auto* standing = panel_.findChild<QLabel*>(QStringLiteral("overviewStanding"));

@@ -311,6 +311,69 @@ TEST_F(SlavesViewTest, FollowsTheRun) {
   EXPECT_EQ(pixel(1, 9'500 * kMillisecond), wanted(40 / 127.F));
 }
 
+/// While time goes on, and when one looks back, what stood before is moved: it shows what is drawn anew.
+TEST_F(SlavesViewTest, WhatMovesOnIsAsItIsDrawnAnew) {
+  const auto cellsOf = [](HeatMapPlot& map) {
+    return map.grab(map.area().toAlignedRect()).toImage().convertToFormat(QImage::Format_RGB32);
+  };
+  const auto anew = [&] {
+    HeatMapPlot other(strip.timeView(), strip.cursors());
+    other.resize(plot().size());
+    other.setRecord(record.get());
+    other.setRows(plot().rows());
+    other.refresh();
+    return cellsOf(other);
+  };
+  const auto same = [&](const char* when) {
+    plot().refresh();
+    EXPECT_EQ(cellsOf(plot()), anew()) << when;
+  };
+  plot().setSelected(-1);
+  same("at first");
+  std::size_t cycle = kHeatCycles;
+  for (const std::size_t portion : {37U, 1U, 400U, 2500U, 9000U}) {
+    std::vector<CycleSample> more;
+    for (const auto end = cycle + portion; cycle < end; ++cycle) {
+      more.push_back(sample(cycle));
+      more.back().slave_deviation_ns += static_cast<std::int32_t>(cycle % 211);
+    }
+    record->add(more);
+    strip.refresh();
+    same("later");
+  }
+  strip.timeView()->pan(-3 * kSecond);
+  same("looked back");
+  strip.timeView()->pan(kSecond);
+  same("and on");
+  strip.timeView()->zoom(0.5, strip.timeView()->begin());
+  same("closer");
+  auto rows = plot().rows();
+  std::ranges::reverse(rows);
+  plot().setRows(rows);
+  same("other rows");
+  theme::apply(theme::Mode::kDark);
+  QApplication::processEvents();
+  same("another theme");
+}
+
+/// Of what is not shown no words are made; shown again it has those of now.
+TEST_F(SlavesViewTest, ThePlotsHaveTheirWordsWhenTheyAreShownAgain) {
+  const auto said = [this] { return strip.panels().front()->plot()->accessibleDescription(); };
+  const auto before = said();
+  std::vector<CycleSample> more;
+  for (std::size_t i = kHeatCycles; i < kHeatCycles + 1000; ++i) {
+    more.push_back(sample(i));
+    more.back().slave_deviation_ns = 555;
+    more.back().deviation_ns = 555;
+  }
+  record->add(more);
+  for (int i = 0; i < 40; ++i) strip.refresh();
+  EXPECT_EQ(said(), before) << "another view stands there";
+  strip.showBody(LiveStrip::Body::kPlots);
+  EXPECT_NE(said(), before);
+  EXPECT_TRUE(said().contains(QStringLiteral("555"))) << qPrintable(said());
+}
+
 TEST_F(SlavesViewTest, ExportsTheCellsShown) {
   std::istringstream lines(strip.csv());
   std::string line;

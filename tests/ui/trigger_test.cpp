@@ -128,6 +128,56 @@ TEST(TriggerMonitor, WhatWasFoundStaysWithTheRun) {
   EXPECT_TRUE(monitor.episodes().empty()) << "found with another one";
 }
 
+/// Armed again, or in another mode, it goes on: what it found stays listed, with its names.
+TEST(TriggerMonitor, WhatWasFoundStaysListedWhenItIsArmedAgain) {
+  WindowMemory memory({});
+  TriggerMonitor monitor(memory);
+  const auto record = triggerRecord(1);
+  QObject::connect(&monitor, &TriggerMonitor::found, &monitor,
+                   [&record](const KeptTrigger& kept) { record->keep(kept); });
+  monitor.setTrigger(errorTrigger());
+  monitor.setRecord(record.get(), false);
+  monitor.arm();
+  std::uint64_t cycle = 1;
+  const auto goOn = [&](std::uint64_t fires_at) {
+    std::vector<CycleSample> samples(2000);
+    for (auto& sample : samples) {
+      sample.cycle = cycle;
+      sample.send_time = kTriggerRun + static_cast<Nanoseconds>(cycle) * kMillisecond;
+      sample.flags = CycleSample::kDcmActive | CycleSample::kReferenceValid;
+      sample.dcm_error_ns = cycle == fires_at ? 500 : 10;
+      ++cycle;
+    }
+    record->add(samples);
+    monitor.look();
+  };
+  goOn(1000);
+  ASSERT_EQ(monitor.episodes().size(), 1U);
+  monitor.setName(monitor.episodes()[0], QStringLiteral("door opened"));
+  monitor.arm();
+  ASSERT_EQ(monitor.episodes().size(), 1U);
+  EXPECT_EQ(monitor.name(monitor.episodes()[0]), QStringLiteral("door opened"));
+  auto single = errorTrigger();
+  single.mode = Trigger::Mode::kSingle;
+  monitor.setTrigger(single);
+  goOn(3000);
+  ASSERT_EQ(monitor.episodes().size(), 2U);
+  EXPECT_EQ(monitor.episodes()[1].cycle, 3000U);
+  EXPECT_EQ(monitor.name(monitor.episodes()[0]), QStringLiteral("door opened"));
+  monitor.setName(monitor.episodes()[1], QStringLiteral("again"));
+  ASSERT_EQ(record->triggers().size(), 1U);
+  EXPECT_EQ(record->triggers()[0].episodes.size(), 2U);
+  EXPECT_EQ(record->triggers()[0].names.size(), 2U);
+  // Another one, and back.
+  auto other = errorTrigger();
+  other.level = 450;
+  monitor.setTrigger(other);
+  EXPECT_TRUE(monitor.episodes().empty());
+  monitor.disarm();
+  monitor.setTrigger(errorTrigger());
+  EXPECT_EQ(monitor.episodes().size(), 2U);
+}
+
 /// A recording brings the trigger that was set; the window's own comes back when it is closed.
 TEST(TriggerMonitor, ARecordingShowsTheEpisodesThatItKeeps) {
   WindowMemory memory({});

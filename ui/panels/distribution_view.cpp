@@ -224,10 +224,12 @@ std::vector<DistributionView::Column> DistributionView::columns() const {
     const auto name = nameOf(*record_, source);
     auto color = plot_colors::trace(palette(), static_cast<int>(i));
     const bool both = otherSeries(source) != nullptr;
-    all.push_back({both ? tr("%1 (%2)").arg(name, overlay_.own) : name, color, source, &counts_[i]});
+    all.push_back({both ? tr("%1 (%2)").arg(name, overlay_.own) : name, color, source, &counts_[i],
+                   isUpperEstimate(*record_, source.signal)});
     if (!both) continue;
     color.setAlpha(kOtherAlpha);
-    all.push_back({tr("%1 (%2)").arg(name, overlay_.other), color, source, &others_[i]});
+    all.push_back({tr("%1 (%2)").arg(name, overlay_.other), color, source, &others_[i],
+                   isUpperEstimate(*overlay_.record, source.signal)});
   }
   return all;
 }
@@ -247,18 +249,19 @@ void DistributionView::showFigures() {
   if (figures_->columnCount() != count_of_columns) figures_->setColumnCount(count_of_columns);
   QStringList spoken;
   for (int column = 0; column < count_of_columns; ++column) {
-    const auto& [name, color, source, count] = shown[static_cast<std::size_t>(column)];
+    const auto& [name, color, source, count, is_estimate] = shown[static_cast<std::size_t>(column)];
     auto* header = figures_->horizontalHeaderItem(column);
     if (header == nullptr) figures_->setHorizontalHeaderItem(column, header = new QTableWidgetItem);
     header->setText(name);
     header->setForeground(color);
     int row = 0;
-    for (const double fraction : kFractions) {
-      const auto value = count->quantile(fraction);
-      put(*figures_, row++, column, value ? number(*value, source) : noText());
-    }
+    const auto put_number = [&, &of = source, &is_above = is_estimate](std::optional<double> value) {
+      const auto text = value ? number(*value, of) : noText();
+      put(*figures_, row++, column, value && is_above ? atMostText(text) : text);
+    };
+    for (const double fraction : kFractions) put_number(count->quantile(fraction));
     const auto extent = count->extent();
-    put(*figures_, row++, column, extent ? number(static_cast<double>(extent->max), source) : noText());
+    put_number(extent ? std::optional(static_cast<double>(extent->max)) : std::nullopt);
     put(*figures_, row, column, countText(count->count()));
     spoken << name + QStringLiteral(": 99.9 % ") + figures_->item(2, column)->text();
   }

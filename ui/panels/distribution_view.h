@@ -68,6 +68,7 @@ class DistributionView final : public QWidget {
     QColor color;
     Source source;
     const Distribution* count;
+    bool is_estimate;  // from above
   };
   [[nodiscard]] std::vector<Column> columns() const;
   void showFigures();

@@ -407,10 +407,7 @@ void LiveStrip::tick() {
     text_wanted_ = false;
     const bool moving = view_.mode() == TimeView::Mode::kLive;
     const bool choose = moving && ticks_ % kChooseEvery == 0;
-    for (auto* panel : fixed_panels_) panel->refreshText(choose);
-    if (body_ == Body::kFree && isVisible()) {
-      for (auto* panel : free_->plots()) panel->refreshText(choose);
-    }
+    refreshTexts(choose);
     showTriggerLevel();
     for (auto* panel : shownPanels()) panel->showWantedLimits(wanted_limits_);
     showState();
@@ -425,6 +422,15 @@ void LiveStrip::tick() {
   if (body_ == Body::kFree && isVisible()) return free_->refresh();
   for (auto* panel : fixed_panels_) panel->plot()->refresh();
   overlay_figures_->refresh();
+}
+
+/// Of what is shown: another view has words of its own.
+void LiveStrip::refreshTexts(bool choose) {
+  if (body_ == Body::kPlots || folded_) {
+    for (auto* panel : fixed_panels_) panel->refreshText(choose);
+  } else if (body_ == Body::kFree && isVisible()) {
+    for (auto* panel : free_->plots()) panel->refreshText(choose);
+  }
 }
 
 void LiveStrip::showState() {
@@ -446,6 +452,7 @@ void LiveStrip::showBody(Body body) {
   if (folded_) Q_EMIT plotsWanted();
   showState();
   for (auto* panel : all_panels_) panel->plot()->markDirty();
+  refreshTexts(view_.mode() == TimeView::Mode::kLive);
   refresh();
 }
 

@@ -149,6 +149,7 @@ class LiveStrip : public QWidget {
   void mark(Nanoseconds time);
   void showEventAt(Nanoseconds time);
   void tick();
+  void refreshTexts(bool choose);
   void showState();
   [[nodiscard]] QWidget* body() const;
   void showTriggerLevel();

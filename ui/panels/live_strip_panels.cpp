@@ -91,7 +91,7 @@ QString DeviationPanel::summary(Nanoseconds) const {
 /// A magnitude has no sign, and what is or-ed no slave need have had.
 QString DeviationPanel::largestText(double value) const {
   const auto text = timeText(wholeNs(value));
-  return source().overview().is_deviation_ored() ? atMostText(text) : text;
+  return isUpperEstimate(source(), Signal::kDeviation) ? atMostText(text) : text;
 }
 
 QString DeviationPanel::unitText(const SeriesItem&) const { return QStringLiteral("ns"); }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "record/run_record.h"
+#include "ui/plots/signal_source.h"
 #include "ui/plots/small_font.h"
 #include "ui/text/units.h"
 
@@ -40,16 +41,19 @@ bool OverlayFigures::complete() const {
   return isHidden() || std::ranges::all_of(figures_, [](const StretchFigures& figures) { return figures.complete(); });
 }
 
-QString OverlayFigures::cells(const StretchFigures& figures, bool is_signed) const {
+QString OverlayFigures::cells(const StretchFigures& figures, bool is_signed, bool is_estimate) const {
   const auto& statistics = figures.statistics();
   const auto ns = [](double value) { return static_cast<Nanoseconds>(std::llround(value)); };
   const auto text = [&](const QString& value) {
     return QStringLiteral("<td align=right>&nbsp;&nbsp;%1</td>").arg(value.toHtmlEscaped());
   };
+  const auto magnitude = [is_estimate](Nanoseconds value) {
+    return is_estimate ? atMostText(timeText(value)) : timeText(value);
+  };
   if (statistics.count() == 0) return text(noText()) + text(noText()) + text(noText()) + text(noText());
-  return text(is_signed ? signedTimeText(ns(statistics.mean())) : timeText(ns(statistics.mean()))) +
-         text(timeText(ns(statistics.rms()))) + text(timeText(figures.magnitudes().percentile(0.9999))) +
-         text(timeText(ns(statistics.max_magnitude())));
+  return text(is_signed ? signedTimeText(ns(statistics.mean())) : magnitude(ns(statistics.mean()))) +
+         text(magnitude(ns(statistics.rms()))) + text(magnitude(figures.magnitudes().percentile(0.9999))) +
+         text(magnitude(ns(statistics.max_magnitude())));
 }
 
 void OverlayFigures::refresh() {
@@ -70,14 +74,15 @@ void OverlayFigures::refresh() {
     return QStringLiteral("<td align=right>&nbsp;&nbsp;%1</td>").arg(text.toHtmlEscaped());
   };
   const auto names = head(tr("rms")) + head(tr("p99.99")) + head(tr("max"));
-  const auto row = [this](const QString& name, std::size_t first) {
+  const auto row = [this](const QString& name, const RunRecord& record, std::size_t first) {
+    const bool is_estimate = isUpperEstimate(record, Signal::kDeviation);
     const auto shown = fontMetrics().elidedText(name, Qt::ElideMiddle, kNameWidth).toHtmlEscaped();
     return QStringLiteral("<tr><td><b>%1</b></td>%2%3</tr>")
-        .arg(shown, cells(figures_[first], false), cells(figures_[first + 1], true));
+        .arg(shown, cells(figures_[first], false, is_estimate), cells(figures_[first + 1], true, false));
   };
   const auto now = QStringLiteral("<table cellspacing=0 cellpadding=0><tr><td></td>%1%3%2%3</tr>%4%5</table>")
-                       .arg(head(tr("DC deviation: mean")), head(tr("DCM error: mean")), names, row(overlay_.own, 0),
-                            row(overlay_.other, kCompared.size()));
+                       .arg(head(tr("DC deviation: mean")), head(tr("DCM error: mean")), names,
+                            row(overlay_.own, *own_, 0), row(overlay_.other, *overlay_.record, kCompared.size()));
   if (now == text()) return;
   setText(now);
   setAccessibleDescription(QTextDocumentFragment::fromHtml(now).toPlainText());

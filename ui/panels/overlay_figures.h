@@ -28,7 +28,7 @@ class OverlayFigures final : public QLabel {
   [[nodiscard]] bool complete() const;
 
  private:
-  [[nodiscard]] QString cells(const StretchFigures& figures, bool is_signed) const;
+  [[nodiscard]] QString cells(const StretchFigures& figures, bool is_signed, bool is_estimate) const;
 
   const TimeView* view_;
   const RunRecord* own_ = nullptr;

@@ -26,6 +26,7 @@
 #include "ui/panels/fault_banner.h"
 #include "ui/panels/figure_card.h"
 #include "ui/panels/picture_file.h"
+#include "ui/plots/signal_source.h"
 #include "ui/text/glossary.h"
 #include "ui/text/joined_text.h"
 #include "ui/text/overview_text.h"
@@ -185,7 +186,7 @@ void OverviewPanel::colorStanding() {
 
 void OverviewPanel::showFigure(FigureCard& card, const OverviewFigure& figure, Signal signal) {
   const bool is_signed = signal == Signal::kDcmError;
-  const bool is_estimate = signal == Signal::kDeviation && record_->overview().is_deviation_ored();
+  const bool is_estimate = isUpperEstimate(*record_, signal);
   const auto magnitude = [is_estimate](double value) {
     const auto figure_text = timeText(wholeNs(value));
     return is_estimate ? atMostText(figure_text) : figure_text;

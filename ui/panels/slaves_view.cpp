@@ -32,7 +32,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr std::size_t kReadingsATick = 300'000;  // some milliseconds
+constexpr std::size_t kReadingsATick = 150'000;  // two milliseconds
 constexpr unsigned kFiguresEvery = 6;            // ticks: faster cannot be read
 constexpr std::size_t kCourseParts = 48;
 

@@ -27,10 +27,13 @@ constexpr double kLowestSeparated = 6, kMarkHeight = 7;
 
 void HeatMapPlot::drawRows(QPainter& painter) const {
   const auto all = area();
-  painter.fillRect(all, palette().color(QPalette::Base));
-  fillHatched(painter, all, noReadingColor(palette()));
-  if (!image_.isNull()) painter.drawImage(all, image_);
   const auto base = palette().color(QPalette::Base);
+  // Colours hide what lies below: only what has none is hatched.
+  if (const auto below = image_.isNull() ? all : pixelsOf(missing_); !below.isEmpty()) {
+    painter.fillRect(below, base);
+    fillHatched(painter, below, noReadingColor(palette()));
+  }
+  if (!image_.isNull()) painter.drawImage(all, image_);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto box = rowArea(i);
     if (rows_[i].is_reference) {

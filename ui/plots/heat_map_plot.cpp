@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
 
 #include "record/run_record.h"
@@ -48,6 +49,7 @@ void HeatMapPlot::setRecord(const RunRecord* record) {
   rows_.clear();
   measureNames();
   image_ = QImage();
+  missing_ = {};
   pointed_.reset();
   pointed_mark_.reset();
   dirty_ = true;
@@ -56,6 +58,7 @@ void HeatMapPlot::setRecord(const RunRecord* record) {
 void HeatMapPlot::setRows(std::vector<Row> rows) {
   if (rows == rows_) return;
   rows_ = std::move(rows);
+  drawn_full_ = 0;
   measureNames();
   dirty_ = true;
 }
@@ -98,6 +101,16 @@ QRectF HeatMapPlot::rowArea(std::size_t row) const {
   return box;
 }
 
+QRectF HeatMapPlot::pixelsOf(const QRect& part) const {
+  if (part.isEmpty()) return {};
+  const auto all = area();
+  const double wide = all.width() / image_.width();
+  const double high = all.height() / image_.height();
+  const QRectF place(all.left() + part.left() * wide, all.top() + part.top() * high, part.width() * wide,
+                     part.height() * high);
+  return all.intersected(QRectF(place.toAlignedRect()));
+}
+
 std::ptrdiff_t HeatMapPlot::rowOf(int slave) const {
   const auto found = std::ranges::find(rows_, static_cast<std::size_t>(slave), &Row::slave);
   return slave < 0 || found == rows_.end() ? -1 : found - rows_.begin();
@@ -129,6 +142,7 @@ void HeatMapPlot::makeImage() {
   const auto lines = std::min(rows_.size(), static_cast<std::size_t>(std::max(area().height(), 1.0)));
   if (lines == 0 || columns == 0 || cells_.slaves() == 0) {
     image_ = QImage();
+    missing_ = {};
     return;
   }
   if (full_ <= 0) {
@@ -137,18 +151,49 @@ void HeatMapPlot::makeImage() {
     full_ = roundStep(std::max(static_cast<double>(largest), 1.0));
   }
   const QSize size(static_cast<int>(columns), static_cast<int>(lines));
-  if (image_.size() != size) image_ = QImage(size, QImage::Format_ARGB32_Premultiplied);
-  const auto part = static_cast<float>(1 / full_);
-  std::vector<float> worst(columns);
+  if (image_.size() != size) {
+    image_ = QImage(size, QImage::Format_ARGB32_Premultiplied);
+    drawn_full_ = 0;
+  }
+  // While time goes on the colours move on with their cells: what is new is little.
+  const auto carried = std::exchange(drawn_full_, full_) == full_ ? cells_.carried() : SlaveCells::Carried{};
   for (std::size_t line = 0; line < lines; ++line) {
-    std::ranges::fill(worst, SlaveCells::kNoReading);
-    for (auto row = line * rows_.size() / lines; row < (line + 1) * rows_.size() / lines; ++row) {
-      if (rows_[row].slave >= cells_.slaves()) continue;
-      const auto cells = cells_.row(rows_[row].slave);
-      for (std::size_t i = 0; i < columns; ++i) worst[i] = std::max(worst[i], cells[i]);
+    if (carried.begin < carried.end) {
+      auto* pixels = reinterpret_cast<QRgb*>(image_.scanLine(static_cast<int>(line)));
+      const auto* source = pixels + static_cast<std::ptrdiff_t>(carried.begin) + carried.moved;
+      std::memmove(pixels + carried.begin, source, (carried.end - carried.begin) * sizeof(QRgb));
     }
-    auto* pixels = reinterpret_cast<QRgb*>(image_.scanLine(static_cast<int>(line)));
-    for (std::size_t i = 0; i < columns; ++i) pixels[i] = worst[i] < 0 ? 0 : scale_.color(worst[i] * part);
+    drawLine(line, 0, carried.begin);
+    drawLine(line, carried.end, columns);
+  }
+  findMissing();
+}
+
+void HeatMapPlot::drawLine(std::size_t line, std::size_t begin, std::size_t end) {
+  const auto lines = static_cast<std::size_t>(image_.height());
+  const auto part = static_cast<float>(1 / full_);
+  worst_.assign(end - begin, SlaveCells::kNoReading);
+  for (auto row = line * rows_.size() / lines; row < (line + 1) * rows_.size() / lines; ++row) {
+    if (rows_[row].slave >= cells_.slaves()) continue;
+    const auto cells = cells_.row(rows_[row].slave).subspan(begin);
+    for (std::size_t i = 0; i < worst_.size(); ++i) worst_[i] = std::max(worst_[i], cells[i]);
+  }
+  auto* pixels = reinterpret_cast<QRgb*>(image_.scanLine(static_cast<int>(line))) + begin;
+  for (std::size_t i = 0; i < worst_.size(); ++i) pixels[i] = worst_[i] < 0 ? 0 : scale_.color(worst_[i] * part);
+}
+
+void HeatMapPlot::findMissing() {
+  missing_ = {};
+  const auto columns = image_.width();
+  const auto lines = static_cast<std::size_t>(image_.height());
+  for (std::size_t line = 0; line < lines; ++line) {
+    if (rows_[line * rows_.size() / lines].is_reference) continue;
+    const auto* pixels = reinterpret_cast<const QRgb*>(image_.constScanLine(static_cast<int>(line)));
+    const auto* first = std::find(pixels, pixels + columns, 0U);
+    if (first == pixels + columns) continue;
+    const auto* last = pixels + columns;
+    while (last[-1] != 0) --last;
+    missing_ |= QRect(static_cast<int>(first - pixels), static_cast<int>(line), static_cast<int>(last - first), 1);
   }
 }
 
@@ -335,6 +380,7 @@ void HeatMapPlot::changeEvent(QEvent* event) {
 
 void HeatMapPlot::updateTheme() {
   scale_ = HeatScale(palette());
+  drawn_full_ = 0;
   marks_.setColors(theme::toneColor(palette(), theme::Tone::kBad), theme::toneColor(palette(), theme::Tone::kGood),
                    palette().color(QPalette::WindowText));
 }

@@ -111,11 +111,15 @@ class HeatMapPlot final : public QWidget {
   [[nodiscard]] int namesWidth() const;
   [[nodiscard]] double rowHeight() const;
   [[nodiscard]] QRectF rowArea(std::size_t row) const;
+  /// Whole pixels of the widget around those of the image.
+  [[nodiscard]] QRectF pixelsOf(const QRect& part) const;
   /// Of the slave; -1: it has none.
   [[nodiscard]] std::ptrdiff_t rowOf(int slave) const;
   [[nodiscard]] Nanoseconds timeAt(double x) const;
   [[nodiscard]] ColumnGrid grid() const;
   void makeImage();
+  void drawLine(std::size_t line, std::size_t begin, std::size_t end);
+  void findMissing();
   void drawRows(QPainter& painter) const;
   void drawNames(QPainter& painter) const;
   void drawTimes(QPainter& painter) const;
@@ -134,6 +138,9 @@ class HeatMapPlot final : public QWidget {
   std::vector<Row> rows_;
   SlaveCells cells_;
   QImage image_;
+  double drawn_full_ = 0;  // with which the image was made; 0: it has to be made anew
+  QRect missing_;          // around the pixels of the image without a reading; reference clocks are not asked
+  std::vector<float> worst_;
   double full_ = 1;
   int widest_name_ = 20;  // measured once: asked for by every row
   int selected_ = -1;

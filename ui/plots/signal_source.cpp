@@ -8,6 +8,7 @@
 #include "config/monitor_view.h"
 #include "record/run_record.h"
 #include "trace/min_max_series.h"
+#include "trace/sync_overview.h"
 #include "ui/text/signal_text.h"
 
 namespace syncline::ui {
@@ -94,6 +95,11 @@ double limitOf(const RunLimits& limits, Signal signal) { return limit_of(limits,
 
 bool isMagnitude(Signal signal) {
   return signal == Signal::kDeviation || signal == Signal::kDeviationOred || signal == Signal::kNetworkToSlave;
+}
+
+bool isUpperEstimate(const RunRecord& record, Signal signal) {
+  if (signal == Signal::kDeviation) return record.overview().is_deviation_ored();
+  return signal == Signal::kDeviationOred;
 }
 
 }  // namespace syncline::ui

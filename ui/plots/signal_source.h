@@ -45,5 +45,7 @@ struct SignalSource {
 [[nodiscard]] double limitOf(const RunLimits& limits, Signal signal);
 /// It has no sign: what swings about zero is seen at half its period.
 [[nodiscard]] bool isMagnitude(Signal signal);
+/// Magnitudes of all slaves in one, or-ed on the wire: no slave need have had one, and none had a larger one.
+[[nodiscard]] bool isUpperEstimate(const RunRecord& record, Signal signal);
 
 }  // namespace syncline::ui

@@ -92,37 +92,57 @@ void TriggerMonitor::setRecord(const RunRecord* record, bool recorded) {
   recorded_ = recorded;
   names_.clear();
   watch_.reset();
+  earlier_.clear();
   kept_.reset();
   if (own_) trigger_ = *std::exchange(own_, std::nullopt);
   if (!armed_) showKept();
   Q_EMIT recordChanged();
-  if (armed_) return begin(std::numeric_limits<Nanoseconds>::min());
+  if (armed_) {
+    const auto* kept = keptOfRecord();
+    const auto names = kept == nullptr ? std::map<Nanoseconds, std::string>() : kept->names;
+    begin(std::numeric_limits<Nanoseconds>::min());
+    names_ = names;
+  }
   Q_EMIT changed();
 }
 
 void TriggerMonitor::showKept() {
   if (record_ == nullptr || record_->triggers().empty()) return;
-  const auto& all = record_->triggers();
-  auto kept = std::ranges::find(all, trigger_, &KeptTrigger::trigger);
-  if (kept == all.end() && !recorded_) return;
-  if (kept == all.end()) {
-    kept = all.end() - 1;
+  const auto* kept = keptOfRecord();
+  if (kept == nullptr && !recorded_) return;
+  if (kept == nullptr) {
+    kept = &record_->triggers().back();
     own_ = std::exchange(trigger_, kept->trigger);
   }
   kept_ = *kept;
   names_ = kept_->names;
 }
 
+const KeptTrigger* TriggerMonitor::keptOfRecord() const {
+  if (record_ == nullptr) return nullptr;
+  const auto found = std::ranges::find_if(
+      record_->triggers(), [this](const KeptTrigger& one) { return finds_the_same(one.trigger, trigger_); });
+  return found == record_->triggers().end() ? nullptr : &*found;
+}
+
 void TriggerMonitor::setTrigger(const Trigger& trigger) {
   if (trigger == trigger_) return;
+  const bool same = finds_the_same(trigger_, trigger);
   trigger_ = trigger;
   own_.reset();
-  kept_.reset();
+  if (!same) {
+    kept_.reset();
+    names_.clear();
+  }
   keep(memory_, trigger_);
   if (armed_) {
     arm();
   } else {
     watch_.reset();
+    if (const auto* kept = recorded_ ? nullptr : keptOfRecord()) {
+      kept_ = *kept;
+      names_ = kept->names;
+    }
   }
   Q_EMIT triggerChanged();
   Q_EMIT changed();
@@ -132,9 +152,13 @@ void TriggerMonitor::arm() {
   armed_ = true;
   const auto names = kept_ ? std::exchange(kept_, std::nullopt)->names : std::map<Nanoseconds, std::string>();
   const bool from_now = record_ != nullptr && !recorded_ && !record_->samples().empty();
+  // What a run had before is not looked at again, and stays.
+  const auto* kept = from_now ? keptOfRecord() : nullptr;
+  const auto before = kept == nullptr ? KeptTrigger{} : *kept;
+  earlier_ = before.episodes;
   begin(from_now ? record_->samples().last_time() + 1 : std::numeric_limits<Nanoseconds>::min());
   // What is found again has the name that it had.
-  if (recorded_) names_ = names;
+  names_ = recorded_ ? names : before.names;
   Q_EMIT changed();
 }
 
@@ -152,6 +176,7 @@ void TriggerMonitor::begin(Nanoseconds from) {
   looks_ = 0;
   told_ = 0;
   whole_ = false;
+  gatherEpisodes();
   tick_.start();
   look();
   Q_EMIT changed();
@@ -165,7 +190,7 @@ void TriggerMonitor::disarm() {
 
 const std::vector<TriggerEpisode>& TriggerMonitor::episodes() const {
   static const std::vector<TriggerEpisode> kNone;
-  if (watch_) return watch_->episodes();
+  if (watch_) return episodes_;
   return kept_ ? kept_->episodes : kNone;
 }
 
@@ -183,8 +208,7 @@ void TriggerMonitor::setName(const TriggerEpisode& episode, const QString& name)
 void TriggerMonitor::tellFound() {
   if (recorded_ || record_ == nullptr || episodes().empty()) return;
   KeptTrigger kept{trigger_, {}, {}};
-  const auto& before = record_->triggers();
-  if (const auto same = std::ranges::find(before, trigger_, &KeptTrigger::trigger); same != before.end()) {
+  if (const auto* same = keptOfRecord()) {
     std::ranges::copy_if(same->episodes, std::back_inserter(kept.episodes),
                          [first = episodes().front().time](const TriggerEpisode& one) { return one.time < first; });
     kept.names = same->names;
@@ -220,9 +244,18 @@ void TriggerMonitor::look() {
   hearEvents();
   hearFindings();
   whole_ = watch_->look(record_->samples(), kPortionCycles * std::max<Nanoseconds>(record_->limits().cycle_time, 1));
+  gatherEpisodes();
   tellCompleted(whole_);
   if (count != watch_->count() || left_out != leftOut()) tellFound();
   if (count != watch_->count() || left_out != leftOut() || before != stateText()) Q_EMIT changed();
+}
+
+void TriggerMonitor::gatherEpisodes() {
+  episodes_ = earlier_;
+  episodes_.insert(episodes_.end(), watch_->episodes().begin(), watch_->episodes().end());
+  if (const auto all = episodes_.size(); all > TriggerWatch::kMostEpisodes)
+    episodes_.erase(episodes_.begin(),
+                    episodes_.begin() + static_cast<std::ptrdiff_t>(all - TriggerWatch::kMostEpisodes));
 }
 
 void TriggerMonitor::tellCompleted(bool whole) {

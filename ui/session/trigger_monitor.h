@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "record/run_record.h"
 #include "trace/trigger.h"
@@ -31,7 +32,8 @@ class TriggerMonitor final : public QObject {
   [[nodiscard]] bool isRecorded() const { return recorded_; }
 
   [[nodiscard]] const Trigger& trigger() const { return trigger_; }
-  /// What was found with another one is forgotten; an armed one waits anew.
+  /// What was found with another one is no longer listed; an armed one waits anew. What this one found in the run
+  /// before, in whatever mode, is listed again.
   void setTrigger(const Trigger& trigger);
   /// The record has more variables than before.
   void tellVariables() { Q_EMIT recordChanged(); }
@@ -45,8 +47,8 @@ class TriggerMonitor final : public QObject {
   /// The state in words; empty where nothing is shown.
   [[nodiscard]] QString stateText() const;
 
-  /// The latest, also after it was disarmed, until it is armed again; of a run or a recording that is shown anew what
-  /// was found before.
+  /// The latest, also after it was disarmed, and what was found before it was armed again; of a run or a recording that
+  /// is shown anew what was found before.
   [[nodiscard]] const std::vector<TriggerEpisode>& episodes() const;
   [[nodiscard]] std::uint64_t leftOut() const { return watch_ ? watch_->left_out() : 0; }
   [[nodiscard]] QString name(const TriggerEpisode& episode) const;
@@ -76,15 +78,20 @@ class TriggerMonitor final : public QObject {
   void tellFound();
   /// Shows what the record keeps, found by the trigger that is set or, in a recording, by another one.
   void showKept();
+  /// What the trigger that is set has found in the record by now; null: nothing.
+  [[nodiscard]] const KeptTrigger* keptOfRecord() const;
+  /// Behind those from before the watch.
+  void gatherEpisodes();
 
   WindowMemory& memory_;
   Trigger trigger_;
   const RunRecord* record_ = nullptr;
   bool recorded_ = false, armed_ = false, whole_ = false;
   std::unique_ptr<TriggerWatch> watch_;
-  std::optional<KeptTrigger> kept_;  // shown while there is no watch
-  std::optional<Trigger> own_;       // what was set before a recording brought its own
-  std::uint64_t heard_ = 0;          // events
+  std::vector<TriggerEpisode> earlier_, episodes_;  // from before the watch, and with its own
+  std::optional<KeptTrigger> kept_;                 // shown while there is no watch
+  std::optional<Trigger> own_;                      // what was set before a recording brought its own
+  std::uint64_t heard_ = 0;                         // events
   unsigned looks_ = 0;
   std::uint64_t told_ = 0;  // episodes that were complete
   std::map<Nanoseconds, std::string> names_;
