@@ -489,6 +489,10 @@
             <source>From one SYNC0 to the next: when the frame with the slave's outputs had ended there, in system time. Bars are logarithmic counts and fade with the age of their latest arrival; the dotted line is where outputs nominally come by the set value; shaded is what the slave needs for calculating and copying.</source>
             <translation>Von einem SYNC0 zum nächsten: wann der Frame mit den Ausgängen des Slaves dort zu Ende war, in Systemzeit. Die Balken sind logarithmische Anzahlen und verblassen mit dem Alter ihrer jüngsten Ankunft; die gepunktete Linie ist, wo Ausgänge nach dem Sollwert nominell kommen; schattiert ist, was der Slave zum Rechnen und Kopieren braucht.</translation>
         </message>
+        <message>
+            <source>calculating and copying</source>
+            <translation>Rechnen und Kopieren</translation>
+        </message>
 </context>
 <context>
     <name>CycleView</name>
@@ -6957,7 +6961,7 @@ Einstellung %2</translation>
             <translation>seit %1</translation>
         </message>
         <message>
-            <source>, not lost since it was armed</source>
+            <source>, not lost since armed</source>
             <translation>, seit dem Scharfstellen nicht verloren</translation>
         </message>
         <message numerus="yes">

@@ -488,6 +488,10 @@
             <source>From one SYNC0 to the next: when the frame with the slave&apos;s outputs had ended there, in system time. Bars are logarithmic counts and fade with the age of their latest arrival; the dotted line is where outputs nominally come by the set value; shaded is what the slave needs for calculating and copying.</source>
             <translation>从一个 SYNC0 到下一个：带有从站输出的帧在该处结束的时刻（系统时间）。柱为对数计数，随最近一次到达的时间变旧而变淡；虚点线为按设定值输出应到达的位置；阴影为从站计算与复制所需的时间。</translation>
         </message>
+        <message>
+            <source>calculating and copying</source>
+            <translation>计算与复制</translation>
+        </message>
 </context>
 <context>
     <name>CycleView</name>
@@ -6925,7 +6929,7 @@ Setting %2</source>
             <translation>已 %1</translation>
         </message>
         <message>
-            <source>, not lost since it was armed</source>
+            <source>, not lost since armed</source>
             <translation>，重新计数以来未失步</translation>
         </message>
         <message numerus="yes">

@@ -346,7 +346,7 @@ TEST_F(LiveStripTest, CursorsMeasure) {
               testing::AllOf(testing::HasSubstr("+200.000"), testing::HasSubstr("5 Hz")));
   EXPECT_THAT(strip.panels()[0]->readout().toStdString(), testing::HasSubstr("max +900"));
   EXPECT_THAT(strip.panels()[2]->readout().toStdString(),
-              testing::AllOf(testing::HasSubstr("min -200"), testing::HasSubstr("max +200")));
+              testing::AllOf(testing::HasSubstr("min \u2212200"), testing::HasSubstr("max +200")));
   key(Qt::Key_Escape);
   settle();
   EXPECT_TRUE(text("cursorDeltaLabel").isEmpty());

@@ -590,7 +590,7 @@ TEST_F(RecordingWindow, TheOverviewIsSeenFirstAndSaysWhetherItIsInSync) {
   ASSERT_TRUE(panel->isVisible());
   panel->refresh();
   EXPECT_EQ(window_.findChild<Pill*>(QStringLiteral("overviewSlaves"))->text(), QStringLiteral("In sync"));
-  EXPECT_THAT(text("overviewSlavesText").toStdString(), testing::HasSubstr("not lost since it was armed"));
+  EXPECT_THAT(text("overviewSlavesText").toStdString(), testing::HasSubstr("not lost since armed"));
   EXPECT_THAT(text("overviewFault").toStdString(), testing::HasSubstr("No fault"));
   const auto* deviation = window_.findChild<FigureCard*>(QStringLiteral("overviewDeviation"));
   EXPECT_THAT(deviation->mainText().toStdString(), testing::HasSubstr("ns"));
@@ -805,7 +805,7 @@ TEST(Overview, WhatIsOutOfSyncWasLostOrNeverInSync) {
   const auto text = [&](SyncState state, std::optional<Nanoseconds> lost) {
     return lampText({state, 2 * kSecond, lost, lost ? 1U : 0U, {}, 0, 0}, overview).toStdString();
   };
-  EXPECT_THAT(text(SyncState::kInSync, {}), testing::HasSubstr("not lost since it was armed"));
+  EXPECT_THAT(text(SyncState::kInSync, {}), testing::HasSubstr("not lost since armed"));
   for (const auto state : {SyncState::kOutOfSync, SyncState::kUnknown, SyncState::kBusy}) {
     EXPECT_EQ(text(state, {}), "for 8 s");
     EXPECT_THAT(text(state, 2 * kSecond), testing::HasSubstr("last lost 8 s ago"));

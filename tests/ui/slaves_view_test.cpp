@@ -180,7 +180,7 @@ TEST_F(SlavesViewTest, ThePointerReadsSlaveTimeValueAgeAndLimit) {
 
 TEST_F(SlavesViewTest, TheTableHasTheWorstFirstAndSortsNumbersAsNumbers) {
   EXPECT_THAT(order(), testing::ElementsAre("#2", "#3", "#1", testing::_, testing::_));
-  EXPECT_EQ(cell(0, SlavesColumn::kNow), "-20 ns");
+  EXPECT_EQ(cell(0, SlavesColumn::kNow), "\u221220 ns");
   EXPECT_EQ(cell(0, SlavesColumn::kMax), "900 ns");
   EXPECT_EQ(cell(1, SlavesColumn::kMean), "+100 ns");
   EXPECT_EQ(cell(1, SlavesColumn::kRms), "100 ns");

@@ -25,7 +25,7 @@ QString plain(QString text) { return text.replace(QChar(0x00A0), u' '); }
 
 TEST(Units, ChooseTheUnitBySize) {
   EXPECT_EQ(plain(timeText(127)), QStringLiteral("127 ns"));
-  EXPECT_EQ(plain(timeText(-1'500)), QStringLiteral("-1.500 \u00B5s"));
+  EXPECT_EQ(plain(timeText(-1'500)), QStringLiteral("\u22121.500 \u00B5s"));
   EXPECT_EQ(plain(timeText(2'000'000)), QStringLiteral("2.000 ms"));
   EXPECT_EQ(plain(signedTimeText(12)), QStringLiteral("+12 ns"));
   EXPECT_EQ(plain(cycleText(62'500)), QStringLiteral("62.5 \u00B5s"));
@@ -36,6 +36,14 @@ TEST(Units, ChooseTheUnitBySize) {
 TEST(Units, HexadecimalKeepsItsPrefixSmall) {
   EXPECT_EQ(hexText(0x44c2c52, 8), QStringLiteral("0x044C2C52"));
   EXPECT_EQ(hexText(0x300, 4), QStringLiteral("0x0300"));
+}
+
+TEST(Units, CountsOnALogarithmicAxis) {
+  EXPECT_EQ(countDecadeText(0), QStringLiteral("1"));
+  EXPECT_EQ(countDecadeText(3), QStringLiteral("1000"));
+  EXPECT_EQ(countDecadeText(4), QStringLiteral("10\u2074"));
+  EXPECT_EQ(decadeText(0), QStringLiteral("1"));
+  EXPECT_EQ(decadeText(12), QStringLiteral("10\u207B\u00B9\u00B2"));
 }
 
 TEST(Units, FollowTheUsersLocaleOnScreenOnly) {
@@ -60,7 +68,7 @@ TEST(Translations, WordsInsideSentencesAreGerman) {
             QStringLiteral("Slave 3: SAFEOP+ERR mit AL-Statuscode 0x001B (SyncManager-Watchdog); zu prüfen: warum "
                            "Ausgänge länger ausblieben als der Watchdog 0x0420 (Schleife, Working Counter)"));
   EXPECT_EQ(said(-1, events::MasterOutOfSync{-7, dc::SyncObstacle::kClockStep}),
-            QStringLiteral("Master NICHT SYNCHRON, Fehler -7 ns: die Referenzuhr ist gesprungen"));
+            QStringLiteral("Master NICHT SYNCHRON, Fehler \u22127 ns: die Referenzuhr ist gesprungen"));
   EXPECT_EQ(said(-1, events::StateChanged{AlState::kSafeop, AlState::kNone}),
             QStringLiteral("Master: SAFEOP \u2192 unbekannt"));
   EXPECT_FALSE(said(-1, events::DcmError{0x981201CA, 700}).contains(QStringLiteral("drift apart")));

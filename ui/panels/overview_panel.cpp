@@ -116,9 +116,13 @@ void OverviewPanel::buildVerdict(QWidget& card) {
   auto* layout = qobject_cast<QVBoxLayout*>(card.layout());
   layout->setSpacing(0);  // it has the most lines, and a small window must hold them
   int place = 1;
-  const auto add = [&](const QString& name, Pill* pill, QLabel* text) {
+  // Both lamps below each other, however long their names are.
+  QLabel* const names[] = {new QLabel(tr("Slaves")), new QLabel(tr("Master"))};
+  const int widest = std::max(names[0]->sizeHint().width(), names[1]->sizeHint().width());
+  const auto add = [&](QLabel* name, Pill* pill, QLabel* text) {
     auto* row = new QHBoxLayout;
-    row->addWidget(new QLabel(name));
+    name->setMinimumWidth(widest);
+    row->addWidget(name);
     row->addWidget(pill);
     row->addStretch(1);
     text->setWordWrap(true);
@@ -126,8 +130,8 @@ void OverviewPanel::buildVerdict(QWidget& card) {
     layout->insertLayout(place++, row);
     layout->insertWidget(place++, text);
   };
-  add(tr("Slaves"), slaves_, slaves_text_);
-  add(tr("Master"), master_, master_text_);
+  add(names[0], slaves_, slaves_text_);
+  add(names[1], master_, master_text_);
   standing_->setWordWrap(true);
   standing_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->insertWidget(place, standing_);

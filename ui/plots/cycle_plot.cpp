@@ -9,6 +9,8 @@
 
 #include "ui/plots/plot_colors.h"
 #include "ui/plots/small_font.h"
+#include "ui/text/units.h"
+#include "ui/theme/theme.h"
 #include "ui/widgets/spoken_value.h"
 
 namespace syncline::ui {
@@ -43,21 +45,44 @@ void CyclePlot::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (picture_.period <= 0) return;
   period().drawMarks(painter);
+  drawCounts(painter);
   drawBars(painter);
   drawNominal(painter);
   period().drawSync0(painter, picture_.calc_and_copy);
 }
 
-void CyclePlot::drawBars(QPainter& painter) const {
-  const auto box = area();
+/// A single arrival is seen: a decade of room is below it.
+double CyclePlot::heightOf(std::uint64_t count) const {
   std::uint64_t most = 1;
   for (const auto& bin : picture_.figures.bins) most = std::max(most, bin.count);
-  const double full = std::log10(static_cast<double>(most)) + 1;
+  return area().height() * (std::log10(static_cast<double>(count)) + 1) / (std::log10(static_cast<double>(most)) + 1);
+}
+
+void CyclePlot::drawCounts(QPainter& painter) const {
+  const auto box = area();
+  painter.setFont(smallFont(font()));
+  const double high = painter.fontMetrics().height();
+  std::uint64_t count = 1;
+  const double apart = heightOf(10 * count) - heightOf(count);
+  const int every = apart < high ? 2 : 1;
+  for (int decade = 0; heightOf(count) <= box.height(); ++decade, count *= 10) {
+    const double y = box.bottom() - heightOf(count);
+    painter.setPen(QPen(plot_colors::grid(palette()), 0));
+    painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+    if (decade % every != 0) continue;
+    painter.setPen(theme::mutedText(palette()));
+    painter.drawText(QRectF(0, y - high, box.left() - 4, 2 * high), Qt::AlignRight | Qt::AlignVCenter,
+                     countDecadeText(decade));
+  }
+}
+
+void CyclePlot::drawBars(QPainter& painter) const {
+  const auto box = area();
   const auto bins = static_cast<double>(picture_.figures.bins.size());
   for (std::size_t i = 0; i < picture_.figures.bins.size(); ++i) {
     const auto& bin = picture_.figures.bins[i];
     if (bin.count == 0) continue;
-    const double height = box.height() * (std::log10(static_cast<double>(bin.count)) + 1) / full;
+    const double height = heightOf(bin.count);
     const double age = static_cast<double>(picture_.end - bin.newest) /
                        static_cast<double>(std::max<Nanoseconds>(picture_.end - picture_.begin, 1));
     auto color = plot_colors::trace(palette(), 0);

@@ -41,6 +41,8 @@ class CyclePlot final : public QWidget {
 
  private:
   [[nodiscard]] Sync0Period period() const;
+  [[nodiscard]] double heightOf(std::uint64_t count) const;
+  void drawCounts(QPainter& painter) const;
   void drawBars(QPainter& painter) const;
   void drawNominal(QPainter& painter) const;
 

@@ -98,12 +98,7 @@ void HistogramPlot::drawAxes(QPainter& painter) const {
     const int every = decades_ * painter.fontMetrics().height() > all.height() ? 2 : 1;
     if (decade % every != 0) continue;
     painter.setPen(text);
-    const auto label = decade < 4 ? locale.toString(std::pow(10, decade), 'f', 0)
-                                  : QStringLiteral("10") + QString::fromUtf16(
-                                                               u"\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076"
-                                                               u"\u2077\u2078\u2079")
-                                                               .at(std::min(decade, 9));
-    painter.drawText(QRectF(0, y - 10, kLeft - 4, 20), Qt::AlignRight | Qt::AlignVCenter, label);
+    painter.drawText(QRectF(0, y - 10, kLeft - 4, 20), Qt::AlignRight | Qt::AlignVCenter, countDecadeText(decade));
   }
   const double step = roundStep((grid_.high - grid_.low) * 64 / std::max(all.width(), 64.0));
   const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step))));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/sync0_period.h"
 
+#include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QPainter>
 #include <QWidget>
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace syncline::ui {
 namespace {
 
 constexpr int kMarks = 8;  // at most
-constexpr int kTooLateAlpha = 30;
+constexpr int kTooLateAlpha = 30, kWordAlpha = 200;
 
 }  // namespace
 
@@ -46,6 +48,7 @@ void Sync0Period::drawSync0(QPainter& painter, std::optional<Nanoseconds> calc_a
     painter.fillRect(QRectF(left, area_.top(), area_.right() - left, area_.height()), too_late);
     painter.setPen(QPen(plot_colors::limitLine(palette), 0, Qt::DashLine));
     painter.drawLine(QPointF(left, area_.top()), QPointF(left, area_.bottom()));
+    nameLine(painter, left);
   }
   painter.setFont(smallFont(plot_.font()));
   for (const double x : {area_.left(), area_.right()}) {
@@ -53,6 +56,21 @@ void Sync0Period::drawSync0(QPainter& painter, std::optional<Nanoseconds> calc_a
     painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
     painter.drawText(QRectF(x - kSide, 0, 2 * kSide, kTop), Qt::AlignCenter, QStringLiteral("SYNC0"));
   }
+}
+
+/// In front of the line, where there is room: behind it stands the SYNC0.
+void Sync0Period::nameLine(QPainter& painter, double x) const {
+  painter.setFont(smallFont(plot_.font()));
+  const auto word = QCoreApplication::translate("CyclePlot", "calculating and copying");
+  const QFontMetricsF metrics(painter.font());
+  const QRectF box(x - metrics.horizontalAdvance(word) - 8, area_.top() + 2, metrics.horizontalAdvance(word) + 4,
+                   metrics.height());
+  if (box.left() < area_.left() + 4) return;
+  auto ground = plot_.palette().color(QPalette::Base);
+  ground.setAlpha(kWordAlpha);
+  painter.fillRect(box, ground);
+  painter.setPen(plot_colors::limitLine(plot_.palette()));
+  painter.drawText(box, Qt::AlignCenter, word);
 }
 
 }  // namespace syncline::ui

@@ -33,6 +33,8 @@ class Sync0Period {
   void drawSync0(QPainter& painter, std::optional<Nanoseconds> calc_and_copy) const;
 
  private:
+  void nameLine(QPainter& painter, double x) const;
+
   const QWidget& plot_;
   Nanoseconds period_;
   QRectF area_;

@@ -43,7 +43,7 @@ class Overview {
     const auto since = tr("for %1").arg(spanText(overview.end - lamp.of_all_since()));
     if (!is_watched(lamp.state) || !overview.armed) return since;
     const auto lost = lamp.any_lost();
-    if (!lost) return lamp.state == SyncState::kInSync ? since + tr(", not lost since it was armed") : since;
+    if (!lost) return lamp.state == SyncState::kInSync ? since + tr(", not lost since armed") : since;
     return since + tr(", last lost %1 ago, %n time(s)", nullptr,
                       static_cast<int>(std::min<std::uint64_t>(lamp.times_any_lost(), INT32_MAX)))
                        .arg(spanText(overview.end - *lost));

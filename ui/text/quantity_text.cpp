@@ -7,6 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include "ui/text/power_text.h"
+
 namespace syncline::ui {
 namespace {
 
@@ -19,13 +21,6 @@ struct ScaledUnit {
 constexpr std::array<ScaledUnit, 4> kSecondUnits{{{1, u"s"}, {1e-3, u"ms"}, {1e-6, u"\u00B5s"}, {1e-9, u"ns"}}};
 constexpr std::array<ScaledUnit, 4> kNanosecondUnits{{{1e9, u"s"}, {1e6, u"ms"}, {1e3, u"\u00B5s"}, {1, u"ns"}}};
 constexpr std::array<ScaledUnit, 3> kHertzUnits{{{1e6, u"MHz"}, {1e3, u"kHz"}, {1, u"Hz"}}};
-
-QString raised(int number) {
-  static const QString kDigits = QString::fromUtf16(u"\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076\u2077\u2078\u2079");
-  QString text = number < 0 ? QString(QChar(0x207B)) : QString();
-  for (const auto digit : QString::number(std::abs(number))) text += kDigits.at(digit.unicode() - u'0');
-  return text;
-}
 
 /// Places behind the point that show `digits` of the value.
 int placesFor(double value, int digits) {
@@ -48,7 +43,7 @@ QString ratioText(double value, int digits) {
   if (value <= 0) return QStringLiteral("0");
   const int power = static_cast<int>(std::floor(std::log10(value) + 1e-9));
   const double mantissa = value / std::pow(10, power);
-  const auto ten = QStringLiteral("10") + raised(power);
+  const auto ten = powerOfTenText(power);
   if (digits == 1 && std::abs(mantissa - 1) < 1e-6) return ten;
   return QLocale().toString(mantissa, 'f', digits - 1) + QChar(0x00B7) + ten;
 }

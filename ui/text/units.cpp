@@ -6,12 +6,20 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "ui/text/power_text.h"
+
 namespace syncline::ui {
 namespace {
 
 constexpr QChar kNoBreakSpace(0x00A0);
 
-QString withUnit(const QString& number, const QString& unit) { return number + kNoBreakSpace + unit; }
+/// As the axes of the plots have it: a hyphen is no minus.
+QString withMinus(QString number) {
+  if (number.startsWith(u'-')) number.replace(0, 1, QChar(0x2212));
+  return number;
+}
+
+QString withUnit(const QString& number, const QString& unit) { return withMinus(number) + kNoBreakSpace + unit; }
 
 QString microUnit() { return QStringLiteral("\u00B5s"); }
 
@@ -73,18 +81,19 @@ QString withSpreadPpmText(double ppm, const std::optional<double>& half_width) {
   // Whoever is sure to a thousandth sees it.
   const int digits = *half_width < 0.01 ? 3 : 2;
   const double scale = digits == 3 ? 1000 : 100;
-  const auto number = [&](double value) { return QLocale().toString(value, 'f', digits); };
+  const auto number = [&](double value) { return withMinus(QLocale().toString(value, 'f', digits)); };
   const double shown = std::round(ppm * scale) / scale + 0.0;
   return (shown > 0 ? QStringLiteral("+") : QString()) + QStringLiteral("%1 \u00B1 ").arg(number(shown)) +
          withUnit(number(std::ceil(*half_width * scale) / scale), QStringLiteral("ppm"));
 }
 
 QString decadeText(int decades_below_one) {
-  if (decades_below_one == 0) return QStringLiteral("1");
-  static constexpr char16_t kDigits[] = u"\u2070\u00B9\u00B2\u00B3\u2074\u2075\u2076\u2077\u2078\u2079";
-  QString power;
-  for (const auto digit : QString::number(decades_below_one)) power += kDigits[digit.digitValue()];
-  return QStringLiteral("10\u207B") + power;
+  return decades_below_one == 0 ? QStringLiteral("1") : powerOfTenText(-decades_below_one);
+}
+
+QString countDecadeText(int decade) {
+  constexpr int kWrittenOut = 4;
+  return decade < kWrittenOut ? QLocale().toString(std::pow(10, decade), 'f', 0) : powerOfTenText(decade);
 }
 
 QString countText(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }

@@ -38,6 +38,8 @@ namespace syncline::ui {
 
 /// "10⁻⁶" for 6, "1" for 0.
 [[nodiscard]] QString decadeText(int decades_below_one);
+/// Of a logarithmic axis of counts: "1", "1000", "10\u2074".
+[[nodiscard]] QString countDecadeText(int decade);
 
 /// A dash, where there is nothing to show.
 [[nodiscard]] QString noText();
