@@ -47,6 +47,11 @@ std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nan
     return size;
   }
   strange_ = 0;
+  // Frames that wait for those of others on the wire, one after the other, do not take the line with them: it would be
+  // found in the wrong place when they no longer do.
+  const double unremarkable = gate / 4;
+  const bool explained = surprise > unremarkable && surprise - static_cast<double>(doubt) <= unremarkable;
+  if (readings_ >= kLearning && explained) return std::nullopt;
   readings_ = std::min(readings_ + 1, kLearning);
   scatter_ += std::max(kStepMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
   follow(surprise, static_cast<double>(passed));

@@ -13,7 +13,7 @@ namespace syncline::dc {
 /// compared with what was predicted, so that a step by whole cycles is seen too. A stamp is wrong once and by any
 /// amount; a clock that has stepped is off by the same amount in all readings that follow, and three of them are
 /// enough. Three wrong stamps in a row may agree, too, but a frame that left later than its stamp says comes back
-/// later, and a clock's step delays no frame: such a reading says nothing.
+/// later, and a clock's step delays no frame: such a reading says nothing, be it of a step or of where the clock is.
 class ClockStepDetector {
  public:
   explicit ClockStepDetector(Nanoseconds limit) : limit_(static_cast<double>(limit)) {}

@@ -77,6 +77,24 @@ TEST(ClockStepDetector, WrongStampsThatAgreeAreNoStepWhereTheirFramesCameBackLat
   EXPECT_TRUE(readings.steps.empty());
 }
 
+/// As behind those of another program on the host: each within the limit, and for a while.
+TEST(ClockStepDetector, FramesThatWaitedForAWhileAreNoStepWhenTheyNoLongerDo) {
+  for (const Nanoseconds late : {1'500, 2'500, 3'500}) {
+    for (const int cycles : {20, 60, 100, 300}) {
+      Readings readings(30, 300);
+      readings.run(500);
+      for (int i = 0; i < cycles; ++i) {
+        if (const auto step = readings.read(late, late + 200)) readings.steps.push_back(*step);
+      }
+      readings.run(500);
+      EXPECT_TRUE(readings.steps.empty()) << late << " for " << cycles;
+      readings.step(-6'000);
+      readings.run(3);
+      EXPECT_EQ(readings.steps.size(), 1U) << late << " for " << cycles;
+    }
+  }
+}
+
 TEST(ClockStepDetector, AFrameThatComesBackLateHidesNoStep) {
   for (const Nanoseconds step : {-9'000, 9'000, 200'000}) {
     Readings readings(30, 300);
