@@ -41,7 +41,7 @@ QString briefText(const Event& event) {
   if (const auto* words = find_finding_words(finding->code)) {
     if (const auto brief = sentence_of(*words, "unchecked"); !brief.empty()) finding->facts = brief;
   }
-  return findingText(*finding);
+  return event.slave < 0 ? findingText(*finding) : findingTextWithoutSubject(*finding);
 }
 
 Message messageOf(const Finding& finding, const Project& project) {

@@ -24,7 +24,8 @@ struct Message;
 [[nodiscard]] std::optional<Message> messageOf(const Event& event, const NetworkConfig& running);
 [[nodiscard]] Message messageOf(const Finding& finding, const Project& project);
 [[nodiscard]] Message messageOf(const Error& error, Severity severity, const QString& source);
-/// What an event says, in a line among others: without advice. Empty as above.
+/// What an event says, in a line among others that tells whose it is: without its slave and without advice. Empty as
+/// above.
 [[nodiscard]] QString briefText(const Event& event);
 /// DC-epoch time (host clock of the event) as a date, local time zone.
 [[nodiscard]] QDateTime dateTimeOf(Nanoseconds dc_time);

@@ -150,6 +150,12 @@ QString findingText(const Finding& finding) {
   return fill(FindingSentences::sentence(facts_template(finding)), finding);
 }
 
+QString findingTextWithoutSubject(const Finding& finding) {
+  static const QRegularExpression kSubject(QStringLiteral("^\\{subject\\}[:\uFF1A]\\s*"));
+  auto text = FindingSentences::sentence(facts_template(finding));
+  return fill(text.remove(kSubject), finding);
+}
+
 QString findingAdvice(const Finding& finding) {
   const FindingWords* words = find_finding_words(finding.code);
   return words == nullptr || words->mend.empty() ? QString() : fill(FindingSentences::sentence(words->mend), finding);

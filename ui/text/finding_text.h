@@ -15,6 +15,8 @@ namespace syncline::ui {
 
 /// What was seen and why, in the user's language.
 [[nodiscard]] QString findingText(const Finding& finding);
+/// The same without the slave in front of it ("Slave 3: ..."), for who has said whose it is.
+[[nodiscard]] QString findingTextWithoutSubject(const Finding& finding);
 /// What to do; empty where nothing is to be done.
 [[nodiscard]] QString findingAdvice(const Finding& finding);
 
