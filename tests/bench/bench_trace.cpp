@@ -69,14 +69,14 @@ void bench_distribution(RatioReport& report, const MinMaxSeries& series) {
 }
 
 void bench_stability(RatioReport& report, const MinMaxSeries& series) {
-  constexpr std::size_t kPortion = 1'000'000;
+  constexpr std::size_t kPortion = 500'000;  // a tick of StabilityView
   SampleGathering gathering;
   gathering.aim(series, kStart, kEnd, 0);
   const double gathered = seconds([&] {
     while (!gathering.work(kPortion)) {
     }
   });
-  report.add("stability: copy a portion of 1 M", gathered * 1e9 / 10, "a tick of 33 ms", 33e6, 0.5);
+  report.add("stability: copy a portion of 0.5 M", gathered * 1e9 / 20, "a tick of 33 ms", 33e6, 0.5);
   static_cast<void>(gathering.take());
   EvenSamples samples;
   const double copy = seconds([&] { samples = EvenSamples(series, kStart, kEnd, 0); });

@@ -28,7 +28,7 @@
 namespace syncline::ui {
 namespace {
 
-constexpr std::size_t kCopiedATick = 1'000'000;  // samples: some milliseconds
+constexpr std::size_t kCopiedATick = 500'000;  // samples: some milliseconds, into memory that nobody has touched
 constexpr int kWordsWidth = 300;
 
 /// Times that come at even distances, and variables. What comes only when something is late has none.
