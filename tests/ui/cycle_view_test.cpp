@@ -246,5 +246,15 @@ TEST_F(CycleViewTest, TheArrivalPhaseIsASignalOfTheDistribution) {
   EXPECT_THAT(strip.csv(), testing::StartsWith("from,to,arrival_phase_ns #1\n"));
 }
 
+/// However little room there is.
+TEST_F(CycleViewTest, IsDrawnInAnySize) {
+  for (const auto& size : {QSize(8, 8), QSize(60, 30), QSize(75, 41), QSize(900, 40), QSize(40, 400)}) {
+    CyclePlot plot;
+    plot.setPicture(picture());
+    plot.resize(size);
+    EXPECT_EQ(plot.grab().toImage().size(), size);
+  }
+}
+
 }  // namespace
 }  // namespace syncline::ui

@@ -45,28 +45,29 @@ void CyclePlot::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().color(QPalette::Base));
   if (picture_.period <= 0) return;
   period().drawMarks(painter);
-  drawCounts(painter);
-  drawBars(painter);
+  std::uint64_t most = 1;
+  for (const auto& bin : picture_.figures.bins) most = std::max(most, bin.count);
+  drawCounts(painter, most);
+  drawBars(painter, most);
   drawNominal(painter);
   period().drawSync0(painter, picture_.calc_and_copy);
 }
 
 /// A single arrival is seen: a decade of room is below it.
-double CyclePlot::heightOf(std::uint64_t count) const {
-  std::uint64_t most = 1;
-  for (const auto& bin : picture_.figures.bins) most = std::max(most, bin.count);
+double CyclePlot::heightOf(std::uint64_t count, std::uint64_t most) const {
   return area().height() * (std::log10(static_cast<double>(count)) + 1) / (std::log10(static_cast<double>(most)) + 1);
 }
 
-void CyclePlot::drawCounts(QPainter& painter) const {
+void CyclePlot::drawCounts(QPainter& painter, std::uint64_t most) const {
   const auto box = area();
   painter.setFont(smallFont(font()));
   const double high = painter.fontMetrics().height();
-  std::uint64_t count = 1;
-  const double apart = heightOf(10 * count) - heightOf(count);
+  const double apart = heightOf(10, most) - heightOf(1, most);
   const int every = apart < high ? 2 : 1;
-  for (int decade = 0; heightOf(count) <= box.height(); ++decade, count *= 10) {
-    const double y = box.bottom() - heightOf(count);
+  const int decades = static_cast<int>(std::log10(static_cast<double>(most)) + 1e-9);
+  std::uint64_t count = 1;
+  for (int decade = 0; decade <= decades; ++decade, count *= 10) {
+    const double y = box.bottom() - heightOf(count, most);
     painter.setPen(QPen(plot_colors::grid(palette()), 0));
     painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
     if (decade % every != 0) continue;
@@ -76,13 +77,13 @@ void CyclePlot::drawCounts(QPainter& painter) const {
   }
 }
 
-void CyclePlot::drawBars(QPainter& painter) const {
+void CyclePlot::drawBars(QPainter& painter, std::uint64_t most) const {
   const auto box = area();
   const auto bins = static_cast<double>(picture_.figures.bins.size());
   for (std::size_t i = 0; i < picture_.figures.bins.size(); ++i) {
     const auto& bin = picture_.figures.bins[i];
     if (bin.count == 0) continue;
-    const double height = heightOf(bin.count);
+    const double height = heightOf(bin.count, most);
     const double age = static_cast<double>(picture_.end - bin.newest) /
                        static_cast<double>(std::max<Nanoseconds>(picture_.end - picture_.begin, 1));
     auto color = plot_colors::trace(palette(), 0);

@@ -41,9 +41,10 @@ class CyclePlot final : public QWidget {
 
  private:
   [[nodiscard]] Sync0Period period() const;
-  [[nodiscard]] double heightOf(std::uint64_t count) const;
-  void drawCounts(QPainter& painter) const;
-  void drawBars(QPainter& painter) const;
+  /// Of a bar; `most` is as high as the area.
+  [[nodiscard]] double heightOf(std::uint64_t count, std::uint64_t most) const;
+  void drawCounts(QPainter& painter, std::uint64_t most) const;
+  void drawBars(QPainter& painter, std::uint64_t most) const;
   void drawNominal(QPainter& painter) const;
 
   Picture picture_;
