@@ -381,6 +381,9 @@ Result<std::unique_ptr<SimBus>> SimBus::create(const SimConfig& config, Nanoseco
     return fail(ErrorCode::kConfiguration, fmt::format("slave {}", i),
                 because("no slave is where it hangs; check parent"));
   }
+  // Where none hangs at the master the wiring has a circle, and the frame's way no end.
+  if (std::ranges::all_of(config.slaves, [](const auto& slave) { return slave.parent.has_value(); }))
+    return fail(ErrorCode::kConfiguration, "slave 0", because("no frame reaches it; check parent and port"));
   const Wiring wiring(config.slaves);
   const auto path = segment_path(config.slaves, wiring, all_connected(config.slaves, wiring));
   std::size_t expected = 0;

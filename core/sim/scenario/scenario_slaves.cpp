@@ -188,6 +188,9 @@ void ScenarioSlaves::check_wiring() {
                     static_cast<char>('A' + slave.parent_port), *slave.parent);
     }
   }
+  // Each hangs at another one then, and some in a circle.
+  if (!first && !slaves_.empty() && !error_)
+    Table(*nodes_.front(), file_, error_).fail_at("parent", "no frame reaches it; check parent and port");
 }
 
 void ScenarioSlaves::read_clock(Table& table, SimSlaveConfig& slave) {

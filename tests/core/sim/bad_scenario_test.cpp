@@ -76,6 +76,15 @@ TEST(BadScenario, NumbersOutsideOfWhatTheirKeyCanHold) {
   }
 }
 
+TEST(BadScenario, ACircleOfSlavesIsNoSegment) {
+  auto config = load(servo() + terminal());
+  ASSERT_TRUE(config) << describe(config.error());
+  config->slaves[0].parent = 1;
+  const auto bus = sim::SimBus::create(*config, VirtualClock::kDefaultStart);
+  ASSERT_FALSE(bus) << "and the way of its frames ends";
+  EXPECT_EQ(bus.error().subject, "slave 0");
+}
+
 TEST(BadScenario, SlavesThatContradictThemselves) {
   for (const auto& wrong :
        {Wrong{servo() + terminal() + "port = \"A\"\n", "port", 5, "is where slave 0 is wired"},
@@ -83,6 +92,7 @@ TEST(BadScenario, SlavesThatContradictThemselves) {
         Wrong{servo() + terminal() + "parent = 1\n", "parent", 5, "another slave"},
         Wrong{servo() + terminal() + "parent = -1\n", "parent", 5, "slave 0 is the one"},
         Wrong{servo() + "parent = 3\n", "parent", 3, "there are 1"},
+        Wrong{servo() + "parent = 2\n" + terminal() + terminal(), "parent", 3, "no frame reaches it"},
         Wrong{servo() + "esc = \"et1100\"\ntdiff_ns = 20\n", "tdiff_ns", 4, "without esc"},
         Wrong{servo() + "esc = \"et2000\"\n", "esc", 3, "et1100"},
         Wrong{servo() + "tdiff_ns = 20\nprocessing_delay_ns = 300\n", "tdiff_ns", 3, "one of the two"},
