@@ -55,7 +55,11 @@ void print_index(Context& context, const eni::EsiCatalogue& catalogue,
     out << "conflict: " << to_string(duplicate.identity) << ", the first is used\n";
     for (const auto& entry : duplicate.entries) out << "  " << entry.file << ':' << entry.line << '\n';
   }
-  for (const auto& warning : catalogue.warnings()) out << "warning: " << warning.reason.text() << '\n';
+  for (const auto& warning : catalogue.warnings()) {
+    const auto words = warning.reason.text();
+    const bool named = words.find(warning.file) != std::string::npos;
+    out << "warning: " << (named ? words : fmt::format("{}:{}: {}", warning.file, warning.line, words)) << '\n';
+  }
   out << fmt::format("{}, {} of them in several files with the same content\n",
                      counted(catalogue.device_count(), "device"), harmless);
 }

@@ -17,7 +17,7 @@ namespace syncline::eni {
 namespace {
 
 constexpr int kApplicationId = 0x53594E43;  // "SYNC", SQLite's place for whose file it is
-constexpr int kSchemaVersion = 4;           // other versions are thrown away: a cache needs no migration
+constexpr int kSchemaVersion = 5;           // other versions are thrown away: a cache needs no migration
 
 constexpr const char* kTables = R"(
 CREATE TABLE folders(path TEXT PRIMARY KEY);

@@ -15,6 +15,7 @@
 #include "eni/xml/xml_text.h"
 #include "findings/error_text.h"
 #include "support/input_file.h"
+#include "support/paths_in.h"
 
 namespace syncline::eni {
 namespace {
@@ -62,12 +63,12 @@ struct FoundFiles {
 /// Folders below that cannot be read are named; links to folders are not followed, they may lead round in circles.
 std::error_code list_below(const fs::path& folder, FoundFiles& found) {
   std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+  for (const auto& path : paths_in(folder, error)) {
     std::error_code none;
-    if (it->is_directory(none)) {
-      if (!it->is_symlink(none) && list_below(it->path(), found)) found.unreadable.push_back(it->path().string());
-    } else if (has_xml_name(it->path()) && !is_stream(it->path().string())) {
-      found.files.push_back(look_at(it->path().string()));
+    if (fs::is_directory(path, none)) {
+      if (!fs::is_symlink(path, none) && list_below(path, found)) found.unreadable.push_back(path.string());
+    } else if (has_xml_name(path) && !is_stream(path.string())) {
+      found.files.push_back(look_at(path.string()));
     }
   }
   return error;

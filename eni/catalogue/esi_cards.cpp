@@ -109,6 +109,7 @@ Result<EsiCards> read_cards(std::string_view text, const std::string& file_name)
   Reading reading(file_name, tolerated);
   const Node root(pieces->root(), reading);
   EsiCards found;
+  if (const auto& doubt = pieces->doubt()) found.warnings.push_back({file_name, doubt->line, "?xml", doubt->reason});
   int place = 0;
   if (root.name() == "EtherCATInfo") {
     InfoReader(root, *pieces, found, place).read();

@@ -34,7 +34,7 @@ struct EsiCard {
 
 struct EsiCards {
   std::vector<EsiCard> cards;         // file order
-  std::vector<FileWarning> warnings;  // devices that are left out
+  std::vector<FileWarning> warnings;  // devices that are left out, letters that may be others
 };
 
 /// Fingerprints of all Device elements of a file, by EsiCard::place. Takes as long as reading the cards again: for the

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "eni/catalogue/esi_cards.h"
 #include "eni/catalogue/esi_catalogue.h"
 #include "eni/esi/esi_reader.h"
 #include "reasons/reason_words.h"
@@ -92,6 +93,7 @@ constexpr const char* kOfIndex[] = {
     R"(cut.xml|2|Vendor|cut.xml:2: this is not well-formed XML: an end tag does not match its start tag (<Vendor>).)",
     R"(other.xml|1|EtherCATConfig|other.xml:1: this is another kind of file; expected: an ESI file with the root )"
     R"(<EtherCATInfo>, not <EtherCATConfig>.)",
+    R"(sloppy.xml|1|?xml|the text is not UTF-8, though it should be; read as ISO-8859-1 (windows-1252))",
 };
 
 TEST_F(EsiWarnings, SayTheirEnglishWordByWord) {
@@ -124,11 +126,15 @@ TEST_F(EsiWarnings, AreOfEachKindInTheseFiles) {
   // What a text says of its encoding that is not so; see text_encoding_test.cpp.
   for (const char* text : {"gb2312\"?><!-- f\xFCr -->", "iso-8859-1\"?><!-- \xCB\xC5\xB7\xFE\xC7\xFD\xB6\xAF -->",
                            "iso-8859-1\"?><!-- \x81 -->"}) {
-    const auto file = parse_esi(std::string("<?xml version=\"1.0\" encoding=\"") + text +
-                                    "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions/></EtherCATInfo>",
-                                "text.xml");
+    const auto esi = std::string("<?xml version=\"1.0\" encoding=\"") + text +
+                     "<EtherCATInfo><Vendor><Id>1</Id></Vendor><Descriptions/></EtherCATInfo>";
+    const auto file = parse_esi(esi, "text.xml");
     ASSERT_TRUE(file) << describe(file.error());
     add(file->warnings);
+    const auto cards = read_cards(esi, "text.xml");
+    ASSERT_TRUE(cards) << describe(cards.error());
+    ASSERT_FALSE(cards->warnings.empty()) << "the catalogue tells it, too";
+    EXPECT_EQ(cards->warnings.front(), file->warnings.front());
   }
   constexpr std::size_t kOfTheIndex = 4;  // those of the database itself, which other tests have
   for (std::size_t i = 0; i + kOfTheIndex < std::size(words::kEsiReasons); ++i)
@@ -163,7 +169,7 @@ TEST_F(EsiWarnings, OfADatabaseOfTheVersionBeforeComeBackWithTheFoldersThatItRem
   }
   ASSERT_TRUE(SqlDatabase::open(database())
                   ->execute("ALTER TABLE problems DROP COLUMN words; UPDATE problems SET text = 'of before'; "
-                            "PRAGMA user_version=3"));
+                            "PRAGMA user_version=4"));
   auto catalogue = EsiCatalogue::open(database());
   ASSERT_TRUE(catalogue);
   const auto folders = catalogue->known_folders();
@@ -173,7 +179,7 @@ TEST_F(EsiWarnings, OfADatabaseOfTheVersionBeforeComeBackWithTheFoldersThatItRem
   auto warnings = catalogue->warnings();
   ASSERT_FALSE(warnings.empty());
   EXPECT_EQ(warnings.front().reason.text(),
-            "the device catalogue is made again: it is of version 3, this program uses version 4");
+            "the device catalogue is made again: it is of version 4, this program uses version 5");
   warnings.erase(warnings.begin());
   EXPECT_THAT(lines_of(warnings, std::filesystem::canonical(esi()).string() + "/"), ElementsAreArray(kOfIndex));
 }
