@@ -5,12 +5,14 @@
 #include <exception>
 #include <iostream>
 
+#include "support/memory_reserve.h"
 #include "support/standard_streams.h"
 
 #include "app/cli/cli.h"
 
 int main(int argc, char** argv) {
   syncline::take_closed_streams();
+  syncline::hold_memory_reserve();
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of that file
   try {
     const std::vector<std::string> arguments(argv + 1, argv + argc);

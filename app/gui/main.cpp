@@ -25,6 +25,7 @@
 #include "link/pcap_link.h"
 #include "master/sii/sii_writer.h"
 #include "reasons/because.h"
+#include "support/memory_reserve.h"
 #include "support/standard_streams.h"
 #include "support/state_folder.h"
 #include "support/stop_signals.h"
@@ -180,6 +181,7 @@ std::unique_ptr<ui::MainWindow> inItsLanguage(std::unique_ptr<ui::MainWindow> be
 
 int main(int argc, char* argv[]) {
   syncline::take_closed_streams();
+  syncline::hold_memory_reserve();
   ::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of that file
   if (only_asks(argc, argv)) {
     const QCoreApplication text(argc, argv);

@@ -5,6 +5,7 @@
 
 #include "capture/pcapng_writer.h"
 #include "link/link.h"
+#include "support/attempt.h"
 #include "support/clock.h"
 
 namespace syncline {
@@ -14,7 +15,9 @@ class CaptureTap final : public Link {
  public:
   CaptureTap(std::unique_ptr<Link> inner, PcapngWriter writer, Clock& clock, std::shared_ptr<CaptureState> state)
       : inner_(std::move(inner)), writer_(std::move(writer)), clock_(clock), state_(std::move(state)) {}
-  ~CaptureTap() override { note(writer_.finish()); }
+  ~CaptureTap() override {
+    attempt([this] { note(writer_.finish()); });
+  }
 
   Status send(std::span<const std::uint8_t> frame) override {
     // First the wire, then the file: writing would come between the master's stamp and the frame.

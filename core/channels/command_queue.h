@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <readerwriterqueue/readerwritercircularbuffer.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "channels/bounded_queue.h"
 #include "channels/command.h"
 #include "support/result.h"
 #include "support/types.h"
@@ -34,7 +33,7 @@ class CommandQueue {
 
   // ---- producer
   /// False when kCapacity commands wait already: the master is not listening, and this one is not taken.
-  bool push(MasterCommand command) { return commands_.try_enqueue({0, std::move(command)}); }
+  bool push(MasterCommand command) { return commands_.push({0, std::move(command)}); }
   /// The same, with an answer: its id. Nothing where it was not taken, or kCapacity answers are outstanding.
   std::optional<CommandId> ask(MasterCommand command);
   /// The next answer, in the order of asking; nothing as long as the master has none.
@@ -45,13 +44,13 @@ class CommandQueue {
     CommandId id = 0;  // 0: nobody wants an answer
     MasterCommand command;
   };
-  std::optional<Entry> pop();
+  std::optional<Entry> pop() { return commands_.pop(); }
   void answer(CommandId id, std::optional<Error> refused, Nanoseconds now);
-  [[nodiscard]] bool empty() const { return commands_.size_approx() == 0; }
+  [[nodiscard]] bool empty() const { return commands_.empty(); }
 
  private:
-  moodycamel::BlockingReaderWriterCircularBuffer<Entry> commands_;
-  moodycamel::BlockingReaderWriterCircularBuffer<CommandAnswer> answers_;  // cannot overflow: ask() counts
+  BoundedQueue<Entry> commands_;
+  BoundedQueue<CommandAnswer> answers_;  // cannot overflow: ask() counts
   CommandId last_ = 0;
   std::size_t outstanding_ = 0;  // asked and not taken
 };

@@ -6,14 +6,17 @@
 namespace syncline {
 
 void EventQueue::push(Event event) {
-  if (!events_.try_enqueue(std::move(event))) lost_.fetch_add(1, std::memory_order_relaxed);
+  if (!events_.push(std::move(event))) lost_.fetch_add(1, std::memory_order_relaxed);
 }
 
 std::vector<Event> EventQueue::drain() {
   std::vector<Event> out;
   // No more than fit at once: a producer that never stops must not keep the consumer.
-  Event event;
-  while (out.size() < events_.max_capacity() && events_.try_dequeue(event)) out.push_back(std::move(event));
+  while (out.size() < events_.capacity()) {
+    auto event = events_.pop();
+    if (!event) break;
+    out.push_back(std::move(*event));
+  }
   const auto lost = lost_.exchange(0, std::memory_order_relaxed);
   if (lost > 0) out.push_back({out.empty() ? 0 : out.back().time, -1, events::EventsLost{lost}});
   return out;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <readerwriterqueue/readerwritercircularbuffer.h>
-
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "channels/bounded_queue.h"
 #include "channels/event.h"
 
 namespace syncline {
@@ -21,8 +20,7 @@ class EventQueue {
   std::vector<Event> drain();  // consumer
 
  private:
-  // Of the library's two queues the one whose hand-over ThreadSanitizer understands; nobody waits in it.
-  moodycamel::BlockingReaderWriterCircularBuffer<Event> events_;
+  BoundedQueue<Event> events_;
   std::atomic<std::uint64_t> lost_{0};
 };
 

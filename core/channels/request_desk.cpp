@@ -141,15 +141,14 @@ Result<RequestId> RequestDesk::submit(SlaveRequest request) {
   ticket->request = std::move(request);
   ticket->bytes.reserve(room->bytes);
   ticket->scratch.reserve(room->scratch);
-  (void)to_master_.try_enqueue(ticket.get());
+  (void)to_master_.push(ticket.get());
   tickets_[last_].ticket = std::move(ticket);
   return last_;
 }
 
 void RequestDesk::collect() {
-  RequestTicket* back = nullptr;
-  while (to_asker_.try_dequeue(back)) {
-    const auto found = tickets_.find(back->id);
+  while (const auto back = to_asker_.pop()) {
+    const auto found = tickets_.find((*back)->id);
     if (found == tickets_.end()) continue;
     found->second.answered = true;
     if (found->second.forgotten) tickets_.erase(found);
@@ -183,14 +182,11 @@ void RequestDesk::forget(RequestId id) {
   if (found->second.answered) tickets_.erase(found);
 }
 
-RequestTicket* RequestDesk::pop() {
-  RequestTicket* ticket = nullptr;
-  return !empty() && to_master_.try_dequeue(ticket) ? ticket : nullptr;
-}
+RequestTicket* RequestDesk::pop() { return to_master_.pop().value_or(nullptr); }
 
 void RequestDesk::answer(RequestTicket& ticket, Nanoseconds now) {
   ticket.answered = now;
-  (void)to_asker_.try_enqueue(&ticket);
+  (void)to_asker_.push(&ticket);
 }
 
 }  // namespace syncline

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <readerwriterqueue/readerwritercircularbuffer.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -10,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "channels/bounded_queue.h"
 #include "channels/request_ticket.h"
 #include "support/result.h"
 
@@ -52,7 +51,7 @@ class RequestDesk {
   /// The next request; it stays here and goes back by answer().
   RequestTicket* pop();
   void answer(RequestTicket& ticket, Nanoseconds now);
-  [[nodiscard]] bool empty() const { return to_master_.size_approx() == 0; }
+  [[nodiscard]] bool empty() const { return to_master_.empty(); }
 
  private:
   struct Kept {
@@ -62,7 +61,7 @@ class RequestDesk {
   void collect();
 
   // Neither queue can overflow: no more than kCapacity tickets are on their way.
-  moodycamel::BlockingReaderWriterCircularBuffer<RequestTicket*> to_master_, to_asker_;
+  BoundedQueue<RequestTicket*> to_master_, to_asker_;
   std::map<RequestId, Kept> tickets_;
   RequestId last_ = 0;
 };

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "support/paths_in.h"
 #include "support/state_folder.h"
 #include "support/whole_file.h"
 
@@ -99,8 +100,8 @@ std::optional<EepromJournal> find_journal(const std::string& link, std::uint16_t
 std::vector<EepromJournal> pending_journals() {
   std::vector<std::string> files;
   std::error_code error;
-  for (fs::directory_iterator it(eeprom_journal_folder(), error), end; !error && it != end; it.increment(error)) {
-    if (it->path().extension() == kExtension) files.push_back(it->path().string());
+  for (const auto& path : paths_in(eeprom_journal_folder(), error)) {
+    if (path.extension() == kExtension) files.push_back(path.string());
   }
   std::ranges::sort(files);
   std::vector<EepromJournal> journals;

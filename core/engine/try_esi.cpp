@@ -14,6 +14,7 @@
 #include "findings/error_text.h"
 #include "support/distinct_files.h"
 #include "support/input_file.h"
+#include "support/paths_in.h"
 
 namespace syncline {
 namespace {
@@ -40,14 +41,14 @@ struct FoundFiles {
 
   [[nodiscard]] std::error_code add(const std::filesystem::path& folder) {
     std::error_code error;
-    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    for (const auto& path : paths_in(folder, error)) {
       std::error_code none;
-      if (it->is_directory(none)) {
+      if (std::filesystem::is_directory(path, none)) {
         // A link to a folder may lead back up.
-        if (it->is_symlink(none)) continue;
-        if (const auto below = add(it->path())) unreadable.push_back(syncline::unreadable(it->path().string(), below));
-      } else if (is_xml(it->path()) && !is_stream(it->path().string())) {
-        files.push_back(it->path().string());
+        if (std::filesystem::is_symlink(path, none)) continue;
+        if (const auto below = add(path)) unreadable.push_back(syncline::unreadable(path.string(), below));
+      } else if (is_xml(path) && !is_stream(path.string())) {
+        files.push_back(path.string());
       }
     }
     return error;
@@ -89,8 +90,8 @@ std::string kept_stem(const std::string& file, const std::string& folder) {
 /// read, and by then the first are written: any number counts.
 Status check_kept(const TryRequest& request, const std::vector<std::string>& files) {
   std::error_code error;
-  for (std::filesystem::directory_iterator it(request.keep, error), end; !error && it != end; it.increment(error)) {
-    const auto name = it->path().filename().string();
+  for (const auto& path : paths_in(request.keep, error)) {
+    const auto name = path.filename().string();
     const auto may_become = [&](const std::string& file) {
       const auto stem = kept_stem(file, request.path);
       const auto number = name.size() > stem.size() ? name.substr(stem.size(), name.rfind('.') - stem.size()) : "";
@@ -98,7 +99,7 @@ Status check_kept(const TryRequest& request, const std::vector<std::string>& fil
              number.find_first_not_of("0123456789") == std::string::npos;
     };
     if (std::ranges::none_of(files, may_become)) continue;
-    const NamedFile written[]{{"--keep", it->path().string()}};
+    const NamedFile written[]{{"--keep", path.string()}};
     std::vector<NamedFile> read;
     for (const auto& file : files) read.push_back({"the argument path", file});
     if (auto status = check_distinct(read, written); !status) return status;

@@ -14,6 +14,7 @@
 #include "config/network_config.h"
 #include "protocol/frame.h"
 #include "reasons/because.h"
+#include "support/attempt.h"
 #include "support/pcapng_block.h"
 
 namespace syncline {
@@ -78,7 +79,9 @@ Status BlackBox::begin() {
   }
 }
 
-BlackBox::~BlackBox() { (void)finish(); }
+BlackBox::~BlackBox() {
+  attempt([this] { return finish(); });
+}
 
 void BlackBox::note(Nanoseconds time, std::string text) {
   const std::lock_guard lock(mutex_);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "record/recording_reader.h"
+#include "support/attempt.h"
 
 namespace syncline {
 
@@ -20,7 +21,9 @@ class BlocksAhead {
   BlocksAhead(RecordingReader& reader, RecordingReader::AllPoints& points);
   BlocksAhead(const BlocksAhead&) = delete;
   BlocksAhead& operator=(const BlocksAhead&) = delete;
-  ~BlocksAhead() { (void)finish(); }
+  ~BlocksAhead() {
+    attempt([this] { return finish(); });
+  }
 
   /// The next one, in place of what is in `samples`, whose memory is used again; false: there is no further one, or it
   /// cannot be read. What was thrown while it was read is thrown here.

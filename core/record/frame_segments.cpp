@@ -20,6 +20,7 @@
 
 #include "reasons/because.h"
 #include "support/followed_path.h"
+#include "support/paths_in.h"
 #include "support/pcapng_block.h"
 
 namespace syncline {
@@ -125,16 +126,16 @@ Status FrameSegments::begin() {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) return fail(not_writable(options_.name, Reason::of_system(errno)));
   const auto base = fs::path(options_.name).filename().string();
   std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    const auto number = number_of(it->path().filename().string(), base);
+  for (const auto& there : paths_in(folder, error)) {
+    const auto number = number_of(there.filename().string(), base);
     std::error_code none;
-    if (!number || !it->is_regular_file(none)) continue;
+    if (!number || !fs::is_regular_file(there, none)) continue;
     next_number_ = std::max(next_number_, *number + 1);
-    const auto path = it->path().string();
+    const auto path = there.string();
     const auto of = whose(path);
     if (of == Whose::kInWork)
       return fail(not_writable(path, because("another program writes to a black box of this name: use another one")));
-    if (of == Whose::kOurs) segments_.push_back({.path = path, .number = *number, .bytes = it->file_size(none)});
+    if (of == Whose::kOurs) segments_.push_back({.path = path, .number = *number, .bytes = fs::file_size(there, none)});
   }
   if (error) return fail(not_writable(options_.name, Reason::of_system(error.value())));
   std::ranges::sort(segments_, {}, &Segment::number);

@@ -13,6 +13,7 @@
 #include "reasons/because.h"
 #include "record/recording_schema.h"
 #include "sqlite/database_files.h"
+#include "support/attempt.h"
 
 namespace syncline {
 namespace {
@@ -45,7 +46,9 @@ Recorder::Recorder(RecordingWriter writer, const Options& options, std::function
                          .file = writer_.path()})),
       thread_([this] { run(); }) {}
 
-Recorder::~Recorder() { (void)finish(); }
+Recorder::~Recorder() {
+  attempt([this] { return finish(); });
+}
 
 void Recorder::add(std::span<const CycleSample> samples) {
   std::unique_lock lock(mutex_);

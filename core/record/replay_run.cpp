@@ -89,10 +89,11 @@ std::vector<Finding> findings_of(const RecordingInfo& info, bool& only_words) {
   return findings;
 }
 
-RunRecord made_for(NetworkConfig config, const RecordingInfo& info, std::size_t capacity) {
+std::unique_ptr<RunRecord> made_for(NetworkConfig config, const RecordingInfo& info, std::size_t capacity) {
   if (capacity == 0)
     capacity = static_cast<std::size_t>(std::min<std::uint64_t>(info.cycles, ReplayOptions::kMostCycles));
-  return {std::move(config), std::max<std::size_t>(capacity, 1), info.about.limits, info.about.speed_counter_start};
+  return std::make_unique<RunRecord>(std::move(config), std::max<std::size_t>(capacity, 1), info.about.limits,
+                                     info.about.speed_counter_start);
 }
 
 }  // namespace
@@ -124,8 +125,7 @@ Result<ReplayedRun> replay_run(RecordingReader& reader, RecordingInfo info, Netw
         ErrorCode::kBadValue, "configuration",
         because("it has {count} slaves, the recording has {other}", config.slaves.size(), info.about.slaves.size()));
   }
-  ReplayedRun run{std::make_unique<RunRecord>(made_for(std::move(config), info, options.cycle_capacity)),
-                  std::move(info)};
+  ReplayedRun run{made_for(std::move(config), info, options.cycle_capacity), std::move(info)};
   auto& record = *run.record;
   record.set_link(run.info.about.link);
   // Where cycles are missing a sample says so: one for each of them at most.

@@ -51,8 +51,6 @@ RunRecord::RunRecord(NetworkConfig config, std::size_t cycle_capacity, const Run
       overview_(std::make_unique<OverviewRecorder>(config_)) {}
 
 RunRecord::~RunRecord() = default;
-RunRecord::RunRecord(RunRecord&&) noexcept = default;
-RunRecord& RunRecord::operator=(RunRecord&&) noexcept = default;
 
 void RunRecord::arm() { overview_->arm(); }
 

@@ -39,8 +39,8 @@ class RunRecord {
   RunRecord(NetworkConfig config, std::size_t cycle_capacity, const RunLimits& limits,
             std::uint16_t speed_counter_start);
   ~RunRecord();
-  RunRecord(RunRecord&&) noexcept;
-  RunRecord& operator=(RunRecord&&) noexcept;
+  RunRecord(const RunRecord&) = delete;
+  RunRecord& operator=(const RunRecord&) = delete;
 
   /// Everything that is drained; the samples before the snapshot that came with them.
   void add(std::span<const CycleSample> samples);

@@ -8,6 +8,7 @@
 
 #include "channels/master_channels.h"
 #include "config/network_config.h"
+#include "support/attempt.h"
 
 namespace syncline {
 namespace {
@@ -31,7 +32,7 @@ bool end_beside(std::unique_ptr<BackgroundMaster> master, std::chrono::milliseco
 }  // namespace
 
 RunSession::~RunSession() {
-  if (master_) end(patience_.stop);
+  if (master_) attempt([this] { return end(patience_.stop); });
 }
 
 void RunSession::take(std::unique_ptr<BackgroundMaster> master) {

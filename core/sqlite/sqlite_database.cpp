@@ -11,6 +11,7 @@
 
 #include "reasons/because.h"
 #include "sqlite/row_check.h"
+#include "support/attempt.h"
 
 namespace syncline {
 namespace {
@@ -190,7 +191,7 @@ Result<SqlTransaction> SqlTransaction::begin_reading(SqlDatabase& database) {
 }
 
 SqlTransaction::~SqlTransaction() {
-  if (database_ != nullptr) (void)database_->execute("ROLLBACK");
+  if (database_ != nullptr) attempt([this] { return database_->execute("ROLLBACK"); });
 }
 
 Status SqlTransaction::commit() {

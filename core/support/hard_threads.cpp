@@ -11,6 +11,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "support/paths_in.h"
+
 namespace syncline {
 namespace {
 
@@ -81,8 +83,8 @@ bool is_number(const fs::path& folder) {
 std::vector<fs::path> numbered(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (is_number(entry->path())) found.push_back(entry->path());
+  for (auto& path : paths_in(folder, error)) {
+    if (is_number(path)) found.push_back(std::move(path));
   }
   return found;
 }

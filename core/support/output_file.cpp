@@ -16,7 +16,9 @@
 #include <vector>
 
 #include "reasons/because.h"
+#include "support/attempt.h"
 #include "support/followed_path.h"
+#include "support/paths_in.h"
 #include "support/stop_signals.h"
 
 namespace syncline {
@@ -40,10 +42,9 @@ void remove_left_overs(const std::string& target) {
   const auto prefix = fs::path(temporary_prefix(target)).filename().string();
   std::error_code error;
   std::vector<std::string> found;
-  for (fs::directory_iterator it(folder_of(target), error), end; !error && it != end; it.increment(error)) {
-    const auto name = it->path().filename().string();
-    if (name.size() == prefix.size() + kRandomCharacters && name.starts_with(prefix))
-      found.push_back(it->path().string());
+  for (const auto& path : paths_in(folder_of(target), error)) {
+    const auto name = path.filename().string();
+    if (name.size() == prefix.size() + kRandomCharacters && name.starts_with(prefix)) found.push_back(path.string());
   }
   for (const auto& name : found) {
     const int descriptor = ::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -121,7 +122,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 
 OutputFile::~OutputFile() {
   if (descriptor_ < 0) return;
-  if (temporary_.empty() && status_) (void)flush();
+  if (temporary_.empty() && status_) attempt([this] { return flush(); });
   discard();
 }
 

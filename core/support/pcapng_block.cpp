@@ -24,16 +24,15 @@ constexpr std::size_t kFlagsOption = 8, kOptionsEnd = 4;
 
 constexpr std::size_t padding(std::size_t size) { return (4 - size % 4) % 4; }
 
-/// Type, total length, what is written until the end, total length again.
+/// Type, total length, what is written until end(), total length again. What did not get so far is taken back: there
+/// was no memory for the rest.
 class Block {
  public:
   Block(std::vector<std::uint8_t>& out, std::uint32_t type) : out_(out), begin_(out.size()), writer_(out) {
     writer_.u32(type).u32(0);
   }
   ~Block() {
-    const auto total = static_cast<std::uint32_t>(out_.size() - begin_ + 4);
-    writer_.u32(total);
-    store_le(std::span(out_).subspan(begin_ + 4, 4), total);
+    if (!ended_) out_.erase(out_.begin() + static_cast<std::ptrdiff_t>(begin_), out_.end());
   }
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
@@ -58,11 +57,18 @@ class Block {
     writer_.u32(static_cast<std::uint32_t>(unix_time >> 32)).u32(static_cast<std::uint32_t>(unix_time));
   }
   void end_options() { option(kEndOfOptions, 0); }
+  void end() {
+    const auto total = static_cast<std::uint32_t>(out_.size() - begin_ + 4);
+    writer_.u32(total);
+    store_le(std::span(out_).subspan(begin_ + 4, 4), total);
+    ended_ = true;
+  }
 
  private:
   std::vector<std::uint8_t>& out_;
   std::size_t begin_;
   ByteWriter writer_;
+  bool ended_ = false;
 };
 
 }  // namespace
@@ -70,9 +76,11 @@ class Block {
 void append_pcapng_section(std::vector<std::uint8_t>& out, std::string_view application) {
   Block block(out, kSectionHeader);
   block.fields().u32(kByteOrderMagic).u16(1).u16(0).u64(~std::uint64_t{0});  // length not known
-  if (application.empty()) return;
-  block.text(kApplication, application);
-  block.end_options();
+  if (!application.empty()) {
+    block.text(kApplication, application);
+    block.end_options();
+  }
+  block.end();
 }
 
 void append_pcapng_interface(std::vector<std::uint8_t>& out, std::string_view name, std::string_view description) {
@@ -82,6 +90,7 @@ void append_pcapng_interface(std::vector<std::uint8_t>& out, std::string_view na
   block.text(kInterfaceText, description);
   block.option(kTimestampResolution, 1).u8(kNanosecondResolution).zeros(padding(1));
   block.end_options();
+  block.end();
 }
 
 void append_pcapng_packet(std::vector<std::uint8_t>& out, const PcapngPacket& packet) {
@@ -94,6 +103,7 @@ void append_pcapng_packet(std::vector<std::uint8_t>& out, const PcapngPacket& pa
   block.option(kPacketFlags, 4).u32(packet.direction);
   if (packet.lost_before > 0) block.option(kPacketLosses, 8).u64(packet.lost_before);
   block.end_options();
+  block.end();
 }
 
 std::size_t pcapng_packet_size(std::size_t bytes) {
@@ -112,6 +122,7 @@ void append_pcapng_statistics(std::vector<std::uint8_t>& out, const PcapngStatis
   block.option(kReceived, 8).u64(statistics.received);
   block.option(kLost, 8).u64(statistics.lost);
   block.end_options();
+  block.end();
 }
 
 }  // namespace syncline
