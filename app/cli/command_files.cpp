@@ -8,6 +8,7 @@
 
 #include "app/composition/link_files.h"
 #include "sqlite/database_files.h"
+#include "support/paths_in.h"
 
 namespace syncline::cli {
 namespace {
@@ -24,12 +25,17 @@ void add(std::vector<NamedFile>& files, std::string_view option, const std::stri
   if (!path.empty()) files.push_back({name_of(option), path});
 }
 
-void add_esi_files(std::vector<NamedFile>& files, const NamedFile& folder) {
+/// With the folders below; links are not followed, and what cannot be read has no files.
+void add_esi_files(std::vector<NamedFile>& files, const std::string& what, const fs::path& folder) {
   std::error_code error;
-  const auto skip = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator it(folder.path, skip, error), end; !error && it != end; it.increment(error)) {
-    const auto extension = it->path().extension();
-    if (extension == ".xml" || extension == ".XML") files.push_back({folder.what, it->path().string()});
+  for (const auto& path : paths_in(folder, error)) {
+    std::error_code none;
+    const auto extension = path.extension();
+    if (fs::is_directory(fs::symlink_status(path, none))) {
+      add_esi_files(files, what, path);
+    } else if (extension == ".xml" || extension == ".XML") {
+      files.push_back({what, path.string()});
+    }
   }
 }
 
@@ -82,7 +88,7 @@ Status CommandFiles::check() const {
       if (!files) return tl::unexpected(files.error());
       for (auto& file : *files) read.push_back({link.what, std::move(file)});
     }
-    for (const auto& folder : folders_) add_esi_files(read, folder);
+    for (const auto& folder : folders_) add_esi_files(read, folder.what, folder.path);
   }
   return check_distinct(read, written_);
 }
