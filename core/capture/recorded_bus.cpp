@@ -40,13 +40,16 @@ bool RecordedSlave::knows(std::uint32_t address, std::size_t length) const {
   return true;
 }
 
-RecordedSlave& BusRecorder::slave(std::size_t position) {
-  if (position >= slaves_.size()) {
-    slaves_.resize(position + 1, RecordedSlave{{}, {}, false, written_to_all_});
-    sii_address_.resize(position + 1);
-    sii_status_.resize(position + 1);
-  }
-  return slaves_[position];
+std::vector<RecordedSlave> BusRecorder::slaves() const {
+  std::vector<RecordedSlave> all(count_);
+  for (const auto& [position, known] : known_) all[position] = known.slave;
+  for (auto& slave : all) slave.written_to_all = written_to_all_;
+  return all;
+}
+
+BusRecorder::Known& BusRecorder::known(std::size_t position) {
+  count_ = std::max(count_, position + 1);
+  return known_.try_emplace(position, Known{{}, sii_address_of_all_, 0}).first->second;
 }
 
 void BusRecorder::add(std::span<std::uint8_t> frame) {
@@ -113,59 +116,62 @@ void BusRecorder::learn(const Sent& sent, const Sent& returned, std::uint16_t wk
 
 void BusRecorder::learn_broadcast(const Sent& sent, std::uint16_t wkc) {
   const std::size_t each = sent.header.command == Command::kBrw ? 3 : 1;
-  const auto count = std::min<std::size_t>(wkc / each, kMostSlaves);
-  if (count > slaves_.size() && wkc % each == 0) (void)slave(count - 1);
+  if (wkc % each == 0) count_ = std::max(count_, std::min<std::size_t>(wkc / each, kMostSlaves));
   if (!writes(sent.header.command)) return;  // an OR of all says nothing of one
   note_broadcast_write(sent.header.ado(), sent.data);
 }
 
-/// Once for all of them: a damaged or made-up frame may claim thousands.
+/// Once for all of them.
 void BusRecorder::note_broadcast_write(std::uint16_t address, std::span<const std::uint8_t> data) {
-  if (address == reg::kSiiControl && data.size() >= 6)
-    std::ranges::fill(sii_address_, load_le<std::uint32_t>(data.subspan(2)));
-  if (address == reg::kSiiAddress && data.size() >= 4) std::ranges::fill(sii_address_, load_le<std::uint32_t>(data));
+  std::optional<std::uint32_t> sii_address;
+  if (address == reg::kSiiControl && data.size() >= 6) sii_address = load_le<std::uint32_t>(data.subspan(2));
+  if (address == reg::kSiiAddress && data.size() >= 4) sii_address = load_le<std::uint32_t>(data);
+  if (sii_address) {
+    sii_address_of_all_ = *sii_address;
+    for (auto& [position, known] : known_) known.sii_address = *sii_address;
+  }
   if (address >= reg::kReceiveTimePort0 && address < reg::kSystemTime) return;
   for (std::size_t i = 0; i < data.size(); ++i) written_to_all_->insert(static_cast<std::uint32_t>(address + i));
 }
 
 void BusRecorder::note_write(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {
-  auto& to = slave(position);
+  auto& to = known(position);
   if (address == reg::kStationAddress && data.size() >= 2) {
     std::erase_if(stations_, [position](const auto& entry) { return entry.second == position; });
     stations_[load_le<std::uint16_t>(data)] = position;
   }
-  if (address == reg::kSiiControl && data.size() >= 6) sii_address_[position] = load_le<std::uint32_t>(data.subspan(2));
-  if (address == reg::kSiiAddress && data.size() >= 4) sii_address_[position] = load_le<std::uint32_t>(data);
+  if (address == reg::kSiiControl && data.size() >= 6) to.sii_address = load_le<std::uint32_t>(data.subspan(2));
+  if (address == reg::kSiiAddress && data.size() >= 4) to.sii_address = load_le<std::uint32_t>(data);
   // Receive times are not what is written there, which only latches them.
   if (address >= reg::kReceiveTimePort0 && address < reg::kSystemTime) return;
   // The register is there; its value before the write is not known, and after it is the master's.
   for (std::size_t i = 0; i < data.size(); ++i) {
-    to.memory.try_emplace(static_cast<std::uint32_t>(address + i), std::uint8_t{0});
+    to.slave.memory.try_emplace(static_cast<std::uint32_t>(address + i), std::uint8_t{0});
   }
 }
 
 void BusRecorder::note_read(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {
-  auto& from = slave(position);
+  auto& from = known(position);
   if (address == reg::kStationAddress && data.size() >= 2)
     stations_.try_emplace(load_le<std::uint16_t>(data), position);
-  if (address < kSiiEnd && address + data.size() > reg::kSiiControl) note_sii(position, address, data);
+  if (address < kSiiEnd && address + data.size() > reg::kSiiControl) note_sii(from, address, data);
   for (std::size_t i = 0; i < data.size(); ++i) {
-    from.memory.try_emplace(static_cast<std::uint32_t>(address + i), data[i]);
+    from.slave.memory.try_emplace(static_cast<std::uint32_t>(address + i), data[i]);
   }
 }
 
-void BusRecorder::note_sii(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data) {
+void BusRecorder::note_sii(Known& from, std::uint16_t address, std::span<const std::uint8_t> data) {
   const auto end = address + data.size();
   if (address <= reg::kSiiControl && end >= reg::kSiiControl + 2U) {
-    sii_status_[position] = load_le<std::uint16_t>(data.subspan(reg::kSiiControl - address));
-    slaves_[position].reads_8_bytes |= (sii_status_[position] & kSiiReads8Bytes) != 0;
+    from.sii_status = load_le<std::uint16_t>(data.subspan(reg::kSiiControl - address));
+    from.slave.reads_8_bytes |= (from.sii_status & kSiiReads8Bytes) != 0;
   }
-  if (address > reg::kSiiData || end <= reg::kSiiData || (sii_status_[position] & kSiiBusy) != 0) return;
+  if (address > reg::kSiiData || end <= reg::kSiiData || (from.sii_status & kSiiBusy) != 0) return;
   const auto words = data.subspan(reg::kSiiData - address);
-  const std::size_t valid = slaves_[position].reads_8_bytes ? 8 : 4;
+  const std::size_t valid = from.slave.reads_8_bytes ? 8 : 4;
   for (std::size_t i = 0; i + 1 < std::min(words.size(), valid); i += 2) {
-    slaves_[position].sii.try_emplace(sii_address_[position] + static_cast<std::uint32_t>(i / 2),
-                                      load_le<std::uint16_t>(words.subspan(i)));
+    from.slave.sii.try_emplace(from.sii_address + static_cast<std::uint32_t>(i / 2),
+                               load_le<std::uint16_t>(words.subspan(i)));
   }
 }
 

@@ -32,7 +32,8 @@ class BusRecorder {
  public:
   /// `frame` is decoded in place and not changed.
   void add(std::span<std::uint8_t> frame);
-  [[nodiscard]] const std::vector<RecordedSlave>& slaves() const { return slaves_; }
+  /// By position. Made anew each time: a frame may claim thousands of slaves of which nothing is known.
+  [[nodiscard]] std::vector<RecordedSlave> slaves() const;
   [[nodiscard]] std::size_t exchanges() const { return exchanges_; }
 
  private:
@@ -44,21 +45,27 @@ class BusRecorder {
     std::array<std::uint8_t, 6> source{};
     std::vector<Sent> datagrams;
   };
+  /// What is known of one slave alone.
+  struct Known {
+    RecordedSlave slave;
+    std::uint32_t sii_address = 0;  // that the master set last
+    std::uint16_t sii_status = 0;
+  };
   [[nodiscard]] std::optional<std::size_t> find_request(const SentFrame& frame) const;
   void learn(const Sent& sent, const Sent& returned, std::uint16_t wkc);
   void learn_broadcast(const Sent& sent, std::uint16_t wkc);
   void note_write(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
   void note_read(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
-  void note_sii(std::size_t position, std::uint16_t address, std::span<const std::uint8_t> data);
+  static void note_sii(Known& from, std::uint16_t address, std::span<const std::uint8_t> data);
   void note_broadcast_write(std::uint16_t address, std::span<const std::uint8_t> data);
-  RecordedSlave& slave(std::size_t position);
+  Known& known(std::size_t position);
   [[nodiscard]] std::optional<std::size_t> position_of(const DatagramHeader& header) const;
 
-  std::vector<SentFrame> open_;  // sent and not yet back, oldest first
-  std::vector<RecordedSlave> slaves_;
+  std::vector<SentFrame> open_;                    // sent and not yet back, oldest first
+  std::size_t count_ = 0;                          // of the slaves
+  std::map<std::size_t, Known> known_;             // by position
   std::map<std::uint16_t, std::size_t> stations_;  // station address to position
-  std::vector<std::uint32_t> sii_address_;         // that the master set last, by position
-  std::vector<std::uint16_t> sii_status_;
+  std::uint32_t sii_address_of_all_ = 0;           // that the master has set by broadcast
   std::size_t exchanges_ = 0;
   std::shared_ptr<std::set<std::uint32_t>> written_to_all_ = std::make_shared<std::set<std::uint32_t>>();
 };

@@ -239,9 +239,10 @@ Result<std::unique_ptr<Link>> make_replay_link(const std::string& path, VirtualC
                                    found.cut_frames, found.frames);
     return fail(Error{ErrorCode::kNotThatKindOfFile, {}, why, path});
   }
-  for (const auto& slave : recorder.slaves()) found.slaves.push_back(note_of(slave));
+  const auto slaves = recorder.slaves();
+  for (const auto& slave : slaves) found.slaves.push_back(note_of(slave));
   if (notes != nullptr) *notes = std::move(found);
-  return std::make_unique<ReplayLink>(path, recorder.slaves(), clock);
+  return std::make_unique<ReplayLink>(path, slaves, clock);
 }
 
 }  // namespace syncline

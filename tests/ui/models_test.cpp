@@ -4,6 +4,7 @@
 #include <QAbstractItemModelTester>
 #include <QMimeData>
 #include <QSignalSpy>
+#include <QStandardItemModel>
 #include <algorithm>
 #include <memory>
 
@@ -13,6 +14,7 @@
 #include "ui/models/network_model.h"
 #include "ui/models/pdo_model.h"
 #include "ui/models/slave_figures_model.h"
+#include "ui/models/word_filter.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -224,6 +226,31 @@ TEST(MessageFilter, ShowsSeverityAndText) {
   filter.setText(QStringLiteral("APP"));
   ASSERT_EQ(filter.rowCount(), 1);
   EXPECT_EQ(filter.index(0, MessageModel::kText).data().toString(), QStringLiteral("apple"));
+}
+
+/// No keyboard has the minus, the micro and the space that stand in a figure.
+TEST(MessageFilter, FiguresAreFoundAsTheyAreTyped) {
+  MessageModel model;
+  MessageFilter filter;
+  filter.setSourceModel(&model);
+  model.append(message(Severity::kNote, "stepped by \u22127\u00A0\u00B5s"));
+  model.append(message(Severity::kNote, "stepped by 7\u00A0ns"));
+  for (const auto* typed : {"-7", "7 us", "\u22127", "-7 \u00B5s", "-7\u00A0\u03BCs"}) {
+    filter.setText(QString::fromUtf8(typed));
+    EXPECT_EQ(filter.rowCount(), 1) << typed;
+  }
+}
+
+TEST(WordFilter, FiguresAreFoundAsTheyAreTyped) {
+  QStandardItemModel model;
+  model.appendRow(new QStandardItem(QStringLiteral("shift \u2212500\u00A0\u00B5s")));
+  model.appendRow(new QStandardItem(QStringLiteral("shift 500\u00A0ns")));
+  WordFilter filter(Qt::DisplayRole);
+  filter.setSourceModel(&model);
+  filter.setWords(QStringLiteral("shift -500"));
+  EXPECT_EQ(filter.rowCount(), 1);
+  filter.setWords(QStringLiteral("500 us"));
+  EXPECT_EQ(filter.rowCount(), 1);
 }
 
 TEST(PdoModel, LocksWhatAMandatoryPdoExcludes) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ui/text/as_typed.h"
 #include "ui/text/units.h"
 
 namespace syncline::ui {
@@ -207,7 +208,7 @@ void MessageFilter::setShown(Severity severity, bool shown) {
 }
 
 void MessageFilter::setText(const QString& text) {
-  text_ = text;
+  text_ = asTyped(text);
   invalidateFilter();
 }
 
@@ -215,8 +216,10 @@ bool MessageFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   const auto cell = [&](int column) { return sourceModel()->index(row, column, parent); };
   if (!shown_[cell(0).data(MessageModel::kSeverityRole).toInt()]) return false;
   if (text_.isEmpty()) return true;
-  return cell(MessageModel::kText).data().toString().contains(text_, Qt::CaseInsensitive) ||
-         cell(MessageModel::kSource).data().toString().contains(text_, Qt::CaseInsensitive);
+  const auto has = [&](int column) {
+    return asTyped(cell(column).data().toString()).contains(text_, Qt::CaseInsensitive);
+  };
+  return has(MessageModel::kText) || has(MessageModel::kSource);
 }
 
 }  // namespace syncline::ui

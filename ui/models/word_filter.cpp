@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ui/text/as_typed.h"
+
 namespace syncline::ui {
 
 WordFilter::WordFilter(int words_role, QObject* parent) : QSortFilterProxyModel(parent), role_(words_role) {
@@ -10,7 +12,7 @@ WordFilter::WordFilter(int words_role, QObject* parent) : QSortFilterProxyModel(
 }
 
 void WordFilter::setWords(const QString& text) {
-  words_ = text.split(u' ', Qt::SkipEmptyParts);
+  words_ = asTyped(text).split(u' ', Qt::SkipEmptyParts);
   invalidateFilter();
 }
 
@@ -18,6 +20,7 @@ bool WordFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   if (words_.isEmpty()) return true;
   auto line = sourceModel()->index(row, 0, parent).data(role_).toString();
   if (parent.isValid()) line += u' ' + parent.data(role_).toString();
+  line = asTyped(line);
   return std::ranges::all_of(words_, [&](const QString& word) { return line.contains(word, Qt::CaseInsensitive); });
 }
 

@@ -5,6 +5,8 @@
 #include <QRegularExpression>
 #include <cmath>
 
+#include "ui/text/as_typed.h"
+
 namespace syncline::ui {
 namespace {
 
@@ -13,12 +15,11 @@ struct Typed {
 };
 
 std::optional<Typed> taken(QString text) {
-  text = text.trimmed();
-  text.replace(QChar(0x2212), u'-').replace(QChar(0x00B5), u'u').replace(QChar(0x03BC), u'u');
+  text = asTyped(text.trimmed().remove(QChar(0x00A0)));
   text.replace(QLocale().decimalPoint(), QStringLiteral("."));
   static const QRegularExpression form(
       QStringLiteral("^([+-]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?)\\s*(ns|us|ms|s)?$"));
-  const auto match = form.match(text.remove(QChar(0x00A0)));
+  const auto match = form.match(text);
   if (!match.hasMatch()) return std::nullopt;
   return Typed{match.captured(1), match.captured(2)};
 }

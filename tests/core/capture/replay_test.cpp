@@ -239,12 +239,27 @@ TEST(BusRecorder, WhatIsWrittenToAllIsKeptOnceForAll) {
     recorder.add(sent);
     recorder.add(back);
   }
-  ASSERT_EQ(recorder.slaves().size(), kClaimed);
+  const auto slaves = recorder.slaves();
+  ASSERT_EQ(slaves.size(), kClaimed);
   std::size_t bytes = 0;
-  for (const auto& slave : recorder.slaves()) bytes += slave.memory.size();
+  for (const auto& slave : slaves) bytes += slave.memory.size();
   EXPECT_EQ(bytes, 0U);
-  EXPECT_TRUE(recorder.slaves().back().knows(0x1000, 7 * 1400));
-  EXPECT_FALSE(recorder.slaves().back().knows(0x0FFF, 2));
+  EXPECT_TRUE(slaves.back().knows(0x1000, 7 * 1400));
+  EXPECT_FALSE(slaves.back().knows(0x0FFF, 2));
+}
+
+/// Also a slave of which nothing was known yet has heard the broadcast.
+TEST(BusRecorder, EepromAddressSetByBroadcastIsThatOfEverySlave) {
+  CaptureFile file("syncline-replay-sii-all-");
+  file.exchange(Command::kBwr, 0, reg::kSiiControl, {0, 1, 8, 0, 0, 0}, {0, 1, 8, 0, 0, 0}, 1);
+  file.exchange(Command::kAprd, 0xFFFF, reg::kSiiData, {0, 0, 0, 0}, {0x17, 0x5C, 0x22, 0x33}, 1);
+  auto reader = PcapReader::open(file.finish());
+  ASSERT_TRUE(reader);
+  BusRecorder recorder;
+  for (auto frame = reader->next(); frame && *frame; frame = reader->next()) recorder.add((*frame)->bytes);
+  const auto slaves = recorder.slaves();
+  ASSERT_EQ(slaves.size(), 2U);
+  EXPECT_EQ(slaves[1].sii, (std::map<std::uint32_t, std::uint16_t>{{8, 0x5C17}, {9, 0x3322}}));
 }
 
 std::vector<std::uint8_t> bytes_of_file(const std::string& path) {
