@@ -87,6 +87,15 @@ inline constexpr FindingWords kRunSlaves[] = {
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}, and the master saw nothing but good "
        "cycles before: no frame lost or late, none left out, outputs nominally there {margin} before each SYNC0."}}},
+    {"slave-fell-by-hang",
+     Severity::kError,
+     "A slave has left OP after its firmware had stood still",
+     "",
+     "Look for what stops it: an interrupt storm, a debugger, a crash. Neither frames nor shift are the reason.",
+     "",
+     {{"",
+       "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its firmware had stood still, its PDI "
+       "watchdog expired at {stopped} (0x0443), and its SYNC0 went on without it."}}},
     {"slave-had-fallen",
      Severity::kWarning,
      "A slave had left OP with an error",
@@ -181,6 +190,10 @@ inline constexpr FindingWords kRunSlaves[] = {
       {"stepped",
        "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
        "the reference clock stepped or changed its rate; they came back, {count} in all."},
+      {"stepped led",
+       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), "
+       "and came back, {count} in all: the reference clock stepped or changed its rate. In bus shift it follows this "
+       "host's clock, which a time service may have moved."},
       {"before",
        "Before that, at {since}, {slave} had left the sync window as well ({deviation}, limit {limit}); {count} in "
        "all."},

@@ -20,10 +20,10 @@ std::vector<Signal> operator+(std::vector<Signal> some, const std::vector<Signal
 /// Who gets no outputs for a few cycles counts it, and a drive falls by it.
 const std::vector<Signal> kWithoutOutputs{Signal::kSm2Missed, Signal::kSetpointSlips, Signal::kAlState};
 const std::vector<Signal> kDeviations{Signal::kDeviation, Signal::kSlaveDeviation};
-/// Who is away, and who is behind it; their clocks settle anew when they are back.
+/// Who is away, and who is behind it and gets no outputs; their clocks settle anew when they are back.
 std::vector<Signal> away() {
-  return std::vector{Signal::kWkcErrors, Signal::kAlState, Signal::kProcessDataWatchdog} + kDeviations +
-         of_ports({PortSignal::kLostLinks});
+  return std::vector{Signal::kSm2Missed, Signal::kWkcErrors, Signal::kAlState, Signal::kProcessDataWatchdog} +
+         kDeviations + of_ports({PortSignal::kLostLinks});
 }
 /// The machine that was never in OP.
 const std::vector<Signal> kStayedDown{Signal::kAlState};
@@ -123,8 +123,8 @@ std::vector<SoakFaultKind> host_kinds() {
        .most = 300 * kMicrosecond,
        .ppm = 50,
        .events = {kind_of<events::DcmError>, kind_of<events::MasterOutOfSync>},
-       .findings = {code::kMasterLostLock, code::kDcmError},
-       .also = {code::kSlaveLeftWindow, code::kWindowLeft},
+       .findings = {code::kMasterLostLock, code::kDcmError, code::kWindowLeft},
+       .also = {code::kSlaveLeftWindow},
        .shows = {Signal::kDcmErrorFiltered},
        .may_show = kDeviations},
       {.name = "host warms up",
@@ -156,7 +156,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .findings = {code::kSlaveLeftWindow, code::kMissedByMovedClock},
        .also = {code::kWindowLeft, code::kShiftTooShort, code::kSlaveFellByMisses, code::kSlaveFell},
        .shows = kDeviations,
-       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort}},
+       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort, Signal::kOutputsExceeded}},
       {.name = "offset step",
        .kind = FaultKind::kOffsetStep,
        .victims = {1, 2, 3, 4},
@@ -167,7 +167,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .findings = {code::kSlaveLeftWindow, code::kMissedByMovedClock},
        .also = {code::kWindowLeft, code::kShiftTooShort, code::kSlaveFellByMisses, code::kSlaveFell},
        .shows = kDeviations,
-       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort}},
+       .may_show = kWithoutOutputs + std::vector{Signal::kOutputsShiftTooShort, Signal::kOutputsExceeded}},
       {.name = "noisy delay",
        .kind = FaultKind::kNoisyDelay,
        .victims = {1, 2, 3, 4},
@@ -205,8 +205,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .most = 800 * kMicrosecond,
        .while_down = true,
        .findings = {code::kSync0Misplaced},
-       .also = {code::kSync0TooTight, code::kShiftTooShort, code::kMissedUnexplained, code::kSlaveFellByItself,
-                code::kSlaveFell},
+       .also = {code::kSlaveFellByMisses, code::kSlaveFell},
        .may_show = {Signal::kOutputsShiftTooShort, Signal::kSm2Missed, Signal::kAlState}},
       {.name = "SYNC0 left running",
        .kind = FaultKind::kSyncLeftRunning,
@@ -270,8 +269,9 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .longest = 3 * kSecond,
        .events = {kind_of<events::WatchdogExpired>},
        .findings = {code::kFirmwareHung},
-       .also = {code::kMailboxSilent},
-       .shows = {Signal::kPdiWatchdog}},
+       .also = {code::kMailboxSilent, code::kSlaveFellByHang},
+       .shows = {Signal::kPdiWatchdog},
+       .may_show = {Signal::kAlState}},
   };
 }
 

@@ -89,5 +89,19 @@ TEST(EniImport, WhatIsNotReadIsNamedOnceWithItsLine) {
   EXPECT_THAT(describe(imported->unread[0]), HasSubstr("Line "));
 }
 
+/// What the schema knows and nobody reads; and what it does not know either is no second finding.
+TEST(EniImport, WhatMakersAddIsNamedWithItsFirstLineAndHowOften) {
+  std::string text = eni::write_eni(checked_machine());
+  text = replaced(text, "<Config>", "<Manufacturer>A</Manufacturer>\n<Manufacturer>B</Manufacturer>\n<Config>");
+  text = replaced(text, "<VendorId>", "<VendorSpecific>x</VendorSpecific><VendorId>");
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find("<Manufacturer>")), '\n');
+  const auto imported = eni::import_eni_text(text, "other.xml");
+  ASSERT_TRUE(imported);
+  ASSERT_EQ(imported->unread.size(), 2U);
+  EXPECT_THAT(describe(imported->unread[0]), HasSubstr("<VendorSpecific> in <Info>"));
+  EXPECT_THAT(describe(imported->unread[1]), HasSubstr("<Manufacturer> in <EtherCATConfig>, 2 times"));
+  EXPECT_THAT(describe(imported->unread[1]), HasSubstr("Line " + std::to_string(line)));
+}
+
 }  // namespace
 }  // namespace syncline::test

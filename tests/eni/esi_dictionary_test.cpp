@@ -59,6 +59,23 @@ TEST(EsiDictionary, KeepsFlagsLimitsAndNamesOfValues) {
   EXPECT_THAT(device.enums, ElementsAre(EnumDescription{"MODE", "USINT", 8, {{0, "Off"}, {-1, "On"}}}));
 }
 
+TEST(EsiDictionary, CategoriesAreReadInBothCases) {
+  using enum ObjectCategory;
+  for (const auto& [letter, category] : {std::pair{"m", kMandatory},
+                                         {"M", kMandatory},
+                                         {"c", kConditional},
+                                         {"C", kConditional},
+                                         {"o", kOptional},
+                                         {"O", kOptional}}) {
+    std::string text = kFile;
+    const std::string before = "<Category>m</Category>";
+    text.replace(text.find(before), before.size(), std::string("<Category>") + letter + "</Category>");
+    const auto file = parse_esi(text, "d.xml");
+    ASSERT_TRUE(file && file->devices.size() == 1);
+    EXPECT_EQ(file->devices.front().dictionary[0].entries[2].category, category) << letter;
+  }
+}
+
 TEST(EsiDictionary, WriterKeepsIt) {
   const auto file = parse_esi(kFile, "d.xml");
   ASSERT_TRUE(file && file->devices.size() == 1);

@@ -58,6 +58,14 @@ TEST(TextEncoding, DeclaredCodePagesAreConverted) {
   }
 }
 
+/// Each letter of one byte is one of three.
+TEST(TextEncoding, ATextMayBecomeThreeTimesAsLong) {
+  std::string euros;
+  for (int i = 0; i < 5'000; ++i) euros += "€";
+  const auto text = declared("windows-1252", euros);
+  EXPECT_TRUE(decoded(encode(text, "CP1252")) == text);
+}
+
 TEST(TextEncoding, WideEncodingsWithAndWithoutMark) {
   const std::string text = "<?xml version=\"1.0\"?><A>Größe 速 😀</A>";
   for (const char* name : {"UTF-16LE", "UTF-16BE", "UTF-32LE", "UTF-32BE"}) {

@@ -573,6 +573,10 @@
         <translation>Ein Slave hat eine neue Diagnosemeldung</translation>
     </message>
     <message>
+        <source>A slave has left OP after its firmware had stood still</source>
+        <translation>Ein Slave hat OP verlassen, nachdem seine Firmware stillgestanden hatte</translation>
+    </message>
+    <message>
         <source>A slave has left OP after missed SM2 events</source>
         <translation>Ein Slave hat OP nach verpassten SM2-Ereignissen verlassen</translation>
     </message>
@@ -875,6 +879,10 @@
     <message>
         <source>Alias</source>
         <translation>Alias</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), and came back, {count} in all: the reference clock stepped or changed its rate. In bus shift it follows this host's clock, which a time service may have moved.</source>
+        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}) und kamen zurück, insgesamt {count}: Die Referenzuhr sprang oder änderte ihre Geschwindigkeit. Im Bus-Shift folgt sie der Uhr dieses Rechners, die ein Zeitdienst verstellt haben kann.</translation>
     </message>
     <message>
         <source>An AMS Net ID for a device without AoE</source>
@@ -2129,6 +2137,10 @@
         <translation>Nach dem Gerät dahinter sehen.</translation>
     </message>
     <message>
+        <source>Look for what stops it: an interrupt storm, a debugger, a crash. Neither frames nor shift are the reason.</source>
+        <translation>Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz. Weder Frames noch Shift sind der Grund.</translation>
+    </message>
+    <message>
         <source>Lost on the bus and lost by who captured look alike. A mirror port of a switch passes over frames when both ways together are more than it carries, and gives no two frames their true distance.</source>
         <translation>Auf dem Bus verloren und beim Aufzeichnen verloren sieht gleich aus. Ein Spiegelport eines Switches lässt Frames aus, wenn beide Richtungen zusammen mehr sind, als er trägt, und gibt keinen zwei Frames ihren wahren Abstand.</translation>
     </message>
@@ -2271,6 +2283,10 @@
     <message>
         <source>{count:# frame has|# frames have} hardware stamps of a probe, the others of {frames} are stamped by the host that captured them: times between the two do not compare.</source>
         <translation>{count:# Frame trägt|# Frames tragen} Hardware-Stempel einer Sonde, die übrigen von {frames} hat der aufzeichnende Rechner gestempelt: Zeiten zwischen beiden sind nicht vergleichbar.</translation>
+    </message>
+    <message>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its firmware had stood still, its PDI watchdog expired at {stopped} (0x0443), and its SYNC0 went on without it.</source>
+        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: seine Firmware hatte stillgestanden, ihr PDI-Watchdog lief bei {stopped} ab (0x0443), und sein SYNC0 lief ohne sie weiter.</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

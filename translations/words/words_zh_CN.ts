@@ -573,6 +573,10 @@
         <translation>从站有新的诊断消息</translation>
     </message>
     <message>
+        <source>A slave has left OP after its firmware had stood still</source>
+        <translation>从站因其固件曾停止运行而退出 OP</translation>
+    </message>
+    <message>
         <source>A slave has left OP after missed SM2 events</source>
         <translation>从站因错过 SM2 事件而退出 OP</translation>
     </message>
@@ -875,6 +879,10 @@
     <message>
         <source>Alias</source>
         <translation>别名</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), and came back, {count} in all: the reference clock stepped or changed its rate. In bus shift it follows this host's clock, which a time service may have moved.</source>
+        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}），之后恢复，共 {count}：参考时钟发生跳变或改变速率。在总线偏移模式下它跟随本机时钟，时间服务可能调整过该时钟。</translation>
     </message>
     <message>
         <source>An AMS Net ID for a device without AoE</source>
@@ -2129,6 +2137,10 @@
         <translation>检查它后面的设备。</translation>
     </message>
     <message>
+        <source>Look for what stops it: an interrupt storm, a debugger, a crash. Neither frames nor shift are the reason.</source>
+        <translation>查找使它停止的原因：中断风暴、调试器、程序崩溃。帧和偏移都不是原因。</translation>
+    </message>
+    <message>
         <source>Lost on the bus and lost by who captured look alike. A mirror port of a switch passes over frames when both ways together are more than it carries, and gives no two frames their true distance.</source>
         <translation>在总线上丢失与在抓包时丢失看起来一样。当双向流量之和超过交换机镜像端口的容量时，该端口会漏掉帧，且任何两帧之间的间隔都不真实。</translation>
     </message>
@@ -2271,6 +2283,10 @@
     <message>
         <source>{count:# frame has|# frames have} hardware stamps of a probe, the others of {frames} are stamped by the host that captured them: times between the two do not compare.</source>
         <translation>{frames} 帧中有 {count} 帧带有探针的硬件时间戳，其余由抓包主机加盖：两者之间的时间不可比较。</translation>
+    </message>
+    <message>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its firmware had stood still, its PDI watchdog expired at {stopped} (0x0443), and its SYNC0 went on without it.</source>
+        <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}：其固件曾停止运行，PDI 看门狗在 {stopped} 到期 (0x0443)，而其 SYNC0 仍在继续。</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

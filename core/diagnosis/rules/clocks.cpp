@@ -187,7 +187,9 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
   finding.figures.push_back(times_figure("count", losses.size()));
   const bool stepped = first.obstacle == dc::SyncObstacle::kClockStep;
   if (stepped) finding.place.slave = report.dc.reference_clock;
-  const auto* variant = culprit ? (stepped ? "stepped before" : "before") : stepped ? "stepped" : "";
+  const bool led = report.dcm.mode == DcmMode::kBusShift;
+  const auto* of_all = culprit ? "stepped before" : led ? "stepped led" : "stepped";
+  const auto* variant = stepped ? of_all : culprit ? "before" : "";
   finding.facts = sentence_of(*find_finding_words(code::kWindowLeft), variant);
   findings.push_back(std::move(finding));
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/rules/moved_clocks.h"
 #include "diagnosis/rules/rules.h"
 #include "families/device_family.h"
 #include "families/families.h"
@@ -22,6 +23,8 @@ void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findi
   if (counted.total == 0) return;
   const auto& history = report.history.slaves[slave.position];
   const auto& spells = outputs ? history.outputs_exceeded : history.inputs_exceeded;
+  // A SYNC0 that comes early cuts the cycle before it short: the clock's doing, told as that.
+  if (sync0_had_moved(report, slave, spells)) return;
   const auto counters = families::sync_counters(slave.identity).value_or(families::SyncCounters{});
   const auto object =
       fmt::format("0x{:04X}:{:02X}", outputs ? families::kOutputSync : families::kInputSync, counters.cycle_exceeded);

@@ -55,6 +55,23 @@ bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, const R
   return was_absent(report, slave.position, before);
 }
 
+/// When its firmware had stopped shortly before, which then finds SYNC0 gone on without it. That it stands still is
+/// told when its PDI watchdog expires; while it goes on standing still its mailbox and what it leaves lying tell.
+std::optional<Nanoseconds> had_stopped(const RunReport& report, const RunReport::Slave& slave,
+                                       const RunHistory::Fall& fall) {
+  constexpr Nanoseconds kBefore = 5 * kSecond;
+  const auto& history = report.history.slaves[slave.position];
+  const auto& stopped = history.pdi_watchdog.list();
+  const auto after = std::ranges::find_if(stopped, [&](const Spell& spell) { return spell.from > fall.time; });
+  if (after == stopped.begin()) return std::nullopt;
+  const auto since = std::prev(after)->from;
+  const Spell before{fall.time - kBefore, fall.time, 0, 0};
+  const bool silent = history.silent_from > 0 && history.silent_to >= before.from && history.silent_from <= fall.time;
+  const bool stood =
+      since >= before.from || silent || history.late_outputs.near(before, 0) || history.late_inputs.near(before, 0);
+  return stood ? std::optional(since) : std::nullopt;
+}
+
 Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto& fall = report.history.slaves[slave.position].fall;
   const auto since = fall ? fall->time : report.history.begin;
@@ -66,9 +83,16 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
                      text_figure("alarm", alarm_text(report, slave)),
                      moment_figure(report, "since", since),
                      phrase_figure("check", text.check)};
-  if (!is_about_outputs(slave.al_status_code) || !slave.sm2_missed || !slave.sm2_missed->known || !slave.sync0_margin)
+  if (!is_about_outputs(slave.al_status_code)) return finding;
+  const bool counted = slave.sm2_missed && slave.sm2_missed->known;
+  const bool unseen =
+      !counted || slave.sm2_missed->missed == 0 || main_cause(*slave.sm2_missed) == dc::MissCause::kUnknown;
+  if (const auto stopped = unseen && fall ? had_stopped(report, slave, *fall) : std::nullopt) {
+    finding.code = code::kSlaveFellByHang;
+    finding.figures.push_back(moment_figure(report, "stopped", *stopped));
     return finding;
-  const bool unseen = slave.sm2_missed->missed == 0 || main_cause(*slave.sm2_missed) == dc::MissCause::kUnknown;
+  }
+  if (!counted || !slave.sync0_margin) return finding;
   if (unseen && fall && was_cut_off(report, slave, *fall)) {
     finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "cut");
     return finding;

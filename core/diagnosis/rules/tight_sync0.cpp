@@ -93,7 +93,7 @@ void find_too_tight(const RunReport& report, const RunReport::Slave& slave, Find
   const auto lateness = usual_worst_lateness(report);
   constexpr std::uint64_t kEnough = 1000;
   if (!slave.sync0_margin || !locked || report.history.frame_lateness.count() < kEnough) return;
-  if (is_told(findings, slave)) return;
+  if (is_told(findings, slave) || slave.evidence.sync0.misplaced()) return;
   // Also where the frames are in time, and nominally leave less than the slave needs for its outputs.
   const bool needs_more = nominally_too_short(slave);
   if (lateness <= *slave.sync0_margin && !needs_more) return;

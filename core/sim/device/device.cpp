@@ -173,6 +173,9 @@ void Device::resume_application(Nanoseconds time) {
   for (auto* due : {&request_due_, &mail_due_}) {
     if (*due != kNever) *due = std::max(*due, then);
   }
+  // Who stood still has not counted the SYNC0 that did not come to him; the next one is due any time.
+  if (last_sync0_) last_sync0_ = std::max(*last_sync0_, then);
+  on_resumed(then);
   if (state_ == AlState::kOp && esc_.outputs_expired()) process_data_watchdog_expired(then);
 }
 

@@ -94,6 +94,7 @@ class Device : public Esc::Listener {
   /// A request for a higher state has waited so long, and is to wait a little more: something is still on its way.
   virtual bool settling(AlState, Nanoseconds) { return false; }
   virtual void check_running(Nanoseconds) {}  // in OP, whenever time has passed
+  virtual void on_resumed(Nanoseconds) {}     // its application goes on
   /// Nobody could tell whether check_running() is called before; the beginning of time: it must be, whenever time
   /// passes.
   [[nodiscard]] virtual Nanoseconds runs_alone_until() { return INT64_MIN; }

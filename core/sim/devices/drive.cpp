@@ -183,6 +183,10 @@ void Drive::check_running(Nanoseconds time) {
   if (time >= sync_patience()) drop_to_safeop(al_code::kSyncStopped);
 }
 
+void Drive::on_resumed(Nanoseconds time) {
+  if (last_sync_) last_sync_ = std::max(*last_sync_, time);
+}
+
 Nanoseconds Drive::sync_patience() const {
   const auto cycle = static_cast<Nanoseconds>(dc().settings().cycle0);
   return last_sync_ && cycle > 0 ? *last_sync_ + kMissingSyncs * cycle + 1 : INT64_MAX;

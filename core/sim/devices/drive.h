@@ -37,6 +37,7 @@ class Drive : public Device {
   std::uint16_t check_sync(AlState to) override;
   bool settling(AlState wanted, Nanoseconds waited) override;
   void check_running(Nanoseconds time) override;
+  void on_resumed(Nanoseconds time) override;
   Nanoseconds runs_alone_until() override;
   std::optional<Nanoseconds> repeats() override;
   void on_cycles_passed(std::uint64_t count, Nanoseconds time) override;

@@ -552,6 +552,66 @@ TEST(RunDiagnosis, ADriveThatFellThoughAllWasGoodFellByItself) {
   EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
 }
 
+TEST(RunDiagnosis, ASlaveThatFellAfterItsFirmwareHadStoodStillIsToldAsThat) {
+  auto report = healthy();
+  auto& history = report.history.slaves[1];
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x2C;
+  history.fall = RunHistory::Fall{kStart + 9 * kSecond, 0x14, 0x2C};
+  history.pdi_watchdog.note(kStart + 7 * kSecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlaveFellByHang, code::kFirmwareHung));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("expired at 7.000 s"));
+  // One that was over long before is no reason, one that is told to go on until then is.
+  history.pdi_watchdog = {};
+  history.pdi_watchdog.note(kStart + 2 * kSecond, 1);
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByItself);
+  auto lying = report;
+  lying.history.slaves[1].late_outputs.note(kStart + 8 * kSecond, 1);
+  EXPECT_EQ(codes(lying).front(), code::kSlaveFellByHang);
+  history.silent_from = kStart + 3 * kSecond;
+  history.silent_to = kStart + 6 * kSecond;
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByHang);
+  // What was seen to make it miss outputs says more; one that came after the fall says nothing.
+  auto missed = report;
+  miss(missed, 1, dc::MissCause::kFrameLost, 3);
+  EXPECT_EQ(codes(missed).front(), code::kSlaveFellByMisses);
+  history.fall->time = kStart + kSecond;
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByItself);
+}
+
+TEST(RunDiagnosis, ACycleThatAMovedSync0CutShortIsNotTheFirmwares) {
+  auto report = healthy();
+  report.slaves[1].evidence.outputs.exceeded.total = 1;
+  report.history.slaves[1].outputs_exceeded.note(kStart + 5500 * kMillisecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(code::kFirmwareSlow));
+  report.history.slave_losses.push_back(loss(1, 700'000));
+  EXPECT_THAT(codes(report), Not(Contains(code::kFirmwareSlow)));
+  report.slaves[1].evidence.outputs.exceeded.total = 4;
+  report.history.slaves[1].outputs_exceeded.note(kStart + 9 * kSecond, 3);
+  EXPECT_THAT(codes(report), Contains(code::kFirmwareSlow)) << "most of them came later";
+}
+
+TEST(RunDiagnosis, InBusShiftAReferenceClockThatMovesIsLedByTheHosts) {
+  auto report = healthy();
+  report.history.slave_losses.push_back(
+      {kStart + 8 * kSecond, -1, 128, dc::SyncObstacle::kClockStep, kStart + 9 * kSecond});
+  report.dcm.mode = DcmMode::kMasterShift;
+  EXPECT_THAT(describe(diagnose(report)[0]), Not(HasSubstr("time service")));
+  report.dcm.mode = DcmMode::kBusShift;
+  ASSERT_THAT(codes(report), ElementsAre(code::kWindowLeft));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("a time service may have moved"));
+}
+
+TEST(RunDiagnosis, ASync0ThatIsMisplacedIsNotAlsoTooTight) {
+  auto report = healthy();
+  report.slaves[1].sync0_margin = 40'000;
+  report.slaves[1].evidence.calc_and_copy_ns = 62'500;
+  EXPECT_THAT(codes(report), Contains(code::kSync0TooTight));
+  report.slaves[1].evidence.sync0.time = kStart + kSecond;
+  report.slaves[1].evidence.sync0.off_ns = 400'000;
+  EXPECT_THAT(codes(report), ElementsAre(code::kSync0Misplaced)) << "a larger set value is no cure for it";
+}
+
 TEST(RunDiagnosis, ADriveThatGetsItsOutputsTooShortlyBeforeSync0DidNotFallByItself) {
   auto report = healthy();
   report.slaves[1].al_status = 0x14;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "core/sim/drive_bed.h"
 #include "core/sim/sim_probe.h"
 
 namespace syncline::test {
@@ -56,6 +57,31 @@ TEST_F(Outputs, FollowTheDividerAndStayWithoutAWatchdog) {
   probe.pass(10 * kSecond);
   EXPECT_EQ(outputs(), 0x03);
   EXPECT_EQ(status(), 1) << "a watchdog that is off counts as well";
+}
+
+/// Its SYNC0 has gone on: wherever in the cycle its firmware goes on, it does not take the signal for lost.
+TEST(FirmwareThatGoesOn, FindsItsSync0) {
+  for (const std::string type : {"SL-SV7", "SL-XE2"}) {
+    for (int phase = 0; phase < 20; ++phase) {
+      FaultConfig hang;
+      hang.kind = FaultKind::kStopApplication;
+      hang.slave = 0;
+      hang.at = 700 * kMillisecond;
+      hang.until = 716 * kMillisecond + phase * 50 * kMicrosecond;
+      DriveBed drive(type, {hang});
+      drive.start_sync0(1'000'000);
+      ASSERT_EQ(drive.to_op(), 8);
+      const auto begin = drive.probe.now;
+      while (drive.probe.now < begin + 300 * kMillisecond) {
+        drive.frame(667 * kMicrosecond);
+        for (int look = 0; look < 12; ++look) {
+          drive.probe.pass(20 * kMicrosecond);
+          ASSERT_EQ(drive.status(), 8) << type << ", phase " << phase << ", " << (drive.probe.now - begin) / 1000
+                                       << " us, " << drive.probe.read(0, reg::kAlStatusCode, 2).value<std::uint16_t>();
+        }
+      }
+    }
+  }
 }
 
 /// A device whose firmware hangs from 10 ms until 400 ms after power-on.
