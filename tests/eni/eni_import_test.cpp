@@ -89,6 +89,17 @@ TEST(EniImport, WhatIsNotReadIsNamedOnceWithItsLine) {
   EXPECT_THAT(describe(imported->unread[0]), HasSubstr("Line "));
 }
 
+/// Where it names nobody in the file it hangs nowhere, the first one too.
+TEST(EniImport, APreviousPortOfNobodyIsNone) {
+  const std::string text =
+      replaced(eni::write_eni(checked_machine()), "<Slave>",
+               "<Slave><PreviousPort Selected=\"1\"><Port>B</Port><PhysAddr>9999</PhysAddr></PreviousPort>");
+  const auto imported = eni::import_eni_text(text, "other.xml");
+  ASSERT_TRUE(imported);
+  EXPECT_FALSE(imported->config.slaves[0].previous);
+  EXPECT_TRUE(imported->config.slaves[1].previous);
+}
+
 /// What the schema knows and nobody reads; and what it does not know either is no second finding.
 TEST(EniImport, WhatMakersAddIsNamedWithItsFirstLineAndHowOften) {
   std::string text = eni::write_eni(checked_machine());

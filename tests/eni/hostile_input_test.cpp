@@ -117,6 +117,16 @@ TEST_P(HostileInput, ElementsAttributesAndCommentsWithoutContentAreRefused) {
   }
 }
 
+/// Few of each element, and too many of all.
+TEST(XmlLimits, AttributesAreCountedOverAllElements) {
+  const std::string element = "<B" + repeat(" abcd=\"1234\"", kMaxAttributesOfElement) + "/>";
+  constexpr auto kMost = kMaxAttributes / kMaxAttributesOfElement;
+  EXPECT_TRUE(check_xml_limits("<A>" + repeat(element, kMost) + "</A>", "x.xml"));
+  const auto refused = check_xml_limits("<A>" + repeat(element, kMost + 1) + "</A>", "x.xml");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(describe(refused.error()), HasSubstr("more than 4000000 attributes"));
+}
+
 TEST(XmlLimits, ManyElementsAsToolsWriteThemPass) {
   const std::string text = "<A>" + repeat("<B>12345</B>", 120'000) + repeat("<C/>", 10'000) + "</A>";
   EXPECT_TRUE(check_xml_limits(text, "x.xml"));

@@ -16,9 +16,11 @@ void MailboxHandshake::serve(bool in_preop) {
   if (!out.enabled()) return;
   const bool full = (out.status & SyncManager::kStatusMailboxFull) != 0;
   if (esc_.repeat_requested(1)) {
-    if (const auto& again = server_.repeat(full); !again.empty()) load(again);
+    const auto& again = server_.repeat(full);
     esc_.acknowledge_repeat(1);
-    return;
+    if (!again.empty()) return load(again);
+    // Nothing to repeat, as where the mailbox was set up anew and its toggle is not that of the acknowledged
+    // repetition: what waits is not kept back for it.
   }
   if (!server_.waiting() || full) return;
   if (const auto bytes = server_.next(out.length)) load(*bytes);

@@ -54,5 +54,23 @@ TEST(SimDriveObjects, TheLimitOfErrorsHasARange) {
   EXPECT_EQ(drive.read(0x10F1, 2), 15U);
 }
 
+/// A master that begins anew knows nothing of what the one before has had repeated.
+TEST(Mailbox, AnswersAtOnceAfterItIsSetUpAnewWithTheOtherToggle) {
+  DriveBed drive("SL-SV7");
+  const auto vendor = drive.read(0x1018, 1);
+  const auto activate = static_cast<std::uint16_t>(reg::sync_manager(1) + 6);
+  drive.probe.write(0, activate, {0x03});  // enabled, and the answer once more
+  drive.probe.pass(kMillisecond);
+  EXPECT_EQ(drive.probe.read(0, static_cast<std::uint16_t>(activate + 1), 1).data[0] & 0x02, 0x02) << "acknowledged";
+  EXPECT_EQ(drive.probe.request(0, 1), 1);
+  for (unsigned i = 0; i < 2; ++i) {
+    const auto& sm = drive.device.sync_managers[i];
+    drive.probe.set_sync_manager(0, i, sm.start_address, 128, sm.control_byte);
+  }
+  drive.probe.pass(kMillisecond);
+  EXPECT_EQ(drive.probe.request(0, 2), 2);
+  EXPECT_EQ(drive.read(0x1018, 1), vendor);
+}
+
 }  // namespace
 }  // namespace syncline::test
