@@ -159,7 +159,7 @@ TEST_F(ModelOfNetworks, TellsOfSlavesOfAnotherMachineThatStandAlike) {
 }
 
 Message message(Severity severity, const char* text) {
-  return {QDateTime::currentDateTime(), severity, QStringLiteral("Master"), QLatin1String(text), 2, {}};
+  return {QDateTime::currentDateTime(), severity, QStringLiteral("Master"), QString::fromUtf8(text), 2, {}};
 }
 
 TEST(MessageModel, KeepsFindingsOnTopAndNewestFirst) {
