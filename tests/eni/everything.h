@@ -81,6 +81,13 @@ inline NetworkConfig everything() {
   fill_mailbox(slave.mailbox.value());
   fill_pdo(slave.pdos.front().pdo);
   slave.dc->potential_reference_clock = true;
+  InitCmd identify;
+  identify.transitions = {Transition::kIP};
+  identify.command = Command::kAprd;
+  identify.ado = 0x0012;
+  identify.data = {0, 0};
+  identify.validate = InitCmdValidate{{7, 0}, {0xFF, 0xFF}, 100};
+  slave.hot_connect = HotConnectConfig{"Tool", 1, {identify}};
   CyclicTask& task = config.cyclic.front();
   task.comment = "axis task";
   task.priority = 4;
