@@ -91,7 +91,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      Severity::kError,
      "A slave has left OP after its firmware had stood still",
      "",
-     "Look for what stops it: an interrupt storm, a debugger, a crash. Neither frames nor shift are the reason.",
+     "Look for what stops it: an interrupt storm, a debugger, a crash.",
      "",
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its firmware had stood still, its PDI "

@@ -2137,8 +2137,8 @@
         <translation>Nach dem Gerät dahinter sehen.</translation>
     </message>
     <message>
-        <source>Look for what stops it: an interrupt storm, a debugger, a crash. Neither frames nor shift are the reason.</source>
-        <translation>Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz. Weder Frames noch Shift sind der Grund.</translation>
+        <source>Look for what stops it: an interrupt storm, a debugger, a crash.</source>
+        <translation>Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz.</translation>
     </message>
     <message>
         <source>Lost on the bus and lost by who captured look alike. A mirror port of a switch passes over frames when both ways together are more than it carries, and gives no two frames their true distance.</source>

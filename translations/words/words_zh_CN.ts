@@ -2137,8 +2137,8 @@
         <translation>检查它后面的设备。</translation>
     </message>
     <message>
-        <source>Look for what stops it: an interrupt storm, a debugger, a crash. Neither frames nor shift are the reason.</source>
-        <translation>查找使它停止的原因：中断风暴、调试器、程序崩溃。帧和偏移都不是原因。</translation>
+        <source>Look for what stops it: an interrupt storm, a debugger, a crash.</source>
+        <translation>查找使它停止的原因：中断风暴、调试器、程序崩溃。</translation>
     </message>
     <message>
         <source>Lost on the bus and lost by who captured look alike. A mirror port of a switch passes over frames when both ways together are more than it carries, and gives no two frames their true distance.</source>
