@@ -157,12 +157,12 @@ inline constexpr FindingWords kRunSlaves[] = {
        "{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not "
        "for the settle time yet."},
       {"stepped",
-       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
-       "the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time "
-       "yet."},
+       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}). "
+       "No reading is outside any more, but not for the settle time yet. The reference clock stepped or changed its "
+       "rate{led}."},
       {"moving",
-       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
-       "the reference clock stepped or changed its rate."}}},
+       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}). "
+       "The reference clock stepped or changed its rate{led}."}}},
     {"slaves-sync-unknown",
      Severity::kError,
      "Whether the slaves are in sync is not known",
@@ -188,19 +188,14 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      {{"", "{slave} left the sync window at {since} ({deviation}, limit {limit}) and came back; {count} in all."},
       {"stepped",
-       "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): "
-       "the reference clock stepped or changed its rate; they came back, {count} in all."},
-      {"stepped led",
        "All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), "
-       "and came back, {count} in all: the reference clock stepped or changed its rate. In bus shift it follows this "
-       "host's clock, which a time service may have moved."},
+       "and came back, {count} in all. The reference clock stepped or changed its rate{led}."},
       {"before",
        "Before that, at {since}, {slave} had left the sync window as well ({deviation}, limit {limit}); {count} in "
        "all."},
       {"stepped before",
        "Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window "
-       "({deviation}, "
-       "limit {limit}): the reference clock stepped or changed its rate; {count} in all."}}},
+       "({deviation}, limit {limit}); {count} in all. The reference clock had stepped or changed its rate{led}."}}},
     {"reference-clock-written-late",
      Severity::kWarning,
      "A frame that was held up brought the reference clock an old time",
@@ -249,8 +244,8 @@ inline constexpr FindingWords kRunSlaves[] = {
      "master.dc.sync_window",
      {{"", "{slave} was {deviation} off its reference clock at {since}, and nobody monitors it."},
       {"reference",
-       "Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: "
-       "it is the one that moved, and nobody monitors them."}}},
+       "Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side, and "
+       "nobody monitors them. It is that clock which moved{led}."}}},
     {"master-not-locked",
      Severity::kError,
      "The master is not in sync",

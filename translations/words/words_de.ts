@@ -881,8 +881,16 @@
         <translation>Alias</translation>
     </message>
     <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), and came back, {count} in all: the reference clock stepped or changed its rate. In bus shift it follows this host's clock, which a time service may have moved.</source>
-        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}) und kamen zurück, insgesamt {count}: Die Referenzuhr sprang oder änderte ihre Geschwindigkeit. Im Bus-Shift folgt sie der Uhr dieses Rechners, die ein Zeitdienst verstellt haben kann.</translation>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), and came back, {count} in all. The reference clock stepped or changed its rate{led}.</source>
+        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}) und kamen zurück, insgesamt {count}. Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert{led}.</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet. The reference clock stepped or changed its rate{led}.</source>
+        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}). Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit. Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert{led}.</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}). The reference clock stepped or changed its rate{led}.</source>
+        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}). Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert{led}.</translation>
     </message>
     <message>
         <source>An AMS Net ID for a device without AoE</source>
@@ -1047,6 +1055,10 @@
     <message>
         <source>B, C or D</source>
         <translation>B, C oder D</translation>
+    </message>
+    <message>
+        <source>Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window ({deviation}, limit {limit}); {count} in all. The reference clock had stepped or changed its rate{led}.</source>
+        <translation>Davor, bei {since}, hatten sich alle Slaves zugleich und zur selben Seite aus dem Sync-Fenster bewegt ({deviation}, Grenze {limit}); insgesamt {count}. Die Referenzuhr war gesprungen oder hatte ihre Geschwindigkeit geändert{led}.</translation>
     </message>
     <message>
         <source>Best effort instead of real time</source>
@@ -2213,6 +2225,10 @@
         <translation>Slaves folgten mit Verzögerungen, die nicht ihre waren</translation>
     </message>
     <message>
+        <source>Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side, and nobody monitors them. It is that clock which moved{led}.</source>
+        <translation>Slaves wichen bei {since} um bis zu {deviation} von der Referenzuhr ab, {slave}, zugleich und zur selben Seite, und niemand überwacht das. Es ist diese Uhr, die sich bewegt hat{led}.</translation>
+    </message>
+    <message>
         <source>SyncManager of PDO {pdo}</source>
         <translation>SyncManager des PDO {pdo}</translation>
     </message>
@@ -2259,6 +2275,10 @@
     <message>
         <source>a signal ended the waiting for its reader</source>
         <translation>ein Signal beendete das Warten auf ihren Leser</translation>
+    </message>
+    <message>
+        <source>in bus shift it follows this host's clock, which a time service may have moved</source>
+        <translation>im Bus-Shift folgt sie der Uhr dieses Rechners, die ein Zeitdienst verstellt haben kann</translation>
     </message>
     <message>
         <source>is missing, as stamp_error and stalls are: a host profile has times for one of them</source>
@@ -4495,14 +4515,6 @@
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
         <translation>{slave} hat das Sync-Fenster bei {since} verlassen ({deviation}, Grenze {limit}). Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
-    </message>
-    <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
-        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert. Kein Messwert liegt mehr außerhalb, aber noch nicht für die Einschwingzeit.</translation>
-    </message>
-    <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate.</source>
-        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr ist gesprungen oder hat ihre Geschwindigkeit geändert.</translation>
     </message>
     <message>
         <source>Whether the slaves are in sync is not known</source>
@@ -7037,10 +7049,6 @@
         <translation>{slave} wich bei {since} um {deviation} von der Referenzuhr ab, und niemand überwacht das.</translation>
     </message>
     <message>
-        <source>Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: it is the one that moved, and nobody monitors them.</source>
-        <translation>Slaves wichen bei {since} um bis zu {deviation} von der Referenzuhr ab, {slave}, zugleich und zur selben Seite: sie hat sich bewegt, und niemand überwacht das.</translation>
-    </message>
-    <message>
         <source>{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were measured with it: they were off by up to {deviation}.</source>
         <translation>{slave} ging bei {since} verloren und kam zurück; die dahinter folgten inzwischen mit Verzögerungen (0x0928), die mit ihm gemessen wurden: sie waren um bis zu {deviation} daneben.</translation>
     </message>
@@ -8905,16 +8913,8 @@
         <translation>{device} ist nicht in der Datei</translation>
     </message>
     <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
-        <translation>Alle Slaves bewegten sich bei {since} zugleich und zur selben Seite aus dem Sync-Fenster ({deviation}, Grenze {limit}): Die Referenzuhr sprang oder änderte ihre Geschwindigkeit; sie kamen zurück, insgesamt {count}.</translation>
-    </message>
-    <message>
         <source>Before that, at {since}, {slave} had left the sync window as well ({deviation}, limit {limit}); {count} in all.</source>
         <translation>Davor, bei {since}, hatte auch {slave} das Sync-Window verlassen ({deviation}, Grenze {limit}); {count} insgesamt.</translation>
-    </message>
-    <message>
-        <source>Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; {count} in all.</source>
-        <translation>Davor, bei {since}, hatten sich alle Slaves zugleich und zur selben Seite aus dem Sync-Window bewegt ({deviation}, Grenze {limit}): Die Referenzuhr sprang oder änderte ihre Geschwindigkeit; {count} insgesamt.</translation>
     </message>
     <message>
         <source>Outputs are forced</source>

@@ -881,8 +881,16 @@
         <translation>别名</translation>
     </message>
     <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), and came back, {count} in all: the reference clock stepped or changed its rate. In bus shift it follows this host's clock, which a time service may have moved.</source>
-        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}），之后恢复，共 {count}：参考时钟发生跳变或改变速率。在总线偏移模式下它跟随本机时钟，时间服务可能调整过该时钟。</translation>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}), and came back, {count} in all. The reference clock stepped or changed its rate{led}.</source>
+        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}），之后恢复，共 {count}。参考时钟发生了跳变或改变了速率{led}。</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet. The reference clock stepped or changed its rate{led}.</source>
+        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）。已没有读数在窗口之外，但尚未持续达到稳定时间。参考时钟发生了跳变或改变了速率{led}。</translation>
+    </message>
+    <message>
+        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}). The reference clock stepped or changed its rate{led}.</source>
+        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）。参考时钟发生了跳变或改变了速率{led}。</translation>
     </message>
     <message>
         <source>An AMS Net ID for a device without AoE</source>
@@ -1047,6 +1055,10 @@
     <message>
         <source>B, C or D</source>
         <translation>B、C 或 D</translation>
+    </message>
+    <message>
+        <source>Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window ({deviation}, limit {limit}); {count} in all. The reference clock had stepped or changed its rate{led}.</source>
+        <translation>在此之前，所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）；共 {count}。参考时钟发生了跳变或改变了速率{led}。</translation>
     </message>
     <message>
         <source>Best effort instead of real time</source>
@@ -2213,6 +2225,10 @@
         <translation>从站曾使用不属于自己的延迟跟随</translation>
     </message>
     <message>
+        <source>Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side, and nobody monitors them. It is that clock which moved{led}.</source>
+        <translation>从站在 {since} 同时且朝同一方向偏离参考时钟（{slave}）最多 {deviation}，且无人监视。移动的是该时钟{led}。</translation>
+    </message>
+    <message>
         <source>SyncManager of PDO {pdo}</source>
         <translation>PDO {pdo} 的 SyncManager</translation>
     </message>
@@ -2259,6 +2275,10 @@
     <message>
         <source>a signal ended the waiting for its reader</source>
         <translation>等待其读取方时被信号终止</translation>
+    </message>
+    <message>
+        <source>in bus shift it follows this host's clock, which a time service may have moved</source>
+        <translation>在总线偏移模式下它跟随本机时钟，时间服务可能调整过该时钟</translation>
     </message>
     <message>
         <source>is missing, as stamp_error and stalls are: a host profile has times for one of them</source>
@@ -4495,14 +4515,6 @@
     <message>
         <source>{slave} left the sync window at {since} ({deviation}, limit {limit}). No reading is outside any more, but not for the settle time yet.</source>
         <translation>{slave} 在 {since} 离开了同步窗口（{deviation}，限值 {limit}）。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
-    </message>
-    <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate. No reading is outside any more, but not for the settle time yet.</source>
-        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变或改变了速率。已没有读数在窗口之外，但尚未持续达到稳定时间。</translation>
-    </message>
-    <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate.</source>
-        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生了跳变或改变了速率。</translation>
     </message>
     <message>
         <source>Whether the slaves are in sync is not known</source>
@@ -7037,10 +7049,6 @@
         <translation>{slave} 在 {since} 时与其参考时钟的偏差为 {deviation}，且无人监视。</translation>
     </message>
     <message>
-        <source>Slaves were up to {deviation} off the reference clock, {slave}, at {since}, at once and to the same side: it is the one that moved, and nobody monitors them.</source>
-        <translation>从站在 {since} 同时且朝同一方向偏离参考时钟（{slave}）最多 {deviation}：移动的是参考时钟，且无人监视。</translation>
-    </message>
-    <message>
         <source>{slave} went at {since} and came back; meanwhile those behind it followed with delays (0x0928) that were measured with it: they were off by up to {deviation}.</source>
         <translation>{slave} 在 {since} 离线后又恢复；期间其后的从站使用包含它时测得的延迟（0x0928）跟随：偏差曾最大为 {deviation}。</translation>
     </message>
@@ -8905,16 +8913,8 @@
         <translation>文件中没有 {device}</translation>
     </message>
     <message>
-        <source>All slaves moved at once and to the same side at {since}, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; they came back, {count} in all.</source>
-        <translation>所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变或改变速率；之后恢复，共 {count}。</translation>
-    </message>
-    <message>
         <source>Before that, at {since}, {slave} had left the sync window as well ({deviation}, limit {limit}); {count} in all.</source>
         <translation>在此之前，{slave} 已在 {since} 超出同步窗口（{deviation}，限值 {limit}）；共 {count}。</translation>
-    </message>
-    <message>
-        <source>Before that, at {since}, all slaves had moved at once and to the same side, out of the sync window ({deviation}, limit {limit}): the reference clock stepped or changed its rate; {count} in all.</source>
-        <translation>在此之前，所有从站在 {since} 同时向同一侧移出了同步窗口（{deviation}，限值 {limit}）：参考时钟发生跳变或改变速率；共 {count}。</translation>
     </message>
     <message>
         <source>Outputs are forced</source>

@@ -22,6 +22,13 @@ Figure obstacle_figure(dc::SyncObstacle what) {
   return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
 }
 
+/// Who moves a reference clock that this host leads: empty where it leads itself.
+Figure led_figure(const RunReport& report) {
+  const bool led = report.dcm.mode == DcmMode::kBusShift;
+  return {"led", Unit::kAside, 0, 0,
+          led ? "in bus shift it follows this host's clock, which a time service may have moved" : ""};
+}
+
 /// It was away just before, or the adapter by which it hears the time, and finds its time again.
 bool comes_back(const RunReport& report, const RunReport::Slave& slave, Nanoseconds moment) {
   const Spell then{moment, moment, 0, 0};
@@ -93,7 +100,9 @@ void find_unmonitored(const RunReport& report, Findings& findings) {
                         off.to,
                         {slave_figure(report, slave), time_figure("deviation", off.largest),
                          moment_figure(report, "since", off.from)}});
-    if (reference) findings.back().facts = sentence_of(*find_finding_words(code::kSlaveClockOff), "reference");
+    if (!reference) continue;
+    findings.back().figures.push_back(led_figure(report));
+    findings.back().facts = sentence_of(*find_finding_words(code::kSlaveClockOff), "reference");
   }
 }
 
@@ -118,6 +127,7 @@ Finding out_without_culprit(const RunReport& report) {
   if (!stepped && dc.over_limit > 0) return finding;
   name_loss(report, loss, finding);
   finding.place.slave = stepped ? dc.reference_clock : loss.slave;
+  if (stepped) finding.figures.push_back(led_figure(report));
   const auto* variant = !stepped ? "left" : dc.over_limit > 0 ? "moving" : "stepped";
   finding.facts = sentence_of(*find_finding_words(code::kSlavesOutOfSync), variant);
   return finding;
@@ -186,9 +196,11 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
   name_loss(report, first, finding);
   finding.figures.push_back(times_figure("count", losses.size()));
   const bool stepped = first.obstacle == dc::SyncObstacle::kClockStep;
-  if (stepped) finding.place.slave = report.dc.reference_clock;
-  const bool led = report.dcm.mode == DcmMode::kBusShift;
-  const auto* of_all = culprit ? "stepped before" : led ? "stepped led" : "stepped";
+  if (stepped) {
+    finding.place.slave = report.dc.reference_clock;
+    finding.figures.push_back(led_figure(report));
+  }
+  const auto* of_all = culprit ? "stepped before" : "stepped";
   const auto* variant = stepped ? of_all : culprit ? "before" : "";
   finding.facts = sentence_of(*find_finding_words(code::kWindowLeft), variant);
   findings.push_back(std::move(finding));

@@ -8,11 +8,13 @@
 namespace syncline::diagnosis {
 namespace {
 
-/// The least time that any slave with SYNC0 leaves a frame to be late.
+/// The least time that any slave with SYNC0 leaves a frame to be late. What one leaves whose SYNC0 is not where it was
+/// meant to be is no measure of the host.
 std::optional<Nanoseconds> least_margin(const RunReport& report) {
   std::optional<Nanoseconds> least;
   for (const auto& slave : report.slaves) {
-    if (slave.sync0_margin) least = std::min(least.value_or(*slave.sync0_margin), *slave.sync0_margin);
+    if (slave.sync0_margin && !slave.evidence.sync0.misplaced())
+      least = std::min(least.value_or(*slave.sync0_margin), *slave.sync0_margin);
   }
   return least;
 }
