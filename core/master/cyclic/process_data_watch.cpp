@@ -126,12 +126,15 @@ void ProcessDataWatch::take(Nanoseconds send_time, Sent sent) {
   const bool none = !outputs && buffer == kNoBuffer;
   // In less than a cycle a slave that does it once a cycle may not have done so yet.
   const bool whole_cycle = between + kNearly >= config_.cycle_time();
-  if (!first_ || !whole_cycle || none) {
-    first_ = buffer;
+  // A slave that renews its inputs at the end of the frame has not done so yet for who rides with it, and has for who
+  // comes in a frame of its own behind it: between the two there may be no renewal at all, or two.
+  const bool alike = outputs || (first_ && first_->rode == sent.rode);
+  if (!first_ || !whole_cycle || !alike || none) {
+    first_ = {buffer, sent.rode};
     if (none) next();
     return;
   }
-  note(slave, outputs ? (byte_[0] & slave.event) != 0 : *first_ == buffer, send_time);
+  note(slave, outputs ? (byte_[0] & slave.event) != 0 : first_->buffer == buffer, send_time);
   next();
 }
 

@@ -21,7 +21,7 @@ struct Snapshot;
 /// that is being read. That outputs were written stands in the AL event request until the firmware reads them (0x0220,
 /// bit 8 + n; data sheet II, 2.12): a datagram behind those that bring the next ones still shows what became of the
 /// ones before, because an ESC raises the event at the end of the frame. One byte of one slave a cycle, in two cycles
-/// one behind the other, slave after slave.
+/// one behind the other, slave after slave; inputs in the same place of both.
 ///
 /// Many devices do either seldom, and rightly so: only one that did it in every cycle for its first readings in OP is
 /// held to it. Then StaleProcessData tells when it has stopped to, and when it does it again. Firmware that hangs is
@@ -67,7 +67,11 @@ class ProcessDataWatch {
   EventTeller& teller_;
   std::vector<Slave> slaves_;
   std::size_t current_ = 0;
-  std::optional<std::uint8_t> first_;  // byte in the first of the two cycles
+  struct First {
+    std::uint8_t buffer = 0;
+    bool rode = false;
+  };
+  std::optional<First> first_;  // what was read in the first of the two cycles
   std::array<std::uint8_t, 1> byte_{};
   Datagram datagram_;
   bool asked_ = false;
