@@ -18,7 +18,8 @@ struct SoakFaultKind {
   FaultKind kind;
   std::vector<int> victims;               // empty: the line or the host
   Nanoseconds shortest = 0, longest = 0;  // how long it lasts; 0: a moment
-  Nanoseconds least = 0, most = 0;        // value
+  Nanoseconds least = 0, most = 0;        // value,
+  bool in_cycles = false;                 // at a cycle of 1 ms, in proportion to it at others
   bool either_sign = false;
   std::uint32_t most_count = 1;
   double ppm = 0;

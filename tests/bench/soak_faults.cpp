@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// soak_faults [HOURS [FAULTS [SEED]]]: one master on one simulated machine for so many virtual hours (24), brought up
-// anew for each of so many faults (200) of every kind at random times. Each must be told by its kind and be seen in the
-// plots, nothing else accused or seen there, and the memory stay what it was. Exit code 1 when a promise is missed.
+// soak_faults [HOURS [FAULTS [SEED [line|drawn [loud]]]]]: one master on one simulated machine for so many virtual
+// hours (24), brought up anew for each of so many faults (200) of every kind at random times. Each must be told by its
+// kind and be seen in the plots, nothing else accused or seen there, and the memory stay what it was. The machine is a
+// line of six, or one drawn by the seed: a branch with up to twelve more, some without SYNC0 or without a clock, clocks
+// of 32 bits, noisy latches, cables whose ways differ, another cycle time and another limit. Exit code 1 when a promise
+// is missed.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -11,6 +14,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/cli.h"
@@ -34,7 +38,50 @@ DeviceDescription device(const std::string& file) {
   return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
 }
 
-test::SimulatedNetwork machine(Random& random) {
+/// What stands on the branch of a drawn machine.
+void add_branch(test::SimulatedNetwork& network, Random& random) {
+  const std::size_t root = random.next() % 2 == 0 ? 0 : network.sim.slaves.size() - 1;
+  const auto count = random.next() % 13;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    switch (random.next() % 5) {
+      case 0:
+        network.add(test::servo(), "servo-y");
+        break;
+      case 1:
+        network.add(device("SL-XE2.xml"), "drive-c");
+        break;
+      case 2:
+        network.add(device("SL-6751.xml"), "can-gateway");
+        break;
+      default:
+        network.add(test::io8());
+    }
+    if (i > 0) continue;
+    network.sim.slaves.back().parent = static_cast<std::uint16_t>(root);
+    network.sim.slaves.back().parent_port = 2;
+    network.project.slaves.back().previous = PreviousPort{static_cast<std::uint16_t>(root), 2};
+  }
+}
+
+/// Everything that faults are not thrown at, and what the faults must be told on all the same.
+void draw_machine(test::SimulatedNetwork& network, Random& random) {
+  add_branch(network, random);
+  auto& master = network.project.master;
+  master.cycle_time = random.next() % 2 == 0 ? kMillisecond : 2 * kMillisecond;
+  master.dc.sync_window.exponent = static_cast<std::uint8_t>(7 + random.next() % 3);
+  for (std::size_t i = 0; i < network.sim.slaves.size(); ++i) {
+    auto& slave = network.sim.slaves[i];
+    slave.asymmetry_ns = random.uniform(-20, 20);
+    slave.dc.latch_noise_ns = random.uniform(0, 12);
+    slave.oscillator.wander_ppm = random.uniform(0, 0.05);
+    slave.dc.is_64bit = i == 0 || random.next() % 3 > 0;
+    if (i <= 4 || random.next() % 3 > 0) continue;
+    slave.dc.system_time = slave.behaviour != "generic";
+    network.project.slaves[i].dc.op_mode.clear();
+  }
+}
+
+test::SimulatedNetwork machine(Random& random, bool drawn) {
   test::SimulatedNetwork network;
   network.add(test::io8());
   network.add(test::servo(), "servo-y");
@@ -42,6 +89,7 @@ test::SimulatedNetwork machine(Random& random) {
   network.add(device("SL-XE2.xml"), "drive-c");
   network.add(device("SL-6751.xml"), "can-gateway");
   network.add(test::io8());
+  if (drawn) draw_machine(network, random);
   for (auto& slave : network.sim.slaves) {
     slave.oscillator.ppm = random.uniform(-45, 45);
     slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
@@ -69,8 +117,8 @@ struct Outcome {
 
 class Soak {
  public:
-  Soak(double hours, int faults, std::uint64_t seed)
-      : random_(seed), network_(machine(random_)), length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
+  Soak(double hours, int faults, std::uint64_t seed, bool drawn)
+      : random_(seed), network_(machine(random_, drawn)), length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
     clock_.set_wakeup_jitter(JitterProfile::quiet(), seed);
     begin_ = clock_.now();
     network_.sim.seed = seed;
@@ -114,6 +162,7 @@ class Soak {
     fault.value_ns =
         static_cast<Nanoseconds>(random_.uniform(static_cast<double>(kind.least), static_cast<double>(kind.most)));
     if (kind.either_sign && random_.next() % 2 == 0) fault.value_ns = -fault.value_ns;
+    if (kind.in_cycles) fault.value_ns *= network_.project.master.cycle_time / kMillisecond;
     fault.ppm = kind.ppm;
     fault.port = kind.port;
     fault.state = kind.state;
@@ -290,9 +339,11 @@ int main(int argc, char** argv) {
   const double hours = argc > 1 ? std::atof(argv[1]) : 24;
   const int faults = argc > 2 ? std::atoi(argv[2]) : 200;
   const auto seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
-  if (hours * 3'600 / std::max(faults, 1) < 60) {
-    fmt::print(stderr, "usage: soak_faults [HOURS [FAULTS [SEED]]], a minute or more for each fault\n");
+  const std::string_view which = argc > 4 ? argv[4] : "line";
+  if ((which != "line" && which != "drawn") || hours * 3'600 / std::max(faults, 1) < 60) {
+    fmt::print(stderr,
+               "usage: soak_faults [HOURS [FAULTS [SEED [line|drawn [loud]]]]], a minute or more for each fault\n");
     return 2;
   }
-  return syncline::bench::Soak(hours, faults, seed).run(argc > 4);
+  return syncline::bench::Soak(hours, faults, seed, which == "drawn").run(argc > 5);
 }
