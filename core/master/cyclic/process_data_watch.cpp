@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "channels/snapshot.h"
@@ -27,7 +29,7 @@ constexpr int kFew = 1, kMany = 6;
 /// What lasts shorter is an interrupt, or firmware that hangs until its watchdog (100 ms) tells.
 constexpr Nanoseconds kLasts = 400 * kMillisecond;
 constexpr Nanoseconds kNearly = 1 * kMicrosecond;
-/// Cycles behind each two, in which other evidence is read.
+/// Cycles behind each one or two, in which other evidence is read.
 constexpr std::uint8_t kForOthers = 1;
 
 constexpr unsigned kFirstManager = 8;  // bit of SM0 in 0x0220
@@ -58,6 +60,9 @@ void ProcessDataWatch::add_slave(std::size_t position) {
   if (!manager) return;
   Slave slave;
   slave.position = static_cast<std::uint16_t>(position);
+  slave.has_sync0 = config.dc && config.dc->assign_activate != 0;
+  // What rides goes with the last frame, and one that runs by itself may be busy between two of them.
+  if (!slave.has_sync0 && config_.cyclic.front().frames.size() > 1) return;
   if (outputs) {
     const auto bit = kFirstManager + *manager;
     slave.address = static_cast<std::uint16_t>(reg::kAlEventRequest + bit / 8);
@@ -73,8 +78,17 @@ bool ProcessDataWatch::worth_reading(const Slave& slave) const {
   return status.present && status.al_status == static_cast<std::uint16_t>(AlState::kOp);
 }
 
+/// Not for ever: where nothing rides, or no two frames are far enough apart, nothing is known of anybody.
+void ProcessDataWatch::try_again() {
+  constexpr std::uint8_t kTries = 8;
+  if (++tries_ >= kTries) return next();
+  first_.reset();
+  pause_ = kForOthers;
+}
+
 void ProcessDataWatch::next() {
   first_.reset();
+  tries_ = 0;
   current_ = (current_ + 1) % slaves_.size();
   pause_ = kForOthers;
   // Slow firmware has a rhythm of its own; to look in the same rhythm would be to see always the same of it.
@@ -105,36 +119,47 @@ bool ProcessDataWatch::add_to(PendingFrame& frame) {
   return asked_;
 }
 
-/// In a frame of its own it would see the outputs that came just in front of it. What a slave does at SYNC0 is done
-/// before the next frame as long as the frames keep their distance from it.
+/// Only what rides behind the process data. In a frame of its own it would see the outputs that came just in front of
+/// it; and inputs may have been renewed once before they were read and once behind, which ends where it began. What a
+/// slave does at SYNC0 is done before the next frame as long as the frames keep their distance from it.
 bool ProcessDataWatch::counts(const Slave& slave, Sent sent) const {
-  if (!sent.read || slave.event == 0) return sent.read;
-  const auto& dc = config_.slaves[slave.position].dc;
-  const bool has_sync0 = dc && dc->assign_activate != 0;
-  return sent.rode && (!has_sync0 || master_in_sync(snapshot_.dcm).value_or(false));
+  if (!sent.read || !sent.rode) return false;
+  return slave.event == 0 || !slave.has_sync0 || master_in_sync(snapshot_.dcm).value_or(false);
+}
+
+void ProcessDataWatch::Spacing::note(Nanoseconds between) {
+  constexpr double kWeight = 1.0 / 64;
+  const auto now = static_cast<double>(between);
+  if (usual == 0) usual = now;
+  varies += (std::abs(now - usual) - varies) * kWeight;
+  usual += (now - usual) * kWeight;
+}
+
+/// By so much of what varies anyway that hardly any are left whose stamps only say so; all, where nothing varies.
+bool ProcessDataWatch::Spacing::exceeded_by(Nanoseconds between) const {
+  constexpr double kShare = 0.3, kSame = 1;
+  return static_cast<double>(between) >= usual + kShare * varies - kSame;
+}
+
+bool ProcessDataWatch::far_enough(const Slave& slave, Nanoseconds between) const {
+  return between + kNearly >= config_.cycle_time() && (slave.has_sync0 || spacing_.exceeded_by(between));
 }
 
 void ProcessDataWatch::take(Nanoseconds send_time, Sent sent) {
-  const auto between = send_time - std::exchange(last_send_, send_time);
-  if (!std::exchange(asked_, false) || !datagram_.done() || !counts(slaves_[current_], sent)) {
-    first_.reset();
-    return;
-  }
+  const auto passed = send_time - std::exchange(last_send_, send_time);
+  if (2 * std::abs(passed - config_.cycle_time()) < config_.cycle_time()) spacing_.note(passed);
+  if (!std::exchange(asked_, false)) return;
   auto& slave = slaves_[current_];
+  if (!datagram_.done() || !counts(slave, sent)) return try_again();
   const bool outputs = slave.event != 0;
   const auto buffer = static_cast<std::uint8_t>((byte_[0] >> kBufferShift) & 3U);
-  const bool none = !outputs && buffer == kNoBuffer;
-  // In less than a cycle a slave that does it once a cycle may not have done so yet.
-  const bool whole_cycle = between + kNearly >= config_.cycle_time();
-  // A slave that renews its inputs at the end of the frame has not done so yet for who rides with it, and has for who
-  // comes in a frame of its own behind it: between the two there may be no renewal at all, or two.
-  const bool alike = outputs || (first_ && first_->rode == sent.rode);
-  if (!first_ || !whole_cycle || !alike || none) {
-    first_ = {buffer, sent.rode};
-    if (none) next();
+  if (!outputs && buffer == kNoBuffer) return next();
+  if (!first_) {
+    first_ = buffer;
     return;
   }
-  note(slave, outputs ? (byte_[0] & slave.event) != 0 : first_->buffer == buffer, send_time);
+  if (!far_enough(slave, passed)) return try_again();
+  note(slave, outputs ? (byte_[0] & slave.event) != 0 : *first_ == buffer, send_time);
   next();
 }
 

@@ -21,7 +21,12 @@ struct Snapshot;
 /// that is being read. That outputs were written stands in the AL event request until the firmware reads them (0x0220,
 /// bit 8 + n; data sheet II, 2.12): a datagram behind those that bring the next ones still shows what became of the
 /// ones before, because an ESC raises the event at the end of the frame. One byte of one slave a cycle, in two cycles
-/// one behind the other, slave after slave; inputs in the same place of both.
+/// one behind the other, slave after slave.
+///
+/// A slave without SYNC0 may run by itself, with a cycle as long as the master's. Where its moment slides through that
+/// of the frames, those that come early and late by turns find nothing new in up to a quarter of the cycles, and twice
+/// in as many others: nothing wrong with it. That takes two frames that are less than a cycle apart, so that only those
+/// count that are further apart than usual.
 ///
 /// Many devices do either seldom, and rightly so: only one that did it in every cycle for its first readings in OP is
 /// held to it. Then StaleProcessData tells when it has stopped to, and when it does it again. Firmware that hangs is
@@ -35,7 +40,7 @@ class ProcessDataWatch {
   /// Whether it took this cycle for itself: it leaves at least one in three to others.
   bool add_to(PendingFrame& frame);
   /// What became of the cycle's frames: they have come back, so that inputs were read and outputs written; and the
-  /// byte was asked for in the same one.
+  /// byte was asked for in the same one, behind them.
   struct Sent {
     bool read = false, rode = false;
   };
@@ -45,7 +50,8 @@ class ProcessDataWatch {
  private:
   struct Slave {
     std::uint16_t position = 0, address = 0;  // of the byte
-    std::uint8_t event = 0;     // its bit for outputs that are left; 0: the SyncManager's status of inputs
+    std::uint8_t event = 0;  // its bit for outputs that are left; 0: the SyncManager's status of inputs
+    bool has_sync0 = false;
     std::uint32_t stale = 0;    // the last readings, the newest in bit 0: nothing new, or left
     std::uint8_t readings = 0;  // as many as count
     bool regular = false;       // renewed or took them in every cycle
@@ -54,10 +60,20 @@ class ProcessDataWatch {
     bool told = false;
   };
 
+  /// How far frames are apart from those of the cycle before, ns: usually, and by how much that varies.
+  struct Spacing {
+    double usual = 0, varies = 0;
+    void note(Nanoseconds between);
+    [[nodiscard]] bool exceeded_by(Nanoseconds between) const;
+  };
+
   void add_slave(std::size_t position);
+  void try_again();
   void next();
   /// Whether what was read tells of what was before it.
   [[nodiscard]] bool counts(const Slave& slave, Sent sent) const;
+  /// Whether whoever does it once a cycle has done so between two frames.
+  [[nodiscard]] bool far_enough(const Slave& slave, Nanoseconds between) const;
   [[nodiscard]] bool worth_reading(const Slave& slave) const;
   void note(Slave& slave, bool stale, Nanoseconds time);
   void judge(Slave& slave, Nanoseconds time);
@@ -67,17 +83,15 @@ class ProcessDataWatch {
   EventTeller& teller_;
   std::vector<Slave> slaves_;
   std::size_t current_ = 0;
-  struct First {
-    std::uint8_t buffer = 0;
-    bool rode = false;
-  };
-  std::optional<First> first_;  // what was read in the first of the two cycles
+  std::optional<std::uint8_t> first_;  // byte in the first of the two cycles
+  std::uint8_t tries_ = 0;             // of the current one, that came to nothing
   std::array<std::uint8_t, 1> byte_{};
   Datagram datagram_;
   bool asked_ = false;
   std::uint8_t pause_ = 0;
   Random shuffle_{1};
   Nanoseconds last_send_ = 0;
+  Spacing spacing_;
 };
 
 }  // namespace syncline
