@@ -165,16 +165,8 @@ struct HistoryRecorder::OfRun {
     if (history().way_changes.size() < kMostLosses)
       history().way_changes.push_back({event.time, event.slave, change.deviation_ns, std::nullopt});
   }
-  /// The or-ed deviation shows sooner than a sweep who has gone, and with it the way of those behind.
-  void operator()(const events::SlaveLost&) const {
-    constexpr Nanoseconds kSwept = 500 * kMillisecond;
-    auto& losses = history().slave_losses;
-    if (losses.empty() || losses.back().back || losses.back().obstacle == dc::SyncObstacle::kClockStep) return;
-    const auto& loss = losses.back();
-    if (event.time - loss.time > kSwept || (loss.slave >= 0 && loss.slave <= event.slave)) return;
-    operator()(events::FramesWayChanged{std::abs(loss.size), 0});
-    losses.pop_back();
-  }
+  void operator()(const events::SlaveLost&) const { take_for_a_changed_way(); }
+  void operator()(const events::SlaveFound&) const { take_for_a_changed_way(); }
   void operator()(const events::DelaysMeasured&) const {
     for (auto& change : history().way_changes) {
       if (!change.renewed) change.renewed = event.time;
@@ -194,6 +186,18 @@ struct HistoryRecorder::OfRun {
   void operator()(const Other&) const {}
 
  private:
+  /// The or-ed deviation shows sooner than a sweep who has gone or come, and with it the way of those behind.
+  void take_for_a_changed_way() const {
+    constexpr Nanoseconds kSwept = 500 * kMillisecond;
+    constexpr std::int64_t kLongestWay = 10 * kMicrosecond;
+    auto& losses = history().slave_losses;
+    if (losses.empty() || losses.back().back || losses.back().obstacle == dc::SyncObstacle::kClockStep) return;
+    const auto& loss = losses.back();
+    if (event.time - loss.time > kSwept || (loss.slave >= 0 && loss.slave <= event.slave)) return;
+    if (std::abs(loss.size) > kLongestWay) return;
+    operator()(events::FramesWayChanged{std::abs(loss.size), 0});
+    losses.pop_back();
+  }
   [[nodiscard]] RunHistory& history() const { return recorder.history_; }
   void regain(std::vector<RunHistory::SyncLoss>& losses) const {
     if (!losses.empty() && !losses.back().back) losses.back().back = event.time;

@@ -2,6 +2,8 @@
 // What a slave that goes does to those behind it, and where frames are lost.
 #include <gtest/gtest.h>
 
+#include "support/random.h"
+#include "tests/support/cases.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/small_machines.h"
@@ -50,6 +52,38 @@ TEST_F(ChangedWay, ThroughABranchIsNoStepOfTheReferenceClock) {
   const auto told =
       std::ranges::count_if(machine.events, [](const Event& e) { return e.is<events::FramesWayChanged>(); });
   EXPECT_EQ(told, 2) << "as it goes and as it comes back";
+}
+
+/// A line whose end goes and comes back, and a branch behind it. Those in front of it follow as before: not all have
+/// moved alike, but all behind it, and they follow again before it is known who went.
+TEST(ChangedWayBehind, IsNoStepOfOneOfThem) {
+  for (int run = 0; run < test::cases(60); ++run) {
+    const int broken = 2 + run % 4;
+    test::DiagnosedRun machine;
+    machine.network.sim.seed = static_cast<std::uint64_t>(run);
+    Random random(static_cast<std::uint64_t>(run));
+    for (int i = 0; i < 3; ++i) {
+      machine.network.add(test::io8());
+      machine.network.add(test::servo(), "servo-y");
+    }
+    for (int i = 0; i < 12; ++i) machine.network.add(test::servo(), "servo-y");
+    auto& master = machine.network.project.master;
+    master.cycle_time = 2 * kMillisecond;
+    master.dc.dcm.mode = run % 3 == 0 ? DcmMode::kMasterShift : DcmMode::kBusShift;
+    master.dc.sync_window.enabled = true;
+    master.dc.sync_window.exponent = 9;
+    machine.network.sim.slaves[6].parent = 0;
+    machine.network.sim.slaves[6].parent_port = 2;
+    machine.network.project.slaves[6].previous = PreviousPort{0, 2};
+    for (auto& slave : machine.network.sim.slaves) {
+      slave.oscillator.ppm = random.uniform(-45, 45);
+      slave.cable_m = random.uniform(0.5, 60);
+    }
+    machine.fault(FaultKind::kCableBreak, 8 * kSecond + static_cast<Nanoseconds>(random.uniform(0, 1e9)), broken)
+        .until = 12 * kSecond + static_cast<Nanoseconds>(random.uniform(0, 1e9));
+    machine.run(16 * kSecond);
+    EXPECT_FALSE(machine.found(code::kWindowLeft)) << broken << " " << machine.said();
+  }
 }
 
 TEST_F(ChangedWay, AStepOfTheReferenceClockIsStillToldAsThat) {

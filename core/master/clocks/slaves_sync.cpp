@@ -18,6 +18,8 @@ namespace {
 
 /// A slave that does not answer must not keep the others' news.
 constexpr Nanoseconds kCulpritPatience = 100 * kMillisecond;
+/// Before slaves are off: what changes the frames' way, and what does so at that moment.
+constexpr Nanoseconds kJust = kSecond, kAtOnce = 100 * kMillisecond;
 /// Rounds of readings because of an or-ed value that hovers about the limit come no closer than this.
 constexpr Nanoseconds kRoundPeriod = 100 * kMillisecond;
 /// Readings in turn may be lost with their frames several times before nobody knows any more.
@@ -242,6 +244,7 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
       out_count_ = 0;
       out_alike_ = false;
       way_of_.reset();
+      off_ = {};
       break;
     case dc::SyncVerdict::Edge::kNone:
       break;
@@ -249,38 +252,50 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
   tell_culprit(time);
 }
 
-/// The slave behind which the frames' way has changed: it went or came just before, all that are off stand behind it
-/// and are off to the same side, by no more than delays are.
-std::optional<std::size_t> SlavesSync::who_moved(Nanoseconds time) const {
-  constexpr Nanoseconds kJust = kSecond;
-  constexpr std::int32_t kLongestWay = 10'000;  // ns
-  bool later = false, sooner = false;
-  std::size_t first = readings_.size();
+/// It went or came, no longer before than that.
+bool SlavesSync::has_moved(std::size_t slave, Nanoseconds time, Nanoseconds before) const {
+  const auto moved = snapshot_.slaves[slave].moved;
+  return moved != 0 && time - moved < before;
+}
+
+/// They soon follow again, with delays that are not theirs any more: what was seen at once counts. Who comes back is
+/// off on its own account.
+void SlavesSync::note_off(Nanoseconds time) {
+  constexpr std::int64_t kLongestWay = 10'000;  // ns
   for (std::size_t i = 0; i < readings_.size(); ++i) {
     const auto& reading = readings_[i];
-    if (!reading.follows || reading.magnitude() <= verdict_.limit_ns()) continue;
-    if (std::abs(std::int64_t{reading.deviation_ns}) > kLongestWay) return std::nullopt;
-    first = std::min(first, i);
-    (reading.deviation_ns < 0 ? sooner : later) = true;
+    if (!reading.follows || reading.magnitude() <= verdict_.limit_ns() || has_moved(i, time, kJust)) continue;
+    off_.far = off_.far || std::abs(std::int64_t{reading.deviation_ns}) > kLongestWay;
+    off_.first = std::min(off_.first.value_or(i), i);
+    (reading.deviation_ns < 0 ? off_.sooner : off_.later) = true;
   }
+}
+
+/// The first of those that were off, where they were so by no more than delays are.
+std::optional<std::size_t> SlavesSync::first_of_a_way() const { return off_.far ? std::nullopt : off_.first; }
+
+/// The slave behind which the frames' way has changed: it went or came just before, and all that were off stand behind
+/// it. They were so to the same side, at first: within milliseconds their loops go beyond where they want to.
+std::optional<std::size_t> SlavesSync::who_moved(Nanoseconds time) const {
+  const auto first = first_of_a_way();
   const auto leader = snapshot_.dc.reference_clock;
-  if (later == sooner || leader < 0) return std::nullopt;
-  const auto has_moved = [&](std::size_t slave) {
-    const auto moved = snapshot_.slaves[slave].moved;
-    return moved != 0 && time - moved < kJust;
-  };
+  if (!first || leader < 0) return std::nullopt;
+  const auto just = off_.later != off_.sooner ? kJust : kAtOnce;
   // It was away itself, with whoever else: clocks that nobody led meanwhile, and no change of the way.
-  if (has_moved(static_cast<std::size_t>(leader))) return std::nullopt;
+  if (has_moved(static_cast<std::size_t>(leader), time, kJust)) return std::nullopt;
   // Whoever stands in front of the reference clock changes its own way as much as the others'.
-  for (auto i = static_cast<std::size_t>(leader) + 1; i < first; ++i) {
-    if (has_moved(i)) return i;
+  for (auto i = static_cast<std::size_t>(leader) + 1; i < *first; ++i) {
+    if (has_moved(i, time, just)) return i;
   }
   return std::nullopt;
 }
 
-/// One that is away may be about to come back: it changes the frames' way before it answers.
+/// One that is away may be about to come back: it changes the way of all that follow, or of those behind it, before it
+/// answers.
 bool SlavesSync::somebody_may_come() const {
-  return std::ranges::any_of(snapshot_.slaves, [](const SlaveStatus& slave) { return !slave.present; });
+  const auto behind = out_alike_ ? snapshot_.slaves.size() : first_of_a_way().value_or(0);
+  return std::ranges::any_of(std::span(snapshot_.slaves).first(behind),
+                             [](const SlaveStatus& slave) { return !slave.present; });
 }
 
 /// The wire-ored value names nobody: told when every slave has been read since. Only who was seen over the limit is
@@ -296,8 +311,9 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
   out_count_ = std::max(out_count_, evidence.over);
   out_alike_ = out_alike_ || evidence.all_alike();
   if (out_alike_) out_count_ = evidence.followers;  // all of them have moved
+  note_off(time);
   if (!way_of_) way_of_ = who_moved(time);
-  const bool wait = !all_read_since(*out_since_) || (!way_of_ && out_alike_ && somebody_may_come());
+  const bool wait = !all_read_since(*out_since_) || (!way_of_ && somebody_may_come());
   if (wait && time - *out_since_ < kCulpritPatience) return;
   if (way_of_) {
     teller_.tell(*out_since_, -1, events::SlavesOutOfSync{out_by_, 0});

@@ -54,6 +54,9 @@ class SlavesSync {
   void tell(dc::SyncVerdict::Edge edge, Nanoseconds time);
   void tell_culprit(Nanoseconds time);
   [[nodiscard]] std::optional<std::size_t> who_moved(Nanoseconds time) const;
+  [[nodiscard]] bool has_moved(std::size_t slave, Nanoseconds time, Nanoseconds before) const;
+  void note_off(Nanoseconds time);
+  [[nodiscard]] std::optional<std::size_t> first_of_a_way() const;
   [[nodiscard]] bool somebody_may_come() const;
   [[nodiscard]] bool all_read_since(Nanoseconds time) const;
 
@@ -87,6 +90,11 @@ class SlavesSync {
   int out_culprit_ = -1;
   std::size_t out_count_ = 0;
   bool out_alike_ = false;
+  /// Who has been seen over the limit meanwhile, and to which side.
+  struct Off {
+    std::optional<std::size_t> first;
+    bool later = false, sooner = false, far = false;
+  } off_;
   std::optional<std::size_t> way_of_;  // the slave behind which the frames' way has changed
   bool was_undecided_ = false;
   std::optional<Nanoseconds> round_since_;  // everybody is to be read

@@ -126,6 +126,18 @@ TEST_F(RunHistoryTest, ALossBehindWhoGoesJustThenIsAChangedWay) {
   EXPECT_EQ(recorder.history().slave_losses.size(), 2U);
 }
 
+TEST_F(RunHistoryTest, ALossBehindWhoComesJustThenIsAChangedWayToo) {
+  recorder.add(Event{kSecond, -1, events::Online{}});
+  recorder.add(Event{8 * kSecond, 2, events::SlavesOutOfSync{562, 1}});
+  recorder.add(Event{8 * kSecond + 4 * kMillisecond, 1, events::SlaveFound{}});
+  EXPECT_TRUE(recorder.history().slave_losses.empty());
+  EXPECT_EQ(recorder.history().way_changes.size(), 1U);
+  // No way is as long as that.
+  recorder.add(Event{9 * kSecond, 2, events::SlavesOutOfSync{250'000, 1}});
+  recorder.add(Event{9 * kSecond + 4 * kMillisecond, 1, events::SlaveFound{}});
+  EXPECT_EQ(recorder.history().slave_losses.size(), 1U);
+}
+
 TEST_F(RunHistoryTest, CallsAClockOffOnlyAfterItWasNear) {
   auto reading = sample(kSecond);
   reading.slave_position = 1;
