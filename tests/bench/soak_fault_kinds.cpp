@@ -98,7 +98,7 @@ std::vector<SoakFaultKind> line_kinds() {
        .kind = FaultKind::kClosedRing,
        .victims = {5},
        .least = 100,
-       .most = 600,
+       .most = 5'000,
        .port = 1,
        .while_down = true,
        .events = {kind_of<events::DelayFinding>, kind_of<events::Failure>}},

@@ -74,8 +74,11 @@ Result<ClockSegment> read_clock_segment(Bus& bus, std::span<const SlaveAddress> 
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     reads.push_back(slaves[i].read(reg::kPortDescriptor, std::span(&kinds[i], 1)));
   }
+  std::uint8_t type = 0;
+  reads.push_back({.command = Command::kBrd, .address = device_address(0, reg::kType), .data = std::span(&type, 1)});
   if (auto status = bus.transact(reads); !status) return tl::unexpected(status.error());
   ClockSegment segment;
+  segment.whole = reads.back().wkc == slaves.size();
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     if (reads[i].wkc == 0) return fail(ErrorCode::kNoResponse, fmt::format("slave {}", i));
     const DlStatus status{load_le<std::uint16_t>(bytes[i])};
@@ -92,7 +95,7 @@ Result<ClockSegment> read_clock_segment(Bus& bus, std::span<const SlaveAddress> 
   return segment;
 }
 
-dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<const DlStatus> dl_status,
+dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<const DlStatus> dl_status, bool whole,
                                const dc::DelayOptions& options) {
   std::vector<PortReport> reports;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -111,7 +114,7 @@ dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<c
     for (unsigned port = 0; port < kPortCount; ++port) {
       if (((wiring[position].unexplained_ports >> port) & 1U) == 0) continue;
       // The frame that was latched came back there: slaves that nobody asked about.
-      if (came_back(node, port, wiring[position].entry_port)) continue;
+      if (!whole && came_back(node, port, wiring[position].entry_port)) continue;
       node.active[port] = false;
       unexplained.push_back({position, dc::DelayWarning::kUnexplainedPort, static_cast<std::int64_t>(port)});
     }

@@ -20,6 +20,7 @@ struct ClockSegment {
   std::vector<DlStatus> dl_status;
   /// Ready to be filled with receive times; the wiring is found with them.
   std::vector<dc::DelayNode> nodes;
+  bool whole = false;  // nobody else answers on the bus
 };
 /// Reads only. kNoResponse names the slave that does not answer.
 [[nodiscard]] Result<ClockSegment> read_clock_segment(Bus& bus, std::span<const SlaveAddress> slaves);
@@ -28,8 +29,9 @@ struct ClockSegment {
 
 /// The delays of slaves in the order in which frames pass their processing units, wired as ports and receive times
 /// say. That order is not the tree's when a slave is connected by another port than 0: what hangs at it may come
-/// before it. Pure.
+/// before it. `whole`: they are all that there are, and whatever comes in at a port with nobody behind it is none of
+/// the master's frame, when ever it comes. Pure.
 [[nodiscard]] dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<const DlStatus> dl_status,
-                                             const dc::DelayOptions& options);
+                                             bool whole, const dc::DelayOptions& options);
 
 }  // namespace syncline

@@ -29,6 +29,7 @@ void DelayCompensation::use(std::vector<std::size_t> slaves, const ClockSegment&
   const auto& config = config_;
   slaves_ = std::move(slaves);
   dl_status_ = segment.dl_status;
+  whole_ = segment.whole;
   reference_clock_ = leader;
   std::vector<SlaveAddress> addresses;
   for (const auto slave : slaves_) addresses.push_back(SlaveAddress::at_station(config.slaves[slave].station_address));
@@ -127,7 +128,7 @@ void DelayCompensation::take_round(Nanoseconds now) {
 void DelayCompensation::finish(Nanoseconds now) {
   step_ = Step::kWait;
   next_measurement_ = now + kPeriod;
-  correct_to(segment_delays(latch_->nodes(), dl_status_, delay_options(config_.dc)), 1, kLargestChange, now);
+  correct_to(segment_delays(latch_->nodes(), dl_status_, whole_, delay_options(config_.dc)), 1, kLargestChange, now);
 }
 
 void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t least_step,

@@ -94,6 +94,7 @@ class DelayCompensation {
   std::unique_ptr<DelayLatch> latch_;
   std::vector<std::size_t> slaves_;  // positions in the configuration
   std::vector<DlStatus> dl_status_;
+  bool whole_ = false;  // ClockSegment::whole, then
   std::uint16_t reference_clock_ = 0;
   std::vector<Correction> corrections_;  // one a measured slave
   std::vector<Datagram*> requests_;

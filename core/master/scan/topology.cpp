@@ -16,14 +16,28 @@ struct Ways {
   std::vector<std::uint8_t> before, behind;
 };
 
-Ways ways_of(const DlStatus& status, std::uint8_t entry) {
+unsigned open_ports(const DlStatus& status) {
+  unsigned ports = 0;
+  for (unsigned port = 0; port < kPortCount; ++port) ports |= status.active(port) ? 1U << port : 0;
+  return ports;
+}
+
+bool holds(unsigned ports, unsigned port) { return (ports >> port & 1U) != 0; }
+
+/// Where the master's frames come in, and the open ports behind which there is something else than slaves.
+struct Entry {
+  std::uint8_t port = 0;
+  unsigned foreign = 0;  // a bit each
+};
+
+Ways ways_of(unsigned open, std::uint8_t entry) {
   Ways ways;
   std::size_t at = 0;
   while (kPortOrder[at] != entry) ++at;
   bool processed = entry == 0;
   for (std::size_t step = 1; step < kPortOrder.size(); ++step) {
     const auto port = static_cast<std::uint8_t>(kPortOrder[(at + step) % kPortOrder.size()]);
-    if (status.active(port)) (processed ? ways.behind : ways.before).push_back(port);
+    if (holds(open, port)) (processed ? ways.behind : ways.before).push_back(port);
     if (port == 0) processed = true;
   }
   return ways;
@@ -37,29 +51,31 @@ struct Branching {
 
 /// For how long a frame was away from a slave, in ns of its own clock: behind one port, or behind all of
 /// them. Nothing without receive times.
-std::optional<std::uint32_t> time_behind(const PortReport& slave, std::uint8_t entry,
+std::optional<std::uint32_t> time_behind(const PortReport& slave, const Entry& entry,
                                          std::optional<std::uint8_t> port) {
   if (!slave.receive_times) return std::nullopt;
+  const auto open = open_ports(slave.dl_status) & ~entry.foreign;
   std::size_t at = 0;
-  while (kPortOrder[at] != entry) ++at;
-  auto before = entry, last = entry;
+  while (kPortOrder[at] != entry.port) ++at;
+  auto before = entry.port, last = entry.port;
   for (std::size_t step = 1; step < kPortOrder.size(); ++step) {
     const auto next = static_cast<std::uint8_t>(kPortOrder[(at + step) % kPortOrder.size()]);
-    if (!slave.dl_status.active(next)) continue;
+    if (!holds(open, next)) continue;
     before = last;
     last = next;
     if (port == next) break;
   }
-  return (*slave.receive_times)[last] - (*slave.receive_times)[port ? before : entry];
+  return (*slave.receive_times)[last] - (*slave.receive_times)[port ? before : entry.port];
 }
 
 class Builder {
  public:
-  Builder(std::span<const PortReport> slaves, std::span<const std::uint8_t> entries)
-      : slaves_(slaves), wiring_(slaves.size()) {
+  Builder(std::span<const PortReport> slaves, std::span<const Entry> entries)
+      : slaves_(slaves), entries_(entries), wiring_(slaves.size()) {
     for (std::uint16_t i = 0; i < static_cast<std::uint16_t>(slaves.size()); ++i) {
-      wiring_[i].entry_port = entries[i];
-      auto ways = ways_of(slaves[i].dl_status, wiring_[i].entry_port);
+      wiring_[i].entry_port = entries[i].port;
+      wiring_[i].unexplained_ports = static_cast<std::uint8_t>(entries[i].foreign);
+      auto ways = ways_of(open_ports(slaves[i].dl_status) & ~entries[i].foreign, entries[i].port);
       for (std::size_t n = ways.before.size(); n-- > 0;) adopt(i, ways.before[n]);
       seen_.push_back({i, std::move(ways.behind)});
     }
@@ -71,7 +87,7 @@ class Builder {
  private:
   /// The last complete subtree hangs at this port of a slave that comes after it.
   void adopt(std::uint16_t position, std::uint8_t port) {
-    const auto begin = last_subtree(time_behind(slaves_[position], wiring_[position].entry_port, port));
+    const auto begin = last_subtree(time_behind(slaves_[position], entries_[position], port));
     if (!begin) return mark(position, port);
     const auto roots = join(std::span(seen_).subspan(*begin));
     wiring_[roots.front()].previous = PreviousPort{position, port};
@@ -87,7 +103,7 @@ class Builder {
       if (seen_[i].ports.size() > whole) break;  // still waits for slaves
       whole = whole - seen_[i].ports.size() + 1;
       if (whole != 1) continue;
-      const auto inside = time_behind(slaves_[seen_[i].position], wiring_[seen_[i].position].entry_port, std::nullopt);
+      const auto inside = time_behind(slaves_[seen_[i].position], entries_[seen_[i].position], std::nullopt);
       if (found && (!away || !inside || *inside > *away)) break;
       found = i;
     }
@@ -121,9 +137,17 @@ class Builder {
   }
 
   std::span<const PortReport> slaves_;
+  std::span<const Entry> entries_;
   std::vector<SlaveWiring> wiring_;
   std::vector<Branching> seen_;
 };
+
+/// Of these ports the one with the earliest time; there is one at least.
+std::uint8_t first_of(unsigned ports, const std::array<std::uint32_t, kPortCount>& times) {
+  std::array<bool, kPortCount> open{};
+  for (unsigned port = 0; port < kPortCount; ++port) open[port] = holds(ports, port);
+  return static_cast<std::uint8_t>(first_port(open, times).value_or(0));
+}
 
 /// Slaves whose place nothing explains, and ports behind which nobody was found.
 std::size_t unexplained(std::span<const SlaveWiring> wiring) {
@@ -135,17 +159,19 @@ std::size_t unexplained(std::span<const SlaveWiring> wiring) {
   return count;
 }
 
-/// Entries of slaves without receive times, when port 0 does not explain the order.
+/// Entries of slaves without receive times, when port 0 does not explain the order, and of those with one that means
+/// nothing.
 class EntrySearch {
  public:
-  EntrySearch(std::span<const PortReport> slaves, std::vector<std::uint8_t> entries)
+  EntrySearch(std::span<const PortReport> slaves, std::vector<Entry> entries)
       : slaves_(slaves), entries_(std::move(entries)), wiring_(Builder(slaves_, entries_).take()) {}
 
   std::vector<SlaveWiring> run() {
+    for (std::size_t i = 0; i < slaves_.size(); ++i) forget_foreign_time(i);
     for (auto left = unexplained(wiring_); left > 0; left = unexplained(wiring_)) {
       const auto best = best_changes(left);
       if (best.size() != 1) break;  // the ports that nothing explains are named
-      entries_[best.front().slave] = best.front().port;
+      entries_[best.front().slave].port = best.front().port;
       wiring_ = Builder(slaves_, entries_).take();
     }
     return std::move(wiring_);
@@ -158,15 +184,34 @@ class EntrySearch {
   };
   static constexpr int kMostTries = 2000;  // together: a search goes over all slaves each time
 
+  /// Whoever hangs between the entry and port 0 comes before the slave, and would be in the list. Where nobody does,
+  /// the first time is none of the master's frame: a closed ring brings another one to that port, which may be earlier.
+  void forget_foreign_time(std::size_t i) {
+    const auto open = open_ports(slaves_[i].dl_status);
+    const auto left = [&](const Entry& entry) { return open & ~entry.foreign; };
+    while (slaves_[i].receive_times && entries_[i].port != 0 && std::popcount(left(entries_[i])) > 1) {
+      const auto before = ways_of(left(entries_[i]), entries_[i].port).before;
+      const auto alone = [&](auto port) { return holds(wiring_[i].unexplained_ports, port); };
+      if (std::ranges::none_of(before, alone) || ++tries_ > kMostTries) return;
+      auto entries = entries_;
+      entries[i].foreign |= 1U << entries[i].port;
+      entries[i].port = first_of(left(entries[i]), *slaves_[i].receive_times);
+      auto wiring = Builder(slaves_, entries).take();
+      if (unexplained(wiring) > unexplained(wiring_)) return;
+      entries_ = std::move(entries);
+      wiring_ = std::move(wiring);
+    }
+  }
+
   /// Those after which least is unexplained, and less than now.
   std::vector<Change> best_changes(std::size_t least) {
     std::vector<Change> best;
     for (std::size_t i = 0; i < slaves_.size(); ++i) {
       if (slaves_[i].receive_times) continue;
       for (std::uint8_t port = 0; port < kPortCount; ++port) {
-        if (port == entries_[i] || !slaves_[i].dl_status.active(port) || ++tries_ > kMostTries) continue;
+        if (port == entries_[i].port || !slaves_[i].dl_status.active(port) || ++tries_ > kMostTries) continue;
         auto entries = entries_;
-        entries[i] = port;
+        entries[i].port = port;
         const auto left = unexplained(Builder(slaves_, entries).take());
         if (left < least) best.clear();
         if (left < least || (left == least && !best.empty())) best.push_back({i, port});
@@ -177,7 +222,7 @@ class EntrySearch {
   }
 
   std::span<const PortReport> slaves_;
-  std::vector<std::uint8_t> entries_;
+  std::vector<Entry> entries_;
   std::vector<SlaveWiring> wiring_;
   int tries_ = 0;
 };
@@ -185,17 +230,15 @@ class EntrySearch {
 }  // namespace
 
 std::uint8_t entry_port(const PortReport& slave) {
-  std::array<bool, kPortCount> active{};
-  for (unsigned port = 0; port < kPortCount; ++port) active[port] = slave.dl_status.active(port);
-  const auto first = slave.receive_times ? first_port(active, *slave.receive_times) : std::nullopt;
-  if (first) return static_cast<std::uint8_t>(*first);
-  const auto any = std::ranges::find(active, true);
-  return any == active.end() ? std::uint8_t{0} : static_cast<std::uint8_t>(any - active.begin());
+  const auto ports = open_ports(slave.dl_status);
+  if (ports == 0) return 0;
+  return slave.receive_times ? first_of(ports, *slave.receive_times)
+                             : static_cast<std::uint8_t>(std::countr_zero(ports));
 }
 
 std::vector<SlaveWiring> find_wiring(std::span<const PortReport> slaves) {
-  std::vector<std::uint8_t> entries;
-  for (const auto& slave : slaves) entries.push_back(entry_port(slave));
+  std::vector<Entry> entries;
+  for (const auto& slave : slaves) entries.push_back({entry_port(slave)});
   return EntrySearch(slaves, std::move(entries)).run();
 }
 

@@ -34,10 +34,11 @@ struct SlaveWiring {
 [[nodiscard]] std::uint8_t entry_port(const PortReport& slave);
 
 /// The whole tree, for slaves in the order in which frames pass their processing units: frames leave a slave by its
-/// open ports in the order 3, 1, 2. No predecessor where the open ports do not explain the position. A slave that is
-/// connected by another port than 0 forwards before it processes, so slaves behind its ports between the
-/// entry and port 0 come before it. Where the order does not fit, the entries of slaves without receive times are taken
-/// as what explains most. Pure.
+/// open ports in the order 3, 1, 2. No predecessor where the open ports do not explain the position; a first receive
+/// time that would leave an open port without the slaves that must come before it is of a foreign frame. A slave that
+/// is connected by another port than 0 forwards before it processes, so slaves behind its ports between the entry and
+/// port 0 come before it. Where the order does not fit, the entries of slaves without receive times are taken as what
+/// explains most. Pure.
 [[nodiscard]] std::vector<SlaveWiring> find_wiring(std::span<const PortReport> slaves);
 
 }  // namespace syncline

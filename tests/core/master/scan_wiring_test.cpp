@@ -164,6 +164,37 @@ TEST(Wiring, TheLastSlaveWithoutReceiveTimesIsEnteredByItsOnlyOpenPort) {
   EXPECT_EQ(wiring[1].previous, (PreviousPort{0, 1}));
 }
 
+/// The last slave's port B leads to the host's other adapter, whose frame comes there first: nobody has swapped cables.
+TEST(Wiring, ATimeOfAClosedRingTurnsNobodyRound) {
+  for (const std::uint8_t closed : {1, 2, 3}) {
+    Tree tree(0);
+    const auto middle = tree.add(0, 1, 0);
+    tree.add(middle, 1, 0);
+    tree.walk(1000);
+    auto reports = tree.reports();
+    reports[2].dl_status = with_open(1U | 1U << closed);
+    (*reports[2].receive_times)[closed] = (*reports[2].receive_times)[0] - 700;
+    const auto wiring = find_wiring(reports);
+    for (std::size_t i = 0; i < wiring.size(); ++i) EXPECT_EQ(wiring[i].previous, tree.previous(i)) << i;
+    EXPECT_EQ(wiring[2].entry_port, 0);
+    EXPECT_EQ(wiring[2].unexplained_ports, 1U << closed);
+  }
+}
+
+/// Another slave hangs at the end of the line: it is behind its own port, not behind the one of the ring.
+TEST(Wiring, ATimeOfAClosedRingTakesNobodysPort) {
+  Tree tree(0);
+  const auto last = tree.add(0, 1, 0);
+  tree.add(last, 2, 0);
+  tree.walk(1000);
+  auto reports = tree.reports();
+  reports[1].dl_status = with_open(0b111);
+  (*reports[1].receive_times)[1] = (*reports[1].receive_times)[0] - 700;
+  const auto wiring = find_wiring(reports);
+  for (std::size_t i = 0; i < wiring.size(); ++i) EXPECT_EQ(wiring[i].previous, tree.previous(i)) << i;
+  EXPECT_EQ(wiring[1].unexplained_ports, 0b10U);
+}
+
 /// Upright slaves, some without receive times: nobody is taken for swapped.
 TEST(Wiring, UprightSlavesWithoutReceiveTimesStayUpright) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
