@@ -133,8 +133,10 @@ void DelayCompensation::finish(Nanoseconds now) {
 
 void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t least_step,
                                    std::uint32_t largest_change, Nanoseconds now) {
+  constexpr std::uint32_t kSteps = kLongest / kStepPeriod;
   std::int64_t largest = 0;
   std::size_t corrected = 0;
+  std::uint32_t most_steps = 1;
   const auto leader =
       static_cast<std::size_t>(std::ranges::find(slaves_, std::size_t{reference_clock_}) - slaves_.begin());
   const auto origin = leader < slaves_.size() ? delays.delay_ns[leader] : std::nullopt;
@@ -146,11 +148,14 @@ void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t 
     const auto change = std::int64_t{delay} - std::int64_t{correction.written};
     if (std::abs(change) <= kDeadBand || std::abs(change) > largest_change) continue;
     correction.target = delay;
-    const auto share = static_cast<std::uint32_t>(std::abs(change)) / kMostSteps;
-    correction.step = least_step == 1 ? 1 : std::max(least_step, share);
+    const auto size = static_cast<std::uint32_t>(std::abs(change));
+    correction.step = least_step == 1 ? 1 : std::clamp(size / kSteps, least_step, 2 * least_step);
+    if (least_step > 1) most_steps = std::max(most_steps, size / correction.step);
     ++corrected;
     if (std::abs(change) > std::abs(largest)) largest = change;
   }
+  step_period_ =
+      std::clamp(kLongest / most_steps, std::min(kCyclesToFollow * config_.cycle_time(), kStepPeriod), kStepPeriod);
   teller_.tell(now, -1, events::DelaysMeasured{corrected, largest});
 }
 
@@ -162,7 +167,7 @@ void DelayCompensation::give_up(Nanoseconds now) {
 /// A step of each slave that is not where it should be.
 void DelayCompensation::add_corrections(Nanoseconds now) {
   if (now < next_step_) return;
-  next_step_ = now + kStepPeriod;
+  next_step_ = now + step_period_;
   for (auto& correction : corrections_) {
     if (correction.written == correction.target) continue;
     const auto next = correction.written < correction.target

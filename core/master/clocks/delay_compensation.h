@@ -35,8 +35,10 @@ class DelayCompensation {
  public:
   static constexpr Nanoseconds kPeriod = 30 * kSecond;
   static constexpr Nanoseconds kStepPeriod = 100 * kMillisecond;
-  /// So many steps at most when slaves went or came: those behind them are off as long as it takes.
-  static constexpr std::uint32_t kMostSteps = 20;
+  /// As long as all steps may take when slaves went or came, for those behind them are off meanwhile: steps follow each
+  /// other sooner for it, and are twice as large, but no sooner than a clock has followed the last one.
+  static constexpr Nanoseconds kLongest = 2 * kSecond;
+  static constexpr std::int64_t kCyclesToFollow = 10;
   /// Differences up to this are noise of the stamps.
   static constexpr std::uint32_t kDeadBand = 20;  // ns
   /// A larger one is no change of a delay but another segment.
@@ -51,8 +53,7 @@ class DelayCompensation {
   void start(const DcNetwork& network, Nanoseconds now);
   /// `slaves`, positions in the configuration, are who is on the bus now, and `survey` is of them in that order: from
   /// now on they are who is measured. Delays count from the clock that leads, whose own register stays. `step_ns`: how
-  /// far a clock may be moved at once without leaving its place; more where kMostSteps would not do. Tells
-  /// DelaysMeasured.
+  /// far a clock is moved at once; twice as far must not make it leave its place. Tells DelaysMeasured.
   void renew(std::vector<std::size_t> slaves, const DelaySurvey& survey, std::uint16_t leader, std::uint32_t step_ns,
              Nanoseconds now);
   /// While the bus runs; the first measurement comes a period after it was switched on.
@@ -102,6 +103,7 @@ class DelayCompensation {
   unsigned patience_ = 0;  // cycles that a round may still take
   unsigned failed_rounds_ = 0;
   Nanoseconds next_measurement_ = 0, next_step_ = 0, measured_at_ = 0;
+  Nanoseconds step_period_ = kStepPeriod;
 };
 
 }  // namespace syncline

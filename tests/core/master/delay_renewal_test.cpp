@@ -108,6 +108,24 @@ TEST_F(DelayRenewal, NobodyLeavesTheWindowForIt) {
   EXPECT_TRUE(std::ranges::none_of(events, [](const Event& e) { return e.is<events::SlavesOutOfSync>(); }));
 }
 
+/// Neither for a branch of some microseconds, nor does it take for ever.
+TEST_F(DelayRenewal, NobodyLeavesTheWindowForALongBranch) {
+  network.sim.slaves[kBranch].cable_m = 500;
+  fault(FaultKind::kSlaveOff, kBranch, 5 * kSecond, 0);
+  go_online();
+  run_until(6 * kSecond);
+  EXPECT_GT(std::abs(truly_off(3)), 4'000);
+  std::int32_t furthest = 0;
+  for (auto time = 6 * kSecond; time < 10 * kSecond; time += 2 * kMillisecond) {
+    run_until(time);
+    for (const std::size_t slave : {2U, 3U})
+      furthest = std::max(furthest, std::abs(snapshot.slaves[slave].deviation_ns));
+  }
+  EXPECT_EQ(measured().size(), 1U);
+  EXPECT_LE(furthest, 127);
+  EXPECT_LT(std::abs(truly_off(3)), 60);
+}
+
 /// Where the branch itself is behind all others nothing is to correct, and that is said.
 TEST_F(DelayRenewal, TheLastOneChangesNobodysWay) {
   fault(FaultKind::kSlaveOff, 3, 5 * kSecond, 0);
