@@ -184,23 +184,44 @@ class EntrySearch {
   };
   static constexpr int kMostTries = 2000;  // together: a search goes over all slaves each time
 
-  /// Whoever hangs between the entry and port 0 comes before the slave, and would be in the list. Where nobody does,
-  /// the first time is none of the master's frame: a closed ring brings another one to that port, which may be earlier.
+  /// A closed ring brings another master's frame to a port, whose time is none of ours: taken out, where what is left
+  /// explains as much.
   void forget_foreign_time(std::size_t i) {
-    const auto open = open_ports(slaves_[i].dl_status);
-    const auto left = [&](const Entry& entry) { return open & ~entry.foreign; };
-    while (slaves_[i].receive_times && entries_[i].port != 0 && std::popcount(left(entries_[i])) > 1) {
-      const auto before = ways_of(left(entries_[i]), entries_[i].port).before;
-      const auto alone = [&](auto port) { return holds(wiring_[i].unexplained_ports, port); };
-      if (std::ranges::none_of(before, alone) || ++tries_ > kMostTries) return;
+    while (alone(i) != 0 && slaves_[i].receive_times && ++tries_ < kMostTries) {
+      const auto port = foreign_port(i);
+      if (!port) return;
       auto entries = entries_;
-      entries[i].foreign |= 1U << entries[i].port;
-      entries[i].port = first_of(left(entries[i]), *slaves_[i].receive_times);
+      entries[i].foreign |= 1U << *port;
+      if (*port == entries[i].port) entries[i].port = first_of(left(i) & ~(1U << *port), *slaves_[i].receive_times);
       auto wiring = Builder(slaves_, entries).take();
       if (unexplained(wiring) > unexplained(wiring_)) return;
       entries_ = std::move(entries);
       wiring_ = std::move(wiring);
     }
+  }
+
+  /// Ports that are open and have a time of ours, as far as is known.
+  [[nodiscard]] unsigned left(std::size_t i) const { return open_ports(slaves_[i].dl_status) & ~entries_[i].foreign; }
+
+  /// Those of them behind which nobody was found.
+  [[nodiscard]] unsigned alone(std::size_t i) const { return wiring_[i].unexplained_ports & left(i); }
+
+  /// Where others are without slaves: one whose time cannot be of our frame.
+  [[nodiscard]] std::optional<unsigned> foreign_port(std::size_t i) const {
+    const auto& entry = entries_[i];
+    // Whoever hangs between the entry and port 0 comes before the slave, and would be in the list.
+    const auto before = ways_of(left(i), entry.port).before;
+    if (std::ranges::any_of(before, [&](auto port) { return holds(alone(i), port); })) return entry.port;
+    // Nobody keeps a frame for longer than it was away.
+    for (std::size_t child = 0; child < slaves_.size(); ++child) {
+      const auto& previous = wiring_[child].previous;
+      if (!previous || previous->position != i) continue;
+      const auto inside = time_behind(slaves_[child], entries_[child], std::nullopt);
+      const auto away = time_behind(slaves_[i], entry, previous->port);
+      if (inside && away && static_cast<std::int32_t>(*inside) > static_cast<std::int32_t>(*away))
+        return previous->port;
+    }
+    return std::nullopt;
   }
 
   /// Those after which least is unexplained, and less than now.
