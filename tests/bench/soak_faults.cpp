@@ -72,12 +72,15 @@ void draw_machine(test::SimulatedNetwork& network, Random& random) {
   auto& master = network.project.master;
   master.cycle_time = random.next() % 2 == 0 ? kMillisecond : 2 * kMillisecond;
   master.dc.sync_window.exponent = static_cast<std::uint8_t>(7 + random.next() % 3);
+  master.dc.continuous_propagation_compensation = random.next() % 3 == 0;
+  if (random.next() % 3 == 0) master.dc.dcm.set_value = master.cycle_time / 2;
   for (std::size_t i = 0; i < network.sim.slaves.size(); ++i) {
     auto& slave = network.sim.slaves[i];
     slave.asymmetry_ns = random.uniform(-20, 20);
     slave.dc.latch_noise_ns = random.uniform(0, 12);
     slave.oscillator.wander_ppm = random.uniform(0, 0.05);
     slave.dc.is_64bit = i == 0 || random.next() % 3 > 0;
+    if (i > 5 && random.next() % 4 == 0) network.project.slaves[i].dc.sync0.cycle_factor = 2;
     if (i <= 4 || random.next() % 3 > 0) continue;
     slave.dc.system_time = slave.behaviour != "generic";
     network.project.slaves[i].dc.op_mode.clear();

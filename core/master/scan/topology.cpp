@@ -167,7 +167,7 @@ class EntrySearch {
       : slaves_(slaves), entries_(std::move(entries)), wiring_(Builder(slaves_, entries_).take()) {}
 
   std::vector<SlaveWiring> run() {
-    for (std::size_t i = 0; i < slaves_.size(); ++i) forget_foreign_time(i);
+    forget_foreign_times();
     for (auto left = unexplained(wiring_); left > 0; left = unexplained(wiring_)) {
       const auto best = best_changes(left);
       if (best.size() != 1) break;  // the ports that nothing explains are named
@@ -178,23 +178,31 @@ class EntrySearch {
   }
 
  private:
+  static constexpr int kMostTries = 2000;  // together: a search goes over all slaves each time
+
+  /// A port of a slave.
   struct Change {
     std::size_t slave = 0;
     std::uint8_t port = 0;
   };
-  static constexpr int kMostTries = 2000;  // together: a search goes over all slaves each time
 
   /// A closed ring brings another master's frame to a port, whose time is none of ours: taken out, where what is left
   /// explains as much.
-  void forget_foreign_time(std::size_t i) {
-    while (alone(i) != 0 && slaves_[i].receive_times && ++tries_ < kMostTries) {
-      const auto port = foreign_port(i);
-      if (!port) return;
+  void forget_foreign_times() {
+    std::vector<unsigned> refused(slaves_.size());
+    for (; tries_ < kMostTries && unexplained(wiring_) > 0; ++tries_) {
+      const auto found = foreign_time(refused);
+      if (!found) return;
       auto entries = entries_;
-      entries[i].foreign |= 1U << *port;
-      if (*port == entries[i].port) entries[i].port = first_of(left(i) & ~(1U << *port), *slaves_[i].receive_times);
+      auto& entry = entries[found->slave];
+      entry.foreign |= 1U << found->port;
+      if (found->port == entry.port)
+        entry.port = first_of(left(found->slave) & ~(1U << found->port), *slaves_[found->slave].receive_times);
       auto wiring = Builder(slaves_, entries).take();
-      if (unexplained(wiring) > unexplained(wiring_)) return;
+      if (unexplained(wiring) > unexplained(wiring_)) {
+        refused[found->slave] |= 1U << found->port;
+        continue;
+      }
       entries_ = std::move(entries);
       wiring_ = std::move(wiring);
     }
@@ -203,23 +211,22 @@ class EntrySearch {
   /// Ports that are open and have a time of ours, as far as is known.
   [[nodiscard]] unsigned left(std::size_t i) const { return open_ports(slaves_[i].dl_status) & ~entries_[i].foreign; }
 
-  /// Those of them behind which nobody was found.
-  [[nodiscard]] unsigned alone(std::size_t i) const { return wiring_[i].unexplained_ports & left(i); }
-
-  /// Where others are without slaves: one whose time cannot be of our frame.
-  [[nodiscard]] std::optional<unsigned> foreign_port(std::size_t i) const {
-    const auto& entry = entries_[i];
-    // Whoever hangs between the entry and port 0 comes before the slave, and would be in the list.
-    const auto before = ways_of(left(i), entry.port).before;
-    if (std::ranges::any_of(before, [&](auto port) { return holds(alone(i), port); })) return entry.port;
-    // Nobody keeps a frame for longer than it was away.
-    for (std::size_t child = 0; child < slaves_.size(); ++child) {
-      const auto& previous = wiring_[child].previous;
-      if (!previous || previous->position != i) continue;
-      const auto inside = time_behind(slaves_[child], entries_[child], std::nullopt);
-      const auto away = time_behind(slaves_[i], entry, previous->port);
+  /// The first time that cannot be of our frame.
+  [[nodiscard]] std::optional<Change> foreign_time(std::span<const unsigned> refused) const {
+    for (std::size_t i = 0; i < slaves_.size(); ++i) {
+      if (!slaves_[i].receive_times) continue;
+      // Whoever hangs between the entry and port 0 comes before the slave, and would be in the list.
+      const auto& entry = entries_[i];
+      const auto alone = [&](auto port) { return holds(wiring_[i].unexplained_ports, port); };
+      if (std::ranges::any_of(ways_of(left(i), entry.port).before, alone) && !holds(refused[i], entry.port))
+        return Change{i, entry.port};
+      // Nobody keeps a frame for longer than it was away.
+      const auto& previous = wiring_[i].previous;
+      if (!previous || holds(refused[previous->position], previous->port)) continue;
+      const auto inside = time_behind(slaves_[i], entry, std::nullopt);
+      const auto away = time_behind(slaves_[previous->position], entries_[previous->position], previous->port);
       if (inside && away && static_cast<std::int32_t>(*inside) > static_cast<std::int32_t>(*away))
-        return previous->port;
+        return Change{previous->position, previous->port};
     }
     return std::nullopt;
   }

@@ -201,6 +201,27 @@ TEST(Wiring, ATimeOfAClosedRingTakesNobodysPort) {
   }
 }
 
+/// A branch further up is not behind the ring's port, and its own is not without slaves.
+TEST(Wiring, ATimeOfAClosedRingTakesNoBranchFromOthers) {
+  for (const int after : {-700, 300}) {
+    Tree tree(0);
+    const auto middle = tree.add(0, 1, 0);
+    tree.add(middle, 1, 0);
+    const auto branch = tree.add(0, 2, 0);
+    tree.add(branch, 1, 0);
+    tree.walk(1000);
+    auto reports = tree.reports();
+    reports[2].dl_status = with_open(0b11);
+    auto& times = *reports[2].receive_times;
+    times[1] = times[0] + static_cast<std::uint32_t>(after);
+    const auto wiring = find_wiring(reports);
+    for (std::size_t i = 0; i < wiring.size(); ++i)
+      EXPECT_EQ(wiring[i].previous, tree.previous(i)) << i << " " << after;
+    EXPECT_EQ(wiring[2].unexplained_ports, 0b10U) << after;
+    EXPECT_EQ(wiring[0].unexplained_ports, 0U) << after;
+  }
+}
+
 /// Upright slaves, some without receive times: nobody is taken for swapped.
 TEST(Wiring, UprightSlavesWithoutReceiveTimesStayUpright) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
