@@ -224,7 +224,10 @@ class EntrySearch {
       const auto& previous = wiring_[i].previous;
       if (!previous || holds(refused[previous->position], previous->port)) continue;
       const auto inside = time_behind(slaves_[i], entry, std::nullopt);
-      const auto away = time_behind(slaves_[previous->position], entries_[previous->position], previous->port);
+      auto above = previous;
+      while (above && !slaves_[above->position].receive_times) above = wiring_[above->position].previous;
+      const auto away =
+          above ? time_behind(slaves_[above->position], entries_[above->position], above->port) : std::nullopt;
       if (inside && away && static_cast<std::int32_t>(*inside) > static_cast<std::int32_t>(*away))
         return Change{previous->position, previous->port};
     }
