@@ -21,7 +21,6 @@ constexpr std::uint32_t kLeastGain = 20;  // ppt: the clock that the host follow
 constexpr Nanoseconds kPatience = kSecond;
 
 DcmSettings for_host(DcmSettings settings) {
-  settings.mode = DcmMode::kMasterShift;
   settings.gain_ppt = std::max(settings.gain_ppt, kLeastGain);
   return settings;
 }

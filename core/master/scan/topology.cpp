@@ -211,9 +211,9 @@ class EntrySearch {
   /// Ports that are open and have a time of ours, as far as is known.
   [[nodiscard]] unsigned left(std::size_t i) const { return open_ports(slaves_[i].dl_status) & ~entries_[i].foreign; }
 
-  /// The first time that cannot be of our frame.
+  /// A time that cannot be of our frame, the last of them: what is wrong there makes those before it look wrong, too.
   [[nodiscard]] std::optional<Change> foreign_time(std::span<const unsigned> refused) const {
-    for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    for (std::size_t i = slaves_.size(); i-- > 0;) {
       if (!slaves_[i].receive_times) continue;
       // Whoever hangs between the entry and port 0 comes before the slave, and would be in the list.
       const auto& entry = entries_[i];
