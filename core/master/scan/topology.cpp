@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <compare>
+#include <utility>
 
 #include "config/device_description.h"
 #include "protocol/first_port.h"
@@ -186,52 +188,117 @@ class EntrySearch {
     std::uint8_t port = 0;
   };
 
-  /// A closed ring brings another master's frame to a port, whose time is none of ours: taken out, where what is left
-  /// explains as much.
+  /// A closed ring brings another master's frame to a port, whose time is none of ours. It shows by what cannot be, and
+  /// is taken out where what is left contradicts itself less and explains as much.
   void forget_foreign_times() {
-    std::vector<unsigned> refused(slaves_.size());
-    for (; tries_ < kMostTries && unexplained(wiring_) > 0; ++tries_) {
-      const auto found = foreign_time(refused);
-      if (!found) return;
-      auto entries = entries_;
-      auto& entry = entries[found->slave];
-      entry.foreign |= 1U << found->port;
-      if (found->port == entry.port)
-        entry.port = first_of(left(found->slave) & ~(1U << found->port), *slaves_[found->slave].receive_times);
-      auto wiring = Builder(slaves_, entries).take();
-      if (unexplained(wiring) > unexplained(wiring_)) {
-        refused[found->slave] |= 1U << found->port;
-        continue;
-      }
-      entries_ = std::move(entries);
-      wiring_ = std::move(wiring);
+    std::vector<bool> given_up(slaves_.size());
+    while (tries_ < kMostTries && unexplained(wiring_) > 0) {
+      const auto at = contradiction(given_up);
+      if (!at) return;
+      if (!forget_one_of(suspects(*at))) given_up[*at] = true;
     }
   }
 
-  /// Ports that are open and have a time of ours, as far as is known.
-  [[nodiscard]] unsigned left(std::size_t i) const { return open_ports(slaves_[i].dl_status) & ~entries_[i].foreign; }
+  /// The one that leaves the fewest contradictions, and of several the one with which the longest hop is the shortest:
+  /// who is put where he is not leaves a gap where he is. False where none does any good.
+  bool forget_one_of(const std::vector<Change>& suspects) {
+    const auto most = unexplained(wiring_);
+    auto least = Doubts{contradictions(entries_, wiring_), 0};
+    std::optional<std::pair<std::vector<Entry>, std::vector<SlaveWiring>>> best;
+    for (const auto& suspect : suspects) {
+      ++tries_;
+      auto entries = entries_;
+      auto& entry = entries[suspect.slave];
+      entry.foreign |= 1U << suspect.port;
+      const auto others = left(suspect.slave, entries);
+      if (others == 0) continue;
+      if (suspect.port == entry.port) entry.port = first_of(others, *slaves_[suspect.slave].receive_times);
+      auto wiring = Builder(slaves_, entries).take();
+      const Doubts doubts{contradictions(entries, wiring), longest_hop(entries, wiring)};
+      if (unexplained(wiring) > most || doubts >= least) continue;
+      least = doubts;
+      best.emplace(std::move(entries), std::move(wiring));
+    }
+    if (!best) return false;
+    entries_ = std::move(best->first);
+    wiring_ = std::move(best->second);
+    return true;
+  }
 
-  /// A time that cannot be of our frame, the last of them: what is wrong there makes those before it look wrong, too.
-  [[nodiscard]] std::optional<Change> foreign_time(std::span<const unsigned> refused) const {
+  /// Ports that are open and have a time of ours, as far as is known.
+  [[nodiscard]] unsigned left(std::size_t i, std::span<const Entry> entries) const {
+    return open_ports(slaves_[i].dl_status) & ~entries[i].foreign;
+  }
+
+  /// Whoever hangs between the entry and port 0 comes before the slave, and would be in the list.
+  [[nodiscard]] bool lacks_others_before(std::size_t i, std::span<const Entry> entries,
+                                         std::span<const SlaveWiring> wiring) const {
+    return slaves_[i].receive_times &&
+           std::ranges::any_of(ways_of(left(i, entries), entries[i].port).before,
+                               [&](auto port) { return holds(wiring[i].unexplained_ports, port); });
+  }
+
+  struct Doubts {
+    std::size_t contradictions = 0;
+    std::int32_t longest_hop = 0;
+    auto operator<=>(const Doubts&) const = default;
+  };
+
+  /// What a frame was longer away from whoever a slave hangs at than the slave kept it, ns: its way there and back. At
+  /// whom, the nearest with times.
+  [[nodiscard]] std::optional<std::int32_t> hop(std::size_t i, std::span<const Entry> entries,
+                                                std::span<const SlaveWiring> wiring) const {
+    auto above = wiring[i].previous;
+    while (above && !slaves_[above->position].receive_times) above = wiring[above->position].previous;
+    if (!above) return std::nullopt;
+    const auto inside = time_behind(slaves_[i], entries[i], std::nullopt);
+    const auto away = time_behind(slaves_[above->position], entries[above->position], above->port);
+    if (!inside || !away) return std::nullopt;
+    return static_cast<std::int32_t>(*away - *inside);
+  }
+
+  [[nodiscard]] std::int32_t longest_hop(std::span<const Entry> entries, std::span<const SlaveWiring> wiring) const {
+    std::int32_t longest = 0;
+    for (std::size_t i = 0; i < slaves_.size(); ++i) longest = std::max(longest, hop(i, entries, wiring).value_or(0));
+    return longest;
+  }
+
+  /// Nobody keeps a frame for longer than it was away from whoever he hangs at.
+  [[nodiscard]] bool keeps_too_long(std::size_t i, std::span<const Entry> entries,
+                                    std::span<const SlaveWiring> wiring) const {
+    return hop(i, entries, wiring).value_or(0) < 0;
+  }
+
+  [[nodiscard]] bool contradicts(std::size_t i, std::span<const Entry> entries,
+                                 std::span<const SlaveWiring> wiring) const {
+    return lacks_others_before(i, entries, wiring) || keeps_too_long(i, entries, wiring);
+  }
+
+  [[nodiscard]] std::size_t contradictions(std::span<const Entry> entries, std::span<const SlaveWiring> wiring) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < slaves_.size(); ++i) count += contradicts(i, entries, wiring) ? 1 : 0;
+    return count;
+  }
+
+  /// The last one: what is wrong there makes those before it look wrong, too.
+  [[nodiscard]] std::optional<std::size_t> contradiction(const std::vector<bool>& given_up) const {
     for (std::size_t i = slaves_.size(); i-- > 0;) {
-      if (!slaves_[i].receive_times) continue;
-      // Whoever hangs between the entry and port 0 comes before the slave, and would be in the list.
-      const auto& entry = entries_[i];
-      const auto alone = [&](auto port) { return holds(wiring_[i].unexplained_ports, port); };
-      if (std::ranges::any_of(ways_of(left(i), entry.port).before, alone) && !holds(refused[i], entry.port))
-        return Change{i, entry.port};
-      // Nobody keeps a frame for longer than it was away.
-      const auto& previous = wiring_[i].previous;
-      if (!previous || holds(refused[previous->position], previous->port)) continue;
-      const auto inside = time_behind(slaves_[i], entry, std::nullopt);
-      auto above = previous;
-      while (above && !slaves_[above->position].receive_times) above = wiring_[above->position].previous;
-      const auto away =
-          above ? time_behind(slaves_[above->position], entries_[above->position], above->port) : std::nullopt;
-      if (inside && away && static_cast<std::int32_t>(*inside) > static_cast<std::int32_t>(*away))
-        return Change{previous->position, previous->port};
+      if (!given_up[i] && contradicts(i, entries_, wiring_)) return i;
     }
     return std::nullopt;
+  }
+
+  /// Ports whose times would explain it: the slave's own, and the one that it hangs at.
+  [[nodiscard]] std::vector<Change> suspects(std::size_t i) const {
+    std::vector<Change> found;
+    if (lacks_others_before(i, entries_, wiring_)) found.push_back({i, entries_[i].port});
+    if (!keeps_too_long(i, entries_, wiring_)) return found;
+    for (std::uint8_t port = 0; port < kPortCount; ++port) {
+      if (holds(left(i, entries_), port) && port != entries_[i].port) found.push_back({i, port});
+    }
+    const auto& previous = *wiring_[i].previous;
+    if (previous.port != entries_[previous.position].port) found.push_back({previous.position, previous.port});
+    return found;
   }
 
   /// Those after which least is unexplained, and less than now.

@@ -205,7 +205,7 @@ TEST(Wiring, ATimeOfAClosedRingTakesNobodysPort) {
 TEST(Wiring, ATimeOfAClosedRingTakesNoBranchFromOthers) {
   // Also so late that the slave seems to have had the frame for longer than the one in front of it was without.
   for (const std::optional<int> after :
-       {std::optional(-700), std::optional(300), std::optional(1'200), std::optional<int>()}) {
+       {std::optional(-700), std::optional(300), std::optional(1'200), std::optional(3'500), std::optional<int>()}) {
     Tree tree(0);
     const auto middle = tree.add(0, 1, 0);
     tree.add(middle, 1, 0);
