@@ -138,9 +138,9 @@ class Soak {
   int run(bool loud) {
     const auto& master = network_.project.master;
     const auto& jitter = network_.sim.host_jitter;
-    fmt::print("{} slaves, {} ms, window of {} ns, {} host{}\n", network_.sim.slaves.size(),
+    fmt::print("{} slaves, {} ms, window of {} ns, {} computer as host{}\n", network_.sim.slaves.size(),
                master.cycle_time / kMillisecond, (1U << master.dc.sync_window.exponent) - 1,
-               jitter == JitterProfile::desktop() ? "a desktop as" : "a quiet",
+               jitter == JitterProfile::desktop() ? "a desktop" : "a quiet",
                jitter.stamp_error.empty() ? " with exact stamps" : "");
     double at_first = 0, most = 0;
     const auto settled = std::min<std::size_t>(20, thrown_in_.size() / 2);
