@@ -18,13 +18,19 @@ namespace {
 /// A terminal without SYNC0, which writes its inputs anew at the end of each frame that brings outputs.
 class WatchedTerminal : public ::testing::Test {
  protected:
-  static NetworkConfig machine() {
+  static NetworkConfig machine(bool inputs) {
+    auto device = test::io8();
+    if (!inputs) {
+      device.fmmus.pop_back();
+      device.sync_managers.pop_back();
+      device.tx_pdos.clear();
+    }
     test::SimulatedNetwork network;
-    network.add(test::io8());
+    network.add(device);
     network.project.slaves[0].dc.op_mode.clear();
     return network.compiled();
   }
-  WatchedTerminal() {
+  explicit WatchedTerminal(bool inputs = true) : config_(machine(inputs)) {
     snapshot_.slaves.resize(1);
     snapshot_.slaves[0].present = true;
     snapshot_.slaves[0].al_status = static_cast<std::uint16_t>(AlState::kOp);
@@ -53,7 +59,7 @@ class WatchedTerminal : public ::testing::Test {
   }
 
   static constexpr int kLearning = 400;  // cycles, of some three a reading
-  NetworkConfig config_ = machine();
+  NetworkConfig config_;
   Snapshot snapshot_;
   EventQueue queue_{64};
   EventTeller teller_{config_, queue_};
@@ -104,8 +110,13 @@ TEST_F(WatchedTerminal, IsNotJudgedByFramesOfTheirOwn) {
   EXPECT_EQ(told(), (std::vector<bool>{true, false}));
 }
 
+class WatchedOutputs : public WatchedTerminal {
+ protected:
+  WatchedOutputs() : WatchedTerminal(false) {}
+};
+
 /// Nobody rides in a cycle that has no room for it.
-TEST_F(WatchedTerminal, LeavesCyclesToOthersWhereNothingComesOfIt) {
+TEST_F(WatchedOutputs, LeaveCyclesToOthersWhereNothingComesOfIt) {
   int taken = 0;
   constexpr int kCycles = 3'000;
   for (int i = 0; i < kCycles; ++i) taken += cycle(false) ? 1 : 0;
