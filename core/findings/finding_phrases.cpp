@@ -96,7 +96,7 @@ constexpr std::string_view kPhrases[] = {
     "cycles were left out, the host came too late",
     "a frame was sent later than the set value allows",
     "settling behind an interruption",
-    "in bus shift it follows this host's clock, which a time service may have moved",
+    "it follows this host's clock, which a time service may have moved",
     // fields of commands, in differences
     "data",
     "before slave",

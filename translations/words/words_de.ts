@@ -2277,12 +2277,12 @@
         <translation>ein Signal beendete das Warten auf ihren Leser</translation>
     </message>
     <message>
-        <source>in bus shift it follows this host's clock, which a time service may have moved</source>
-        <translation>im Bus-Shift folgt sie der Uhr dieses Rechners, die ein Zeitdienst verstellt haben kann</translation>
-    </message>
-    <message>
         <source>is missing, as stamp_error and stalls are: a host profile has times for one of them</source>
         <translation>fehlt, ebenso stamp_error und stalls: ein Host-Profil hat Zeiten für eines davon</translation>
+    </message>
+    <message>
+        <source>it follows this host's clock, which a time service may have moved</source>
+        <translation>sie folgt der Uhr dieses Rechners, die ein Zeitdienst verstellt haben kann</translation>
     </message>
     <message>
         <source>overlaps the {fault} from {time} ms to {other} ms</source>

@@ -2277,12 +2277,12 @@
         <translation>等待其读取方时被信号终止</translation>
     </message>
     <message>
-        <source>in bus shift it follows this host's clock, which a time service may have moved</source>
-        <translation>在总线偏移模式下它跟随本机时钟，时间服务可能调整过该时钟</translation>
-    </message>
-    <message>
         <source>is missing, as stamp_error and stalls are: a host profile has times for one of them</source>
         <translation>缺失，stamp_error 和 stalls 也缺失：主机配置至少要有其中一项的时间</translation>
+    </message>
+    <message>
+        <source>it follows this host's clock, which a time service may have moved</source>
+        <translation>它跟随本机时钟，时间服务可能调整过该时钟</translation>
     </message>
     <message>
         <source>overlaps the {fault} from {time} ms to {other} ms</source>

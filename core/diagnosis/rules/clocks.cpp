@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "channels/values/sync_obstacle_text.h"
+#include "config/dcm_settings.h"
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
 #include "findings/run_codes.h"
@@ -22,11 +23,10 @@ Figure obstacle_figure(dc::SyncObstacle what) {
   return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
 }
 
-/// Who moves a reference clock that this host leads: empty where it leads itself.
+/// Who moves a reference clock that this host leads; empty where it leads itself, or follows an external one (DCX).
 Figure led_figure(const RunReport& report) {
-  const bool led = report.dcm.mode == DcmMode::kBusShift;
-  return {"led", Unit::kAside, 0, 0,
-          led ? "in bus shift it follows this host's clock, which a time service may have moved" : ""};
+  const bool led = is_controlled(report) && steers_reference_clock(report.dcm.mode) && report.dcm.mode != DcmMode::kDcx;
+  return {"led", Unit::kAside, 0, 0, led ? "it follows this host's clock, which a time service may have moved" : ""};
 }
 
 /// It was away just before, or the adapter by which it hears the time, and finds its time again.

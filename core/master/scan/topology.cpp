@@ -203,7 +203,7 @@ class EntrySearch {
   /// who is put where he is not leaves a gap where he is. False where none does any good.
   bool forget_one_of(const std::vector<Change>& suspects) {
     const auto most = unexplained(wiring_);
-    auto least = Doubts{contradictions(entries_, wiring_), 0};
+    auto least = Doubts{contradictions(entries_, wiring_), 0};  // fewer of them, whatever the hops
     std::optional<std::pair<std::vector<Entry>, std::vector<SlaveWiring>>> best;
     for (const auto& suspect : suspects) {
       ++tries_;
@@ -244,8 +244,8 @@ class EntrySearch {
     auto operator<=>(const Doubts&) const = default;
   };
 
-  /// What a frame was longer away from whoever a slave hangs at than the slave kept it, ns: its way there and back. At
-  /// whom, the nearest with times.
+  /// A frame's way between a slave and the nearest one above it that has times, there and back, ns: for how much longer
+  /// it was away from that one than the slave kept it.
   [[nodiscard]] std::optional<std::int32_t> hop(std::size_t i, std::span<const Entry> entries,
                                                 std::span<const SlaveWiring> wiring) const {
     auto above = wiring[i].previous;

@@ -593,7 +593,7 @@ TEST(RunDiagnosis, ACycleThatAMovedSync0CutShortIsNotTheFirmwares) {
 
 /// Where it moved and they came back, are out still, or came back but not for the settle time; where that was before
 /// another loss; and where nobody monitors.
-TEST(RunDiagnosis, InBusShiftAReferenceClockThatMovesIsLedByTheHosts) {
+TEST(RunDiagnosis, AReferenceClockThatMovesIsLedByTheHostsWhereThatIsSo) {
   const RunHistory::SyncLoss lasting{kStart + 8 * kSecond, -1, 128, dc::SyncObstacle::kClockStep, {}};
   std::vector<RunReport> reports(5, healthy());
   reports[0].history.slave_losses = {lasting};
@@ -615,11 +615,18 @@ TEST(RunDiagnosis, InBusShiftAReferenceClockThatMovesIsLedByTheHosts) {
     return text;
   };
   for (auto& report : reports) {
-    report.dcm.mode = DcmMode::kMasterShift;
-    EXPECT_THAT(all(report), AllOf(HasSubstr("eference clock"), Not(HasSubstr("time service"))));
-    report.dcm.mode = DcmMode::kBusShift;
-    EXPECT_THAT(all(report),
-                HasSubstr(": in bus shift it follows this host's clock, which a time service may have moved"));
+    for (const auto mode : {DcmMode::kMasterShift, DcmMode::kDcx, DcmMode::kOff}) {
+      report.dcm.mode = mode;
+      EXPECT_THAT(all(report), AllOf(HasSubstr("eference clock"), Not(HasSubstr("time service"))));
+    }
+    for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterRefClock, DcmMode::kLinkLayerRefClock}) {
+      report.dcm.mode = mode;
+      report.dcm.control_off = false;
+      EXPECT_THAT(all(report), HasSubstr(": it follows this host's clock, which a time service may have moved"));
+      report.dcm.control_off = true;
+      EXPECT_THAT(all(report), Not(HasSubstr("time service"))) << "nothing is moved";
+    }
+    report.dcm.control_off = false;
   }
 }
 

@@ -254,5 +254,53 @@ TEST_F(RunHistoryTest, KeepsTheLatenessOfFramesAfterAFallFromOp) {
   EXPECT_EQ(recorder.history().frame_lateness.count(), 2020U);
 }
 
+TEST(Spells, WhatIsTakenBackIsGoneFromTheLatestOfThem) {
+  Spells spells;
+  spells.note(kSecond, 4);
+  spells.note(3 * kSecond, 3);
+  spells.take_back(5);
+  EXPECT_EQ(spells.count(), 2U);
+  EXPECT_EQ(spells.list()[0].count, 2U);
+  EXPECT_EQ(spells.list()[1].count, 0U);
+  spells.take_back(9);
+  EXPECT_EQ(spells.count(), 0U);
+}
+
+TEST_F(RunHistoryTest, ToWhichSideAClockWasOffFirstStays) {
+  recorder.add(Event{kSecond, -1, events::Online{}});
+  auto reading = sample(kSecond);
+  reading.slave_position = 1;
+  for (const std::int32_t deviation : {20, -9'000, 8'000}) {
+    reading.send_time += kSecond;
+    reading.slave_deviation_ns = deviation;
+    add(reading);
+  }
+  EXPECT_EQ(recorder.history().slaves[1].first_off_ns, -9'000);
+  EXPECT_EQ(recorder.history().slaves[1].off.largest(), 9'000);
+}
+
+TEST_F(RunHistoryTest, OnlyFramesThatWereLateAreLate) {
+  auto late = sample(kSecond);
+  late.late_by_ns = 77;
+  add(late);
+  EXPECT_TRUE(recorder.history().late_frames.empty()) << "of a frame that was not it says nothing";
+  late.flags = CycleSample::kFrameLate;
+  add(late);
+  EXPECT_EQ(recorder.history().late_frames.count(), 1U);
+  EXPECT_EQ(recorder.history().late_frames.largest(), 77);
+}
+
+TEST_F(RunHistoryTest, LateInputsLastUntilTheyAreRenewedAgain) {
+  recorder.add(Event{kSecond, 1, events::StaleProcessData{false, 0, 16, false}});
+  EXPECT_TRUE(recorder.history().slaves[1].late_inputs.empty()) << "an end without a beginning";
+  recorder.add(Event{2 * kSecond, 1, events::StaleProcessData{true, 7, 16, false}});
+  recorder.add(Event{5 * kSecond, 1, events::StaleProcessData{false, 1, 16, false}});
+  const auto& late = recorder.history().slaves[1].late_inputs;
+  EXPECT_EQ(late.count(), 1U);
+  EXPECT_EQ(late.first(), 2 * kSecond);
+  EXPECT_EQ(late.last(), 5 * kSecond);
+  EXPECT_TRUE(recorder.history().slaves[1].late_outputs.empty());
+}
+
 }  // namespace
 }  // namespace syncline

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -16,9 +15,7 @@
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "trace/dcm_log.h"
-#include "trace/held_series.h"
 #include "trace/lasting_magnitude.h"
-#include "trace/run_history.h"
 #include "trace/run_report.h"
 #include "trace/sample_store.h"
 #include "trace/slave_figures.h"
@@ -35,68 +32,6 @@ CycleSample cycle(Nanoseconds time) {
   sample.send_time = time;
   sample.master_state = static_cast<std::uint8_t>(AlState::kOp);
   return sample;
-}
-
-class TraceHistory : public ::testing::Test {
- protected:
-  static NetworkConfig two_slaves() {
-    NetworkConfig config;
-    config.slaves.resize(2);
-    return config;
-  }
-  NetworkConfig config = two_slaves();
-  HistoryRecorder recorder{config};
-  void add(const CycleSample& sample) { recorder.add(std::span(&sample, 1)); }
-  void read(Nanoseconds time, std::int32_t deviation) {
-    auto sample = cycle(time);
-    sample.slave_position = 1;
-    sample.slave_deviation_ns = deviation;
-    add(sample);
-  }
-};
-
-TEST(Spells, WhatIsTakenBackIsGoneFromTheLatestOfThem) {
-  Spells spells;
-  spells.note(kSecond, 4);
-  spells.note(3 * kSecond, 3);
-  spells.take_back(5);
-  EXPECT_EQ(spells.count(), 2U);
-  EXPECT_EQ(spells.list()[0].count, 2U);
-  EXPECT_EQ(spells.list()[1].count, 0U);
-  spells.take_back(9);
-  EXPECT_EQ(spells.count(), 0U);
-}
-
-TEST_F(TraceHistory, ToWhichSideAClockWasOffFirstStays) {
-  recorder.add(Event{kSecond, -1, events::Online{}});
-  read(2 * kSecond, 20);
-  read(3 * kSecond, -9'000);
-  read(4 * kSecond, 8'000);
-  EXPECT_EQ(recorder.history().slaves[1].first_off_ns, -9'000);
-  EXPECT_EQ(recorder.history().slaves[1].off.largest(), 9'000);
-}
-
-TEST_F(TraceHistory, OnlyFramesThatWereLateAreLate) {
-  auto sample = cycle(kSecond);
-  sample.late_by_ns = 77;
-  add(sample);
-  EXPECT_TRUE(recorder.history().late_frames.empty()) << "of a frame that was not it says nothing";
-  sample.flags = CycleSample::kFrameLate;
-  add(sample);
-  EXPECT_EQ(recorder.history().late_frames.count(), 1U);
-  EXPECT_EQ(recorder.history().late_frames.largest(), 77);
-}
-
-TEST_F(TraceHistory, LateInputsLastUntilTheyAreRenewedAgain) {
-  recorder.add(Event{kSecond, 1, events::StaleProcessData{false, 0, 16, false}});
-  EXPECT_TRUE(recorder.history().slaves[1].late_inputs.empty()) << "an end without a beginning";
-  recorder.add(Event{2 * kSecond, 1, events::StaleProcessData{true, 7, 16, false}});
-  recorder.add(Event{5 * kSecond, 1, events::StaleProcessData{false, 1, 16, false}});
-  const auto& late = recorder.history().slaves[1].late_inputs;
-  EXPECT_EQ(late.count(), 1U);
-  EXPECT_EQ(late.first(), 2 * kSecond);
-  EXPECT_EQ(late.last(), 5 * kSecond);
-  EXPECT_TRUE(recorder.history().slaves[1].late_outputs.empty());
 }
 
 TEST(RunReportValues, WhatSlavesCountStandsInTheReport) {
