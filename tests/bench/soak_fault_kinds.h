@@ -16,7 +16,10 @@ namespace syncline::bench {
 struct SoakFaultKind {
   const char* name;
   FaultKind kind;
-  std::vector<int> victims;               // empty: the line or the host
+  std::vector<int> victims;               // of the line's six; empty: the line or the host, or
+  bool of_reference = false;              // whoever leads,
+  bool of_clock = false;                  // who follows it,
+  bool with_sync0 = false;                // who has SYNC signals, whose counters are read
   Nanoseconds shortest = 0, longest = 0;  // how long it lasts; 0: a moment
   Nanoseconds least = 0, most = 0;        // value,
   bool in_cycles = false;                 // at a cycle of 1 ms, in proportion to it at others
@@ -38,7 +41,7 @@ struct SoakFaultKind {
   std::vector<Signal> may_show{};  // what it brings with it there, of anybody
 };
 
-/// Positions as in soak_faults: 0 terminal, 1 and 2 servos, 3 drive, 4 gateway, 5 terminal.
+/// Positions as in soak_machine(): 0 terminal, 1 and 2 servos, 3 drive, 4 gateway, 5 terminal.
 [[nodiscard]] std::span<const SoakFaultKind> soak_fault_kinds();
 
 }  // namespace syncline::bench

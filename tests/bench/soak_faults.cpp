@@ -3,14 +3,13 @@
 // hours (24), brought up anew for each of so many faults (200) of every kind at random times. Each must be told by its
 // kind and be seen in the plots, nothing else accused or seen there, and the memory stay what it was. The machine is a
 // line of six, or one drawn by the seed: a branch with up to twelve more, some without SYNC0 or without a clock, clocks
-// of 32 bits, noisy latches, cables whose ways differ, another cycle time, another limit and another host. Exit code 1
-// when a promise is missed.
+// of 32 bits, another reference clock, a second task, a branch that may be unplugged, noisy latches, cables whose ways
+// differ, another cycle time, limit, mode and host. Exit code 1 when a promise is missed.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -21,90 +20,17 @@
 #include "app/cli/cli.h"
 #include "app/cli/event_text.h"
 #include "bench/soak_fault_kinds.h"
+#include "bench/soak_machine.h"
 #include "bench/soak_plots.h"
 #include "config/sync_grid.h"
-#include "eni/esi/esi_reader.h"
 #include "link/simulated_host.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
-#include "tests/support/source_dir.h"
 
 namespace syncline::bench {
 namespace {
 
 constexpr Nanoseconds kBringUp = 30 * kSecond;  // long enough for every machine to be in OP and in sync
-
-DeviceDescription device(const std::string& file) {
-  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
-  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
-}
-
-/// What stands on the branch of a drawn machine.
-void add_branch(test::SimulatedNetwork& network, Random& random) {
-  const std::size_t root = random.next() % 2 == 0 ? 0 : network.sim.slaves.size() - 1;
-  const auto count = random.next() % 13;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    switch (random.next() % 5) {
-      case 0:
-        network.add(test::servo(), "servo-y");
-        break;
-      case 1:
-        network.add(device("SL-XE2.xml"), "drive-c");
-        break;
-      case 2:
-        network.add(device("SL-6751.xml"), "can-gateway");
-        break;
-      default:
-        network.add(test::io8());
-    }
-    if (i > 0) continue;
-    network.sim.slaves.back().parent = static_cast<std::uint16_t>(root);
-    network.sim.slaves.back().parent_port = 2;
-    network.project.slaves.back().previous = PreviousPort{static_cast<std::uint16_t>(root), 2};
-  }
-}
-
-/// Everything that faults are not thrown at, and what the faults must be told on all the same.
-void draw_machine(test::SimulatedNetwork& network, Random& random) {
-  add_branch(network, random);
-  const std::array hosts{network.sim.host_jitter, JitterProfile::quiet(), JitterProfile::desktop()};
-  network.sim.host_jitter = hosts[random.next() % hosts.size()];
-  auto& master = network.project.master;
-  master.cycle_time = random.next() % 2 == 0 ? kMillisecond : 2 * kMillisecond;
-  master.dc.sync_window.exponent = static_cast<std::uint8_t>(7 + random.next() % 3);
-  master.dc.continuous_propagation_compensation = random.next() % 3 == 0;
-  if (random.next() % 3 == 0) master.dc.dcm.set_value = master.cycle_time / 2;
-  for (std::size_t i = 0; i < network.sim.slaves.size(); ++i) {
-    auto& slave = network.sim.slaves[i];
-    slave.asymmetry_ns = random.uniform(-20, 20);
-    slave.dc.latch_noise_ns = random.uniform(0, 12);
-    slave.oscillator.wander_ppm = random.uniform(0, 0.05);
-    slave.dc.is_64bit = i == 0 || random.next() % 3 > 0;
-    if (i > 5 && random.next() % 4 == 0) network.project.slaves[i].dc.sync0.cycle_factor = 2;
-    if (i <= 4 || random.next() % 3 > 0) continue;
-    slave.dc.system_time = slave.behaviour != "generic";
-    network.project.slaves[i].dc.op_mode.clear();
-  }
-}
-
-test::SimulatedNetwork machine(Random& random, bool drawn) {
-  test::SimulatedNetwork network;
-  network.sim.host_jitter.wake_up = JitterProfile::quiet().wake_up;
-  network.add(test::io8());
-  network.add(test::servo(), "servo-y");
-  network.add(test::servo(), "servo-y");
-  network.add(device("SL-XE2.xml"), "drive-c");
-  network.add(device("SL-6751.xml"), "can-gateway");
-  network.add(test::io8());
-  if (drawn) draw_machine(network, random);
-  for (auto& slave : network.sim.slaves) {
-    slave.oscillator.ppm = random.uniform(-45, 45);
-    slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
-    slave.cable_m = random.uniform(0.5, 60);
-  }
-  network.project.master.dc.sync_window.enabled = true;
-  return network;
-}
 
 /// Without what the allocator keeps for later: the store of a segment comes and goes.
 double resident_mb() {
@@ -125,7 +51,9 @@ struct Outcome {
 class Soak {
  public:
   Soak(double hours, int faults, std::uint64_t seed, bool drawn)
-      : random_(seed), network_(machine(random_, drawn)), length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
+      : random_(seed),
+        machine_(soak_machine(random_, drawn)),
+        length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
     begin_ = clock_.now();
     network_.sim.seed = seed;
     for (int i = 0; i < faults; ++i) add_fault(i);
@@ -136,12 +64,7 @@ class Soak {
   }
 
   int run(bool loud) {
-    const auto& master = network_.project.master;
-    const auto& jitter = network_.sim.host_jitter;
-    fmt::print("{} slaves, {} ms, window of {} ns, {} computer as host{}\n", network_.sim.slaves.size(),
-               master.cycle_time / kMillisecond, (1U << master.dc.sync_window.exponent) - 1,
-               jitter == JitterProfile::desktop() ? "a desktop" : "a quiet",
-               jitter.stamp_error.empty() ? " with exact stamps" : "");
+    fmt::print("{}\n", text_of(machine_));
     double at_first = 0, most = 0;
     const auto settled = std::min<std::size_t>(20, thrown_in_.size() / 2);
     for (std::size_t i = 0; i < thrown_in_.size(); ++i) {
@@ -167,7 +90,8 @@ class Soak {
                    ? start + kSecond
                    : start + kBringUp +
                          static_cast<Nanoseconds>(random_.uniform(0, 0.5) * static_cast<double>(length_ - kBringUp));
-    if (!kind.victims.empty()) fault.slave = kind.victims[random_.next() % kind.victims.size()];
+    const auto whom = victims(machine_, kind);
+    if (!whom.empty()) fault.slave = whom[random_.next() % whom.size()];
     if (kind.longest > 0) {
       fault.until = fault.at + static_cast<Nanoseconds>(random_.uniform(static_cast<double>(kind.shortest),
                                                                         static_cast<double>(kind.longest)));
@@ -219,7 +143,7 @@ class Soak {
 
   Outcome run_segment(std::size_t segment) {
     const auto start = begin_ + start_of(segment), end = start + length_ - 2 * kSecond;
-    network_.project.master.dc.dcm.mode = segment % 2 == 0 ? DcmMode::kBusShift : DcmMode::kMasterShift;
+    network_.project.master.dc.dcm.mode = machine_.modes[segment % machine_.modes.size()];
     const auto config = network_.compiled();
     clock_.advance_to(start + 2 * kSecond);
     RunRecorder recorder(config);
@@ -346,7 +270,8 @@ class Soak {
   };
   Random random_;
   VirtualClock clock_;
-  test::SimulatedNetwork network_;
+  SoakMachine machine_;
+  test::SimulatedNetwork& network_ = machine_.network;
   std::vector<FaultConfig> thrown_in_;  // by segment
   Nanoseconds length_, begin_ = 0;
   std::unique_ptr<MasterService> service_;

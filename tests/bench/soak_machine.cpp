@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/soak_machine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/dcm_settings.h"
+#include "eni/esi/esi_reader.h"
+#include "support/jitter_profile.h"
+#include "tests/support/machine_devices.h"
+#include "tests/support/source_dir.h"
+
+namespace syncline::bench {
+namespace {
+
+constexpr std::size_t kLine = 6;  // slaves that every machine has
+constexpr std::uint16_t kGroupAlias = 1000;
+
+DeviceDescription device(const std::string& file) {
+  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
+  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
+}
+
+void add_line(test::SimulatedNetwork& network) {
+  network.add(test::io8());
+  network.add(test::servo(), "servo-y");
+  network.add(test::servo(), "servo-y");
+  network.add(device("SL-XE2.xml"), "drive-c");
+  network.add(device("SL-6751.xml"), "can-gateway");
+  network.add(test::io8());
+}
+
+/// Not at the last one of the line: where a ring is closed there, nothing but the times of its frames, which may come
+/// at any, tells it from the branch.
+void add_branch(test::SimulatedNetwork& network, Random& random) {
+  const std::size_t root = random.next() % 2 == 0 ? 0 : 3;
+  const auto count = random.next() % 13;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    switch (random.next() % 5) {
+      case 0:
+        network.add(test::servo(), "servo-y");
+        break;
+      case 1:
+        network.add(device("SL-XE2.xml"), "drive-c");
+        break;
+      case 2:
+        network.add(device("SL-6751.xml"), "can-gateway");
+        break;
+      default:
+        network.add(test::io8());
+    }
+    if (i > 0) continue;
+    network.sim.slaves.back().parent = static_cast<std::uint16_t>(root);
+    network.sim.slaves.back().parent_port = 2;
+    network.project.slaves.back().previous = PreviousPort{static_cast<std::uint16_t>(root), 2};
+  }
+}
+
+void draw_master(test::SimulatedNetwork& network, Random& random) {
+  const std::array hosts{network.sim.host_jitter, JitterProfile::quiet(), JitterProfile::desktop()};
+  network.sim.host_jitter = hosts[random.next() % hosts.size()];
+  auto& master = network.project.master;
+  master.cycle_time = random.next() % 2 == 0 ? kMillisecond : 2 * kMillisecond;
+  master.dc.sync_window.exponent = static_cast<std::uint8_t>(7 + random.next() % 3);
+  master.dc.continuous_propagation_compensation = random.next() % 3 == 0;
+  if (random.next() % 3 == 0) master.dc.dcm.set_value = master.cycle_time / 2;
+}
+
+void draw_slaves(test::SimulatedNetwork& network, Random& random) {
+  for (std::size_t i = 0; i < network.sim.slaves.size(); ++i) {
+    auto& slave = network.sim.slaves[i];
+    slave.asymmetry_ns = random.uniform(-20, 20);
+    slave.dc.latch_noise_ns = random.uniform(0, 12);
+    slave.oscillator.wander_ppm = random.uniform(0, 0.05);
+    slave.dc.is_64bit = i == 0 || random.next() % 3 > 0;
+    if (i >= kLine && random.next() % 4 == 0) network.project.slaves[i].dc.sync0.cycle_factor = 2;
+    if (i < kLine - 1 || random.next() % 3 > 0) continue;
+    slave.dc.system_time = slave.behaviour != "generic";
+    network.project.slaves[i].dc.op_mode.clear();
+  }
+}
+
+/// The first servo leads, behind a terminal that has no clock, or one that is not led.
+std::size_t draw_reference(test::SimulatedNetwork& network, Random& random) {
+  switch (random.next() % 4) {
+    case 0:
+      network.sim.slaves[0].dc.system_time = false;
+      network.project.slaves[0].dc.op_mode.clear();
+      break;
+    case 1:
+      network.project.master.dc.reference_clock = 1;
+      break;
+    default:
+      return 0;
+  }
+  network.sim.slaves[1].dc.is_64bit = true;
+  return 1;
+}
+
+/// Terminals of the branch that run by themselves are exchanged less often than the drives.
+void draw_task(test::SimulatedNetwork& network, Random& random) {
+  if (random.next() % 3 > 0) return;
+  auto& project = network.project;
+  project.master.tasks.push_back({.name = "slow", .multiple = 2 + static_cast<std::uint32_t>(random.next() % 3)});
+  project.master.sync_units.push_back({.name = "slow", .task = "slow"});
+  for (std::size_t i = kLine; i < project.slaves.size(); ++i) {
+    auto& slave = project.slaves[i];
+    if (slave.dc.op_mode.empty() && network.sim.slaves[i].behaviour == "generic")
+      slave.output_unit = slave.input_unit = "slow";
+  }
+}
+
+/// The branch may be unplugged.
+void draw_group(test::SimulatedNetwork& network, Random& random) {
+  if (random.next() % 3 > 0 || network.sim.slaves.size() <= kLine) return;
+  auto& slave = network.project.slaves[kLine];
+  slave.hot_connect = "branch";
+  slave.alias = kGroupAlias;
+  network.sim.slaves[kLine].alias = kGroupAlias;
+}
+
+void draw_modes(SoakMachine& machine, Random& random) {
+  constexpr std::array kBeside{DcmMode::kMasterShift, DcmMode::kLinkLayerRefClock};
+  machine.modes[1] = kBeside[random.next() % kBeside.size()];
+}
+
+void draw_machine(SoakMachine& machine, Random& random) {
+  auto& network = machine.network;
+  add_branch(network, random);
+  draw_master(network, random);
+  draw_slaves(network, random);
+  machine.reference = draw_reference(network, random);
+  draw_task(network, random);
+  draw_group(network, random);
+  draw_modes(machine, random);
+}
+
+bool has_sync0(const SoakMachine& machine, int slave) {
+  return !machine.network.project.slaves[static_cast<std::size_t>(slave)].dc.op_mode.empty();
+}
+
+bool follows(const SoakMachine& machine, int slave) {
+  return slave > static_cast<int>(machine.reference) && has_sync0(machine, slave);
+}
+
+}  // namespace
+
+SoakMachine soak_machine(Random& random, bool drawn) {
+  SoakMachine machine;
+  auto& network = machine.network;
+  network.sim.host_jitter.wake_up = JitterProfile::quiet().wake_up;
+  add_line(network);
+  if (drawn) draw_machine(machine, random);
+  for (auto& slave : network.sim.slaves) {
+    slave.oscillator.ppm = random.uniform(-45, 45);
+    slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
+    slave.cable_m = random.uniform(0.5, 60);
+  }
+  network.project.master.dc.sync_window.enabled = true;
+  return machine;
+}
+
+std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind) {
+  if (kind.of_reference) return {static_cast<int>(machine.reference)};
+  const auto& slaves = machine.network.sim.slaves;
+  auto all = kind.victims;
+  // What concerns another port than the one to the master asks for somebody there.
+  for (std::size_t i = kLine; kind.port == 0 && i < slaves.size(); ++i) {
+    const bool is_like_one = std::ranges::any_of(kind.victims, [&](int victim) {
+      return slaves[static_cast<std::size_t>(victim)].behaviour == slaves[i].behaviour;
+    });
+    if (is_like_one) all.push_back(static_cast<int>(i));
+  }
+  std::erase_if(all, [&](int slave) {
+    return (kind.of_clock && !follows(machine, slave)) || (kind.with_sync0 && !has_sync0(machine, slave));
+  });
+  return all;
+}
+
+std::string text_of(const SoakMachine& machine) {
+  const auto& network = machine.network;
+  const auto& master = network.project.master;
+  const auto& jitter = network.sim.host_jitter;
+  auto text = fmt::format(
+      "{} slaves, slave {} leads{}, {} and {}, {} ms, window of {} ns, {} computer as host", network.sim.slaves.size(),
+      machine.reference, master.dc.reference_clock ? " (one with a clock is in front of it)" : "",
+      dcm_mode_name(machine.modes[0]), dcm_mode_name(machine.modes[1]), master.cycle_time / kMillisecond,
+      (1U << master.dc.sync_window.exponent) - 1, jitter == JitterProfile::desktop() ? "a desktop" : "a quiet");
+  if (jitter.stamp_error.empty()) text += " with exact stamps";
+  if (!master.tasks.empty()) text += fmt::format(", a task every {} cycles", master.tasks.front().multiple);
+  if (network.sim.slaves.size() > kLine && !network.project.slaves[kLine].hot_connect.empty())
+    text += ", the branch may be unplugged";
+  return text;
+}
+
+}  // namespace syncline::bench

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bench/soak_fault_kinds.h"
+#include "support/random.h"
+#include "tests/support/simulated_network.h"
+
+namespace syncline::bench {
+
+/// What faults are thrown at.
+struct SoakMachine {
+  test::SimulatedNetwork network;
+  std::array<DcmMode, 2> modes{DcmMode::kBusShift, DcmMode::kMasterShift};  // one segment after the other
+  std::size_t reference = 0;                                                // who leads
+};
+
+/// A terminal, two servos, a drive, a gateway and a terminal in a line. `drawn`: with what `random` adds: a branch, a
+/// task, a hot-connect group, and all that faults must be told on all the same.
+[[nodiscard]] SoakMachine soak_machine(Random& random, bool drawn);
+
+/// Whom a fault of this kind can hit: those that the kind names, and those behind the line that are like them.
+[[nodiscard]] std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind);
+
+/// "14 slaves, slave 1 leads, ..."
+[[nodiscard]] std::string text_of(const SoakMachine& machine);
+
+}  // namespace syncline::bench
