@@ -28,6 +28,7 @@ DcmMonitor::DcmMonitor(const DcmSettings& settings, Nanoseconds cycle_time, Nano
 void DcmMonitor::start(Nanoseconds time) {
   judge_.start(time);
   drift_.start();
+  own_drift_.reset();
   steps_.start();
   bus_cycle_.start();
   start_ = time;
@@ -69,18 +70,30 @@ std::uint32_t DcmMonitor::error_code() {
   // A cause comes before its consequence.
   if (!valid_set_value_) return kDcmErrorInvalidSetValue;
   if (bus_cycle_.wrong()) return kDcmErrorBusCycleWrong;
-  drift_too_high_ = drift_.proven() && std::abs(drift_.ppm()) > (drift_too_high_ ? kDriftBelowPpm : kMostDriftPpm);
+  const auto& drift = own_drift();
+  drift_too_high_ = drift.proven() && std::abs(drift.ppm()) > (drift_too_high_ ? kDriftBelowPpm : kMostDriftPpm);
   if (running_away_ || drift_too_high_) return kDcmErrorDriftTooHigh;
   // Where nothing is moved the schedule leaves its place, which is no error of the control.
   if (controls_ && judge_.was_in_sync() && !judge_.in_sync()) return kDcmErrorOutOfLimit;
   return 0;
 }
 
+void DcmMonitor::set_led_back(bool led_back) {
+  if (led_back == own_drift_.has_value()) return;
+  if (led_back) {
+    own_drift_ = drift_;
+    own_drift_->leave_gap();
+  } else {
+    drift_ = *own_drift_;
+    own_drift_.reset();
+  }
+}
+
 void DcmMonitor::report(DcmState& state) const {
   state.error = error_;
   state.error_filtered = static_cast<Nanoseconds>(std::llround(filtered_));
-  state.drift_ppm = drift_.ppm();
-  state.drift_half_width_ppm = drift_.half_width_ppm();
+  state.drift_ppm = own_drift().ppm();
+  state.drift_half_width_ppm = own_drift().half_width_ppm();
   state.in_sync = in_sync();
   state.in_sync_after = after_;
   state.clock_step = step_;

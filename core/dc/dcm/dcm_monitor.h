@@ -26,11 +26,15 @@ class DcmMonitor {
   bool observe(const DcmObservation& observation, Nanoseconds error);
   /// The reference clock moves away although it is told to come.
   void set_running_away(bool running_away) { running_away_ = running_away; }
+  /// After a step, while the clock is led back to its place: the rate at which it goes there is not its own, and the
+  /// one from before is shown.
+  void set_led_back(bool led_back);
   void report(DcmState& state) const;
 
   /// Error without the noise of single stamps (20 ms), ns.
   [[nodiscard]] double filtered() const { return filtered_; }
   [[nodiscard]] bool in_sync() const { return judge_.in_sync() && error_code_ == 0; }
+  /// As measured, also of a clock that is led back.
   [[nodiscard]] const DriftEstimator& drift() const { return drift_; }
   /// By how much the reference clock has stepped, when this cycle made it sure.
   [[nodiscard]] std::optional<Nanoseconds> step() const { return step_; }
@@ -38,12 +42,14 @@ class DcmMonitor {
  private:
   void read(const DcmObservation& observation, Nanoseconds error);
   [[nodiscard]] std::uint32_t error_code();
+  [[nodiscard]] const DriftEstimator& own_drift() const { return own_drift_ ? *own_drift_ : drift_; }
 
   Nanoseconds cycle_;
   bool valid_set_value_;
   bool controls_;
   SyncJudge judge_;
   DriftEstimator drift_;
+  std::optional<DriftEstimator> own_drift_;  // from before the step
   ClockStepDetector steps_;
   BusCycleCheck bus_cycle_;
   Nanoseconds start_ = 0, error_ = 0;

@@ -16,6 +16,11 @@ class DriftEstimator {
  public:
   explicit DriftEstimator(Nanoseconds block = 100 * kMillisecond) : block_(block) {}
   void start() { *this = DriftEstimator(block_); }
+  /// What comes next is not held against what was: neither the block that is open nor the last point.
+  void leave_gap() {
+    sample_count_ = 0;
+    has_point_ = false;
+  }
   /// Returns true when a block was completed and ppm() is new.
   bool observe(Nanoseconds host_time, Nanoseconds reference_time);
   /// Reference clock's rate minus host's; 0 until the second block is complete.

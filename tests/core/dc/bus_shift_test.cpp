@@ -186,6 +186,23 @@ TEST(BusShift, AReferenceClockThatCannotFollowIsADriftTooHigh) {
   }
 }
 
+/// It is led back as fast as its loop can, which is no rate at which it and the host drift apart.
+TEST(BusShift, TheWayBackOfAClockThatSteppedIsNoDrift) {
+  for (const double step : {-400e3, 400e3}) {
+    auto options = bus_shifted(JitterProfile::quiet(), 50);
+    options.clock_step = {8'000, step};
+    DcmPlant plant(options);
+    plant.run_until(16);
+    EXPECT_TRUE(plant.reported(kDcmErrorOutOfLimit)) << step;
+    EXPECT_FALSE(plant.reported(kDcmErrorDriftTooHigh)) << step;
+    for (const auto& cycle : plant.cycles()) {
+      if (cycle.time < 4) continue;
+      ASSERT_LT(std::abs(cycle.state.drift_ppm), 5) << step << " at " << cycle.time;
+    }
+    EXPECT_TRUE(plant.last().state.in_sync) << step;
+  }
+}
+
 /// A controller in sync whose reference clock runs with the host, at host time `now`; the clock shows `shown`.
 struct Settled {
   static constexpr Nanoseconds kLate = 40'000;
