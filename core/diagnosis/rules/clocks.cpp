@@ -164,6 +164,13 @@ bool came_back(const RunReport& report, const RunHistory::SyncLoss& loss) {
                         : was_away(slaves[static_cast<std::size_t>(loss.slave)]);
 }
 
+/// Who leads was away: told as its absence, with all that there was to synchronise with.
+bool leader_was_away(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  const auto leader = static_cast<std::size_t>(report.dc.reference_clock);  // of none: beyond all
+  const auto& slaves = report.history.slaves;
+  return loss.back && leader < slaves.size() && slaves[leader].absences.near({loss.time, loss.time, 0, 0}, kSecond);
+}
+
 /// Without the adapter nobody hears the time; who found it again afterwards has nothing wrong with him.
 bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) {
   return loss.back && adapter_was_away(report, {loss.time, loss.time, 0, 0});
@@ -252,7 +259,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
     const bool told = loss.back && was_written_late(report, loss.time);
     // Where nobody controls, the schedule leaves its place as a matter of course; what steps is told all the same.
     const bool wanders = !is_controlled(report) && (!loss.back || loss.obstacle == dc::SyncObstacle::kControlError);
-    return !told && !wanders && !without_adapter(report, loss);
+    return !told && !wanders && !leader_was_away(report, loss) && !without_adapter(report, loss);
   });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
   if (std::abs(dcm.drift_ppm) > dc::kMostDriftPpm) {

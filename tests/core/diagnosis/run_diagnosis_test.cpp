@@ -197,6 +197,22 @@ TEST(RunDiagnosis, ALaterSync0IsNoHelpAgainstFramesThatSlideThroughIt) {
   EXPECT_THAT(describe(diagnose(report)[1]), Not(HasSubstr("a shift of")));
 }
 
+/// The absence is told; that nobody could be in sync with who is not there follows from it.
+TEST(RunDiagnosis, WhileWhoLeadsIsAwayThereIsNothingToBeOutOfSyncWith) {
+  auto report = healthy();
+  const auto leader = static_cast<std::size_t>(report.dc.reference_clock);
+  report.history.master_losses.push_back(
+      {kStart + 4 * kSecond, -1, 0, dc::SyncObstacle::kNoReferenceClock, kStart + 8 * kSecond});
+  EXPECT_THAT(codes(report), Contains(code::kMasterLostLock));
+  report.history.slaves[leader].absences.note(kStart + 6 * kSecond, 1, 0, kStart + 3990 * kMillisecond);
+  EXPECT_THAT(codes(report), Not(Contains(code::kMasterLostLock)));
+  report.history.master_losses.front().time -= 2 * kSecond;
+  EXPECT_THAT(codes(report), Contains(code::kMasterLostLock)) << "before it went";
+  report.history.master_losses.front() = {kStart + 4 * kSecond, -1, 0, dc::SyncObstacle::kNoReferenceClock, {}};
+  report.dcm.state = SyncState::kOutOfSync;
+  EXPECT_THAT(codes(report), Contains(code::kMasterNotLocked)) << "it has not found back";
+}
+
 TEST(RunDiagnosis, AStateThatNobodyHasReadIsNoState) {
   auto report = healthy();
   report.slaves[1].al_status = 0;
