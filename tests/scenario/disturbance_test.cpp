@@ -247,6 +247,29 @@ TEST_F(Disturbance, AHotConnectGroupComesAndGoesWithoutAnError) {
   EXPECT_EQ(snapshot.slaves[0].al_status, 8) << log();
 }
 
+/// Its members lose their power, and their station addresses with it, one after the other.
+TEST_F(Disturbance, AMemberOfAHotConnectGroupComesBackWhileItsHeadIsThere) {
+  network.add(test::io8());
+  const std::size_t head = 2, members = 3;
+  network.project.slaves[head].alias = 77;
+  network.project.slaves[head].hot_connect = "Trolley";
+  network.sim.slaves[head].alias = 77;
+  for (std::size_t n = 0; n < members; ++n) {
+    const auto begin = static_cast<Nanoseconds>(10 * (n + 1)) * kSecond;
+    fault(FaultKind::kSlaveOff, static_cast<int>(head + n), begin, begin + 2 * kSecond);
+  }
+  go_online();
+  for (std::size_t n = 0; n < members; ++n) {
+    run_until(static_cast<Nanoseconds>(10 * (n + 1) + 1) * kSecond);
+    EXPECT_FALSE(snapshot.slaves[head + n].present) << n;
+    EXPECT_FALSE(snapshot.slaves[head + members - 1].present) << "whoever hangs behind it " << n;
+    run_until(static_cast<Nanoseconds>(10 * (n + 1) + 8) * kSecond);
+    for (const auto& slave : snapshot.slaves) EXPECT_EQ(slave.al_status, 8) << log();
+  }
+  EXPECT_EQ(count(kind_of<events::UnknownSlave>), 0U) << log();
+  EXPECT_EQ(samples.back().wkc_received, samples.back().wkc_expected) << log();
+}
+
 /// The group is plugged in behind another slave than the one behind which it was configured.
 TEST_F(Disturbance, AHotConnectGroupIsKnownByItsAliasWhereverItStands) {
   const auto head = network.project.slaves.size() - 1;

@@ -199,30 +199,54 @@ void Recovery::place(std::size_t slave, std::uint16_t position, SlaveList& found
   if (!tracks_[slave].given_up) found.push_back(slave);
 }
 
-/// Hot-connect groups, wherever they were connected. What belongs to one is marked as identified.
+/// Hot-connect groups, wherever they were connected: a head is known by what it is asked for, the others stand behind
+/// it, in their order. What belongs to one is marked as identified.
 void Recovery::match_groups(std::vector<FoundDevice>& devices, SlaveList& found) {
   const auto& config = run_.config();
-  const auto open = [&](std::size_t at, std::size_t slave) {
-    return at < devices.size() && !known_by(devices[at].station_address) &&
-           is_same_device(wanted_device(config, slave), devices[at]);
-  };
   for (std::size_t head = 0; head < config.slaves.size(); ++head) {
     const auto& group = config.slaves[head].hot_connect;
-    if (!group || run_.snapshot.slaves[head].present) continue;
-    const auto alias = group->alias();
-    std::size_t at = 0;
-    const auto is_head = [&] {
-      if (alias) return devices[at].alias == *alias && open(at, head);
-      return devices[at].identified_as == head;
-    };
-    while (at < devices.size() && !is_head()) ++at;
-    if (at == devices.size()) continue;
+    if (!group) continue;
+    auto at = find_head(devices, head);
+    bool is_gap = false;
     const auto members = std::min<std::size_t>(group->member_count, config.slaves.size() - head);
-    for (std::size_t n = 0; n < members && open(at + n, head + n); ++n) {
-      devices[at + n].identified_as = static_cast<std::uint16_t>(head + n);
-      place(head + n, static_cast<std::uint16_t>(at + n), found);
+    for (std::size_t slave = head; at && slave < head + members; ++slave) {
+      if (run_.snapshot.slaves[slave].present) {
+        at = place_of(devices, slave).value_or(*at) + 1;
+        is_gap = false;
+      } else if (!is_gap && is_new(devices, *at, slave) && devices[*at].identified_as.value_or(slave) == slave) {
+        devices[*at].identified_as = static_cast<std::uint16_t>(slave);
+        place(slave, static_cast<std::uint16_t>(*at), found);
+        ++*at;
+      } else {
+        is_gap = true;  // who hangs behind one that is missing is missing, too
+      }
     }
   }
+}
+
+/// Place of a group's head, whether it was there all the time or came just now.
+std::optional<std::size_t> Recovery::find_head(std::span<const FoundDevice> devices, std::size_t head) const {
+  if (run_.snapshot.slaves[head].present) return place_of(devices, head);
+  const auto alias = run_.config().slaves[head].hot_connect->alias();
+  for (std::size_t at = 0; at < devices.size(); ++at) {
+    const bool is_head = alias ? devices[at].alias == *alias && is_new(devices, at, head)  //
+                               : devices[at].identified_as == head;
+    if (is_head) return at;
+  }
+  return std::nullopt;
+}
+
+/// Nobody knows the device at this place, and it may be this slave.
+bool Recovery::is_new(std::span<const FoundDevice> devices, std::size_t at, std::size_t slave) const {
+  return at < devices.size() && !known_by(devices[at].station_address) &&
+         is_same_device(wanted_device(run_.config(), slave), devices[at]);
+}
+
+std::optional<std::size_t> Recovery::place_of(std::span<const FoundDevice> devices, std::size_t slave) const {
+  const auto station = run_.config().slaves[slave].station_address;
+  const auto device = std::ranges::find(devices, station, &FoundDevice::station_address);
+  if (device == devices.end()) return std::nullopt;
+  return static_cast<std::size_t>(device - devices.begin());
 }
 
 /// The slave that is there and has this station address.

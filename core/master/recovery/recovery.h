@@ -50,6 +50,9 @@ class Recovery {
   Status work(bool on_command, AlState target);
   Status locate(SlaveList& found);
   void match_groups(std::vector<FoundDevice>& devices, SlaveList& found);
+  [[nodiscard]] std::optional<std::size_t> find_head(std::span<const FoundDevice> devices, std::size_t head) const;
+  [[nodiscard]] bool is_new(std::span<const FoundDevice> devices, std::size_t at, std::size_t slave) const;
+  [[nodiscard]] std::optional<std::size_t> place_of(std::span<const FoundDevice> devices, std::size_t slave) const;
   void place(std::size_t slave, std::uint16_t position, SlaveList& found);
   [[nodiscard]] bool comes_back(std::size_t slave) const;
   [[nodiscard]] std::optional<std::size_t> known_by(std::uint16_t station) const;
