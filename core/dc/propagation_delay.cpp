@@ -32,6 +32,12 @@ bool passes_processing_unit(unsigned from, unsigned to) {
   return false;
 }
 
+std::uint8_t first_timed_port(const DelayNode& node) {
+  auto ports = node.active;
+  for (unsigned port = 0; port < ports.size(); ++port) ports[port] = ports[port] && !node.untimed[port];
+  return static_cast<std::uint8_t>(first_port(ports, node.receive_time).value_or(0));
+}
+
 /// Active ports in the order in which the frame reaches them, the entry first.
 std::vector<unsigned> ports_in_frame_order(const DelayNode& node, unsigned entry) {
   std::vector<unsigned> ports{entry};
@@ -48,9 +54,7 @@ class Measurement {
     arrival_.resize(nodes.size());
     result_.entry_port.resize(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      result_.entry_port[i] =
-          has_times(i) ? static_cast<std::uint8_t>(first_port(nodes[i].active, nodes[i].receive_time).value_or(0))
-                       : nodes[i].entry_port & 3U;
+      result_.entry_port[i] = has_times(i) ? first_timed_port(nodes[i]) : nodes[i].entry_port & 3U;
       if (result_.entry_port[i] != 0) report(i, DelayWarning::kReversedCable, result_.entry_port[i]);
       ports_.push_back(ports_in_frame_order(nodes[i], result_.entry_port[i]));
     }
@@ -108,6 +112,25 @@ class Measurement {
   [[nodiscard]] std::int64_t span(std::size_t i, unsigned later, unsigned earlier) const {
     return difference(nodes_[i].receive_time[later], nodes_[i].receive_time[earlier]);
   }
+  /// For how long the frame was in a slave and behind it.
+  [[nodiscard]] std::int64_t inside(std::size_t i) const { return span(i, ports_[i].back(), ports_[i].front()); }
+
+  /// When the frame was back at the port at `place` of a slave's, from its entry. Where no time says it the cables are
+  /// left out, a few hundred ns.
+  [[nodiscard]] std::int64_t back_at(std::size_t i, std::size_t place) const {
+    std::int64_t back = 0;
+    for (std::size_t k = 1; k <= place; ++k) {
+      const auto port = ports_[i][k];
+      if (!nodes_[i].untimed[port]) {
+        back = span(i, port, ports_[i].front());
+        continue;
+      }
+      for (auto child = i + 1; child < nodes_.size(); ++child) {
+        if (nodes_[child].parent == i && branch_port(i, child) == port && has_times(child)) back += inside(child);
+      }
+    }
+    return back;
+  }
 
   /// Port of `parent` that leads to `child`: the children in frame order hang on the ports in frame order.
   [[nodiscard]] unsigned branch_port(std::size_t parent, std::size_t child) const {
@@ -145,17 +168,16 @@ class Measurement {
     const unsigned previous = *(place - 1);
 
     const auto round_trip = span(a, port, previous);
-    const auto before = span(a, previous, ports.front());
+    const auto before = back_at(a, static_cast<std::size_t>(place - ports.begin()) - 1);
     const unsigned entry = ports_[i].front();
     const unsigned last = ports_[i].back();
-    const auto inside = span(i, last, entry);
     if (passes_processing_unit(previous, port)) correction += t_diff(branch);
     if (passes_processing_unit(last, entry)) correction -= t_diff(i);
-    auto hop = (round_trip - inside + correction) / 2;
+    auto hop = (round_trip - inside(i) + correction) / 2;
     if (hop < 0) {
       report(i, DelayWarning::kNegativeHop, hop);
       hop = 0;
-    } else if (hop > kMaxHopNs) {
+    } else if (hop > kMaxHopNs || nodes_[a].untimed[port] || nodes_[a].untimed[previous] || nodes_[i].untimed[last]) {
       report(i, DelayWarning::kImplausibleHop, hop);
       hop = 0;  // a few hundred ns wrong at most, where what was measured is wrong by all of it
     }

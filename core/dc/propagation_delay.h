@@ -17,7 +17,8 @@ enum class DcKind : std::uint8_t { kNone, kReceiveTimesOnly, kFull };
 struct DelayNode {
   DcKind kind = DcKind::kNone;
   std::array<bool, 4> active{};                  // open and communicating ports
-  std::array<std::uint32_t, 4> receive_time{};   // 0x0900.., meaningless on inactive ports
+  std::array<std::uint32_t, 4> receive_time{};   // 0x0900.., meaningless on inactive ports,
+  std::array<bool, 4> untimed{};                 // and on these
   std::optional<std::uint32_t> processing_time;  // low half of 0x0918 of the same latch, where there is one
   std::optional<std::uint16_t> parent;           // position of the predecessor in the tree
   std::uint8_t parent_port = 1;                  // port of the parent that leads here

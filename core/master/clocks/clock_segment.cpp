@@ -95,14 +95,17 @@ Result<ClockSegment> read_clock_segment(Bus& bus, std::span<const SlaveAddress> 
   return segment;
 }
 
-dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<const DlStatus> dl_status, bool whole,
-                               const dc::DelayOptions& options) {
+std::vector<SlaveWiring> segment_wiring(std::span<const dc::DelayNode> nodes, std::span<const DlStatus> dl_status) {
   std::vector<PortReport> reports;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     reports.push_back({dl_status[i], {}});
     if (nodes[i].kind != dc::DcKind::kNone) reports.back().receive_times = nodes[i].receive_time;
   }
-  const auto wiring = find_wiring(reports);
+  return find_wiring(reports);
+}
+
+dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<const SlaveWiring> wiring, bool whole,
+                               const dc::DelayOptions& options) {
   const auto order = tree_order(wiring, nodes);
   std::vector<std::uint16_t> place(nodes.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::uint16_t>(k);
@@ -118,6 +121,8 @@ dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<c
       node.active[port] = false;
       unexplained.push_back({position, dc::DelayWarning::kUnexplainedPort, static_cast<std::int64_t>(port)});
     }
+    for (unsigned port = 0; port < kPortCount; ++port)
+      node.untimed[port] = ((wiring[position].untimed_ports >> port) & 1U) != 0;
     node.entry_port = wiring[position].entry_port;
     if (const auto& previous = wiring[position].previous) {
       node.parent = place[previous->position];

@@ -107,7 +107,9 @@ Result<DelaySurvey> survey_delays(Bus& bus, std::span<const SlaveAddress> slaves
   if (latch.rounds() == 0) return fail(ErrorCode::kNoResponse, "receive times");
   survey.rounds = rounds == 0 ? 0 : latch.rounds();
   survey.segment.nodes = latch.nodes();
-  survey.result = segment_delays(survey.segment.nodes, survey.segment.dl_status, survey.segment.whole, options);
+  auto& wiring = survey.segment.wiring;
+  wiring = segment_wiring(survey.segment.nodes, survey.segment.dl_status);
+  survey.result = segment_delays(survey.segment.nodes, wiring, survey.segment.whole, options);
   return survey;
 }
 

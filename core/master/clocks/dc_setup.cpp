@@ -136,7 +136,8 @@ Status DcSetup::measure() {
     if (auto counted = latch_round(latch); !counted) return tl::unexpected(counted.error());
   }
   if (latch.rounds() == 0) return fail(ErrorCode::kDcSetup, "master", because("no answer to the receive time latch"));
-  auto delays = segment_delays(latch.nodes(), segment_.dl_status, segment_.whole, delay_options(config_.dc));
+  segment_.wiring = segment_wiring(latch.nodes(), segment_.dl_status);
+  auto delays = segment_delays(latch.nodes(), segment_.wiring, segment_.whole, delay_options(config_.dc));
   network_.findings = std::move(delays.findings);
   const auto origin = delays.delay_ns[network_.reference_clock].value_or(0);
   for (std::size_t i = 0; i < slaves_.size(); ++i) {

@@ -28,7 +28,7 @@ constexpr unsigned kMostFailedRounds = 5;
 void DelayCompensation::use(std::vector<std::size_t> slaves, const ClockSegment& segment, std::uint16_t leader) {
   const auto& config = config_;
   slaves_ = std::move(slaves);
-  dl_status_ = segment.dl_status;
+  wiring_ = segment.wiring;
   whole_ = segment.whole;
   reference_clock_ = leader;
   std::vector<SlaveAddress> addresses;
@@ -128,7 +128,7 @@ void DelayCompensation::take_round(Nanoseconds now) {
 void DelayCompensation::finish(Nanoseconds now) {
   step_ = Step::kWait;
   next_measurement_ = now + kPeriod;
-  correct_to(segment_delays(latch_->nodes(), dl_status_, whole_, delay_options(config_.dc)), 1, kLargestChange, now);
+  correct_to(segment_delays(latch_->nodes(), wiring_, whole_, delay_options(config_.dc)), 1, kLargestChange, now);
 }
 
 void DelayCompensation::correct_to(const dc::DelayResult& delays, std::uint32_t least_step,

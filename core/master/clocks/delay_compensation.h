@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "master/clocks/delay_latch.h"
-#include "protocol/dl_status.h"
+#include "master/scan/topology.h"
 #include "protocol/sdo_information.h"
 
 namespace syncline {
@@ -94,8 +94,8 @@ class DelayCompensation {
   Step step_ = Step::kWait;
   std::unique_ptr<DelayLatch> latch_;
   std::vector<std::size_t> slaves_;  // positions in the configuration
-  std::vector<DlStatus> dl_status_;
-  bool whole_ = false;  // ClockSegment::whole, then
+  std::vector<SlaveWiring> wiring_;  // ClockSegment::wiring
+  bool whole_ = false;               // ClockSegment::whole, then
   std::uint16_t reference_clock_ = 0;
   std::vector<Correction> corrections_;  // one a measured slave
   std::vector<Datagram*> requests_;

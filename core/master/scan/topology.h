@@ -27,6 +27,8 @@ struct SlaveWiring {
   bool root = false;                     // connected to the master
   /// Active ports behind which no slave was found, one bit a port.
   std::uint8_t unexplained_ports = 0;
+  /// Active ports whose receive times cannot be, one bit a port; who hangs there is known all the same.
+  std::uint8_t untimed_ports = 0;
 };
 
 /// The port through which frames from the master arrive: the open one with the earliest receive time
@@ -34,8 +36,8 @@ struct SlaveWiring {
 [[nodiscard]] std::uint8_t entry_port(const PortReport& slave);
 
 /// The whole tree, for slaves in the order in which frames pass their processing units: frames leave a slave by its
-/// open ports in the order 3, 1, 2. No predecessor where the open ports do not explain the position; a first receive
-/// time that would leave an open port without the slaves that must come before it is of a foreign frame. A slave that
+/// open ports in the order 3, 1, 2. No predecessor where the open ports do not explain the position; a receive
+/// time that contradicts the others is of a foreign frame, or means nothing. A slave that
 /// is connected by another port than 0 forwards before it processes, so slaves behind its ports between the entry and
 /// port 0 come before it. Where the order does not fit, the entries of slaves without receive times are taken as what
 /// explains most. Pure.

@@ -35,7 +35,7 @@ TEST(SegmentDelays, SlaveConnectedByItsPort1HasItsTrueDelayAndAWarning) {
   // Frame: A in 0, out 300, B in 400 (port 1), out 660, C in 860, out 1160, B in 1360 (port 0), out 1660, A in 1760.
   const std::vector nodes{node(status[0], {{0, 5'000}, {1, 6'760}}), node(status[1], {{0, 77}}),
                           node(status[2], {{1, 400}, {0, 1'360}})};
-  const auto result = segment_delays(nodes, status, false, {});
+  const auto result = segment_delays(nodes, segment_wiring(nodes, status), false, {});
   ASSERT_TRUE(result.delay_ns[1] && result.delay_ns[2]);
   EXPECT_EQ(*result.delay_ns[2], 1'360U);
   EXPECT_EQ(*result.delay_ns[1], 860U);
@@ -46,7 +46,7 @@ TEST(SegmentDelays, ClosedRingIsLeftOutWithAWarning) {
   // The last slave's port 1 leads to another port of the master: it latches nothing there.
   const std::vector status{open_ports({0, 1}), open_ports({0, 1})};
   const std::vector nodes{node(status[0], {{0, 1'000}, {1, 2'440}}), node(status[1], {{0, 9'000}})};
-  const auto result = segment_delays(nodes, status, false, {});
+  const auto result = segment_delays(nodes, segment_wiring(nodes, status), false, {});
   ASSERT_TRUE(result.delay_ns[1]);
   EXPECT_EQ(*result.delay_ns[1], 720U);
   EXPECT_TRUE(has(result, dc::DelayWarning::kUnexplainedPort, 1));
@@ -56,7 +56,7 @@ TEST(SegmentDelays, SlavesThatNobodyAskedAboutAreNoRing) {
   // The frame came back at port 1 after 800 ns: something hangs there.
   const std::vector status{open_ports({0, 1}), open_ports({0, 1})};
   const std::vector nodes{node(status[0], {{0, 1'000}, {1, 3'240}}), node(status[1], {{0, 9'000}, {1, 9'800}})};
-  const auto result = segment_delays(nodes, status, false, {.t_diff_ns = 0});
+  const auto result = segment_delays(nodes, segment_wiring(nodes, status), false, {.t_diff_ns = 0});
   ASSERT_TRUE(result.delay_ns[1]);
   EXPECT_EQ(*result.delay_ns[1], 720U);
   EXPECT_TRUE(result.findings.empty());
@@ -69,7 +69,7 @@ TEST(SegmentDelays, TheTimeOfAClosedRingIsNoTimeOfOurFrame) {
   for (const std::int32_t after : {-400, 300, 5'000}) {
     const auto ring = static_cast<std::uint32_t>(9'000 + after);
     const std::vector nodes{node(status[0], {{0, 1'000}, {1, 2'440}}), node(status[1], {{0, 9'000}, {1, ring}})};
-    const auto result = segment_delays(nodes, status, true, {.t_diff_ns = 0});
+    const auto result = segment_delays(nodes, segment_wiring(nodes, status), true, {.t_diff_ns = 0});
     ASSERT_TRUE(result.delay_ns[1]);
     EXPECT_EQ(*result.delay_ns[1], 720U) << after;
     EXPECT_EQ(result.entry_port[1], 0) << after;

@@ -2,6 +2,7 @@
 // Start times of SYNC signals: who says them, and whether they will come.
 #include "master/clocks/dc_start.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,8 +83,10 @@ TEST(DcStart, CallbackIsAskedForEverySlaveAndItsTimeIsPassedOnWithTheShiftOnly) 
   EXPECT_EQ(system_phase(2), 223'450U);
 }
 
-TEST(DcStart, StartTimeThatHasPassedIsFoundByReadingBack) {
-  test::ClockBed bed(line(3));
+void find_passed_start_times(bool wide) {
+  auto network = line(3);
+  for (auto& slave : network.sim.slaves) slave.dc.is_64bit = wide;
+  test::ClockBed bed(network);
   ASSERT_TRUE(bed.set_up());
   const auto activate = [&](std::size_t slave, std::uint64_t start) {
     const auto station = bed.config().slaves[slave].station_address;
@@ -91,7 +94,8 @@ TEST(DcStart, StartTimeThatHasPassedIsFoundByReadingBack) {
     ASSERT_TRUE(bed.access().write(Command::kFpwr, station, reg::kStartTimeCyclicOperation, start));
     ASSERT_TRUE(bed.access().write(Command::kFpwr, station, reg::kCyclicUnitControl, std::uint16_t{0x0300}));
   };
-  activate(0, static_cast<std::uint64_t>(bed.clock.now() + 5 * kMillisecond));
+  const auto start = bed.clock.now() + 5 * kMillisecond;
+  activate(0, static_cast<std::uint64_t>(start));
   activate(1, static_cast<std::uint64_t>(bed.clock.now() - 5 * kMillisecond));
   const std::array<std::size_t, 3> all{0, 1, 2};
   const auto readings = read_dc_start(bed.access(), bed.config(), all);
@@ -99,13 +103,21 @@ TEST(DcStart, StartTimeThatHasPassedIsFoundByReadingBack) {
   ASSERT_EQ(readings->size(), 3U);
   EXPECT_FALSE((*readings)[0].error);
   ASSERT_TRUE((*readings)[0].next);
-  EXPECT_GT(*(*readings)[0].next, bed.clock.now());
+  constexpr Nanoseconds kLowWord = 0xFFFF'FFFF;
+  EXPECT_EQ(*(*readings)[0].next & kLowWord, start & kLowWord);
   ASSERT_TRUE((*readings)[1].error);
   EXPECT_NE((*readings)[1].error->subject.find("slave 1"), std::string::npos);
-  EXPECT_NE((*readings)[1].error->detail.text().find("will never come"), std::string::npos);
+  EXPECT_THAT((*readings)[1].error->detail.text(), testing::ContainsRegex("will never come.*by [567]...... ns"));
   ASSERT_TRUE((*readings)[2].error) << "nobody activated it";
   EXPECT_NE((*readings)[2].error->subject.find("slave 2"), std::string::npos);
   EXPECT_NE((*readings)[2].error->detail.text().find("not active"), std::string::npos);
+}
+
+TEST(DcStart, StartTimeThatHasPassedIsFoundByReadingBack) {
+  for (const bool wide : {true, false}) {
+    SCOPED_TRACE(wide);
+    find_passed_start_times(wide);
+  }
 }
 
 TEST(DcStart, Sync0IsOffItsGridByWhatTheSlaveTookOtherwise) {
