@@ -19,6 +19,7 @@ inline constexpr std::string_view kSlaveLeftUnasked = "slave-left-unasked";
 inline constexpr std::string_view kSlaveRefused = "slave-refused-state";
 inline constexpr std::string_view kSlaveFellByItself = "slave-fell-by-itself";
 inline constexpr std::string_view kSlaveFellByHang = "slave-fell-by-hang";
+inline constexpr std::string_view kSlaveFellByMovedClock = "slave-fell-by-moved-clock";
 inline constexpr std::string_view kSlaveBehind = "slave-behind";
 inline constexpr std::string_view kNotMonitored = "not-monitored";
 inline constexpr std::string_view kNothingToMonitor = "nothing-to-monitor";

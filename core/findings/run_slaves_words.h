@@ -96,6 +96,15 @@ inline constexpr FindingWords kRunSlaves[] = {
      {{"",
        "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its firmware had stood still, its PDI "
        "watchdog expired at {stopped} (0x0443), and its SYNC0 went on without it."}}},
+    {"slave-fell-by-moved-clock",
+     Severity::kError,
+     "A slave has left OP because a clock had moved",
+     "",
+     "Mend the clock; neither the slave's firmware nor its shift is the reason.",
+     "",
+     {{"",
+       "{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its SYNC0 had not come where its "
+       "outputs are meant for, {why}."}}},
     {"slave-had-fallen",
      Severity::kWarning,
      "A slave had left OP with an error",

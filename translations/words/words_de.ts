@@ -581,6 +581,10 @@
         <translation>Ein Slave hat OP nach verpassten SM2-Ereignissen verlassen</translation>
     </message>
     <message>
+        <source>A slave has left OP because a clock had moved</source>
+        <translation>Ein Slave hat OP verlassen, weil sich eine Uhr verstellt hatte</translation>
+    </message>
+    <message>
         <source>A slave has left OP because frames came too late</source>
         <translation>Ein Slave hat OP verlassen, weil Frames zu spät kamen</translation>
     </message>
@@ -2307,6 +2311,10 @@
     <message>
         <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its firmware had stood still, its PDI watchdog expired at {stopped} (0x0443), and its SYNC0 went on without it.</source>
         <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: seine Firmware hatte stillgestanden, ihr PDI-Watchdog lief bei {stopped} ab (0x0443), und sein SYNC0 lief ohne sie weiter.</translation>
+    </message>
+    <message>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its SYNC0 had not come where its outputs are meant for, {why}.</source>
+        <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: sein SYNC0 war nicht dort gekommen, wofür seine Ausgänge bestimmt sind, {why}.</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

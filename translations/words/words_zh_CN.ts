@@ -581,6 +581,10 @@
         <translation>从站因错过 SM2 事件而退出 OP</translation>
     </message>
     <message>
+        <source>A slave has left OP because a clock had moved</source>
+        <translation>从站因某个时钟发生了移动而退出 OP</translation>
+    </message>
+    <message>
         <source>A slave has left OP because frames came too late</source>
         <translation>从站因帧到达过晚而退出 OP</translation>
     </message>
@@ -2307,6 +2311,10 @@
     <message>
         <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its firmware had stood still, its PDI watchdog expired at {stopped} (0x0443), and its SYNC0 went on without it.</source>
         <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}：其固件曾停止运行，PDI 看门狗在 {stopped} 到期 (0x0443)，而其 SYNC0 仍在继续。</translation>
+    </message>
+    <message>
+        <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its SYNC0 had not come where its outputs are meant for, {why}.</source>
+        <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}：其 SYNC0 未在其输出所对应的位置到来，{why}。</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>

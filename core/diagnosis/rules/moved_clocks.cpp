@@ -75,9 +75,12 @@ std::optional<MovedSync0> sync0_had_moved(const RunReport& report, const RunRepo
   return moved;
 }
 
-bool sync0_had_moved_at(const RunReport& report, const RunReport::Slave& slave, Nanoseconds moment) {
-  return std::ranges::any_of(times_away(report, slave),
-                             [moment](const Away& time) { return moment >= time.from && moment <= time.to; });
+std::optional<std::string_view> sync0_had_moved_at(const RunReport& report, const RunReport::Slave& slave,
+                                                   Nanoseconds moment) {
+  for (const auto& time : times_away(report, slave)) {
+    if (moment >= time.from && moment <= time.to) return time.why;
+  }
+  return std::nullopt;
 }
 
 /// Read back when it was switched on.

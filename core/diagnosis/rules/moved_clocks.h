@@ -20,7 +20,8 @@ struct MovedSync0 {
 /// Nothing when most of them do not.
 [[nodiscard]] std::optional<MovedSync0> sync0_had_moved(const RunReport& report, const RunReport::Slave& slave,
                                                         const Spells& events);
-/// The same of one moment, host clock.
-[[nodiscard]] bool sync0_had_moved_at(const RunReport& report, const RunReport::Slave& slave, Nanoseconds moment);
+/// The same of one moment, host clock: MovedSync0::why.
+[[nodiscard]] std::optional<std::string_view> sync0_had_moved_at(const RunReport& report, const RunReport::Slave& slave,
+                                                                 Nanoseconds moment);
 
 }  // namespace syncline::diagnosis

@@ -98,10 +98,14 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     return finding;
   }
   if (slave.sm2_missed->missed == 0) {
+    if (const auto moved = fall ? sync0_had_moved_at(report, slave, fall->time) : std::nullopt) {
+      finding.code = code::kSlaveFellByMovedClock;
+      finding.figures.push_back(phrase_figure("why", *moved));
+      return finding;
+    }
     const bool in_time =
         usual_worst_lateness(report) < *slave.sync0_margin && slave.evidence.calc_and_copy_ns <= *slave.sync0_margin;
-    const bool by_itself = fall && in_time && was_locked(report) && cycles_were_good(report, fall->time) &&
-                           !sync0_had_moved_at(report, slave, fall->time);
+    const bool by_itself = fall && in_time && was_locked(report) && cycles_were_good(report, fall->time);
     if (by_itself) finding.code = code::kSlaveFellByItself;
     if (!was_locked(report)) finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "unlocked");
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));

@@ -568,6 +568,21 @@ TEST(RunDiagnosis, ADriveThatFellThoughAllWasGoodFellByItself) {
   EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
 }
 
+TEST(RunDiagnosis, ASlaveThatFellWhenAClockHadMovedIsToldAsThat) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  auto step = loss(-1, 700'000);
+  step.obstacle = dc::SyncObstacle::kClockStep;
+  step.time = kStart + 5 * kSecond - 100 * kMillisecond;
+  report.history.slave_losses.push_back(step);
+  EXPECT_THAT(codes(report), Contains(code::kSlaveFellByMovedClock));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("outputs are meant for, the reference clock has stepped. Mend"));
+  report.history.slave_losses.front().size = 300;
+  EXPECT_THAT(codes(report), Contains(code::kSlaveFellByItself)) << "its SYNC0 has more room than that";
+}
+
 TEST(RunDiagnosis, ASlaveThatFellAfterItsFirmwareHadStoodStillIsToldAsThat) {
   auto report = healthy();
   auto& history = report.history.slaves[1];
@@ -699,7 +714,7 @@ TEST(RunDiagnosis, ADriveWhoseClockJumpedDidNotFallByItself) {
   report.history.slave_losses.push_back({kStart + 4998 * kMillisecond, 2, 442'000, {}, kStart + 7 * kSecond});
   EXPECT_EQ(codes(report).front(), code::kSlaveFellByItself) << "it was another one's clock";
   report.history.slave_losses.front().slave = 1;
-  EXPECT_EQ(codes(report).front(), code::kSlaveFell);
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByMovedClock);
 }
 
 TEST(RunDiagnosis, ADriveThatFellByLateFramesNeedsALaterSync0) {
