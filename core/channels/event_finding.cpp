@@ -311,6 +311,8 @@ Finding delay_finding(int slave, dc::DelayWarning warning, std::int64_t value) {
       return of.tell("event-delay/reversed", of.subject(), std::move(port));
     case dc::DelayWarning::kUnexplainedPort:
       return of.tell("event-delay/unexplained", of.subject(), std::move(port));
+    case dc::DelayWarning::kUntimedPort:
+      return of.tell("event-delay/untimed", of.subject(), std::move(port));
     case dc::DelayWarning::kImplausibleHop:
       return of.tell("event-delay/implausible", of.subject(), std::move(delay));
     case dc::DelayWarning::kNotIncreasing:

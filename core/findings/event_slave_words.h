@@ -130,7 +130,8 @@ inline constexpr FindingWords kEventSlaves[] = {
       {"reversed",
        "{subject}: connected by port {port} instead of A: swap its cables IN and OUT; its delay is right here, but "
        "other masters take it wrong without a word"},
-      {"unexplained", "{subject}: port {port} has a link and no slave behind it: a closed ring or another master"}}},
+      {"unexplained", "{subject}: port {port} has a link and no slave behind it: a closed ring or another master"},
+      {"untimed", "{subject}: the receive time of its port {port} contradicts all others and is left out"}}},
     {"event-delays-measured",
      Severity::kNote,
      "Propagation delays were measured again",

@@ -87,6 +87,7 @@ constexpr std::string_view kPhrases[] = {
     "its own clock was out of its place",
     "its SYNC0 was started at another place",
     "no limit",
+    "what else is told of that moment",
     "one of the slaves",
     "no reference clock leads",
     "the reference clock's time does not come",

@@ -116,7 +116,10 @@ inline constexpr FindingWords kRunSlaves[] = {
        "again."},
       {"absent",
        "{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), before it "
-       "answered no more."}}},
+       "answered no more."},
+      {"cause",
+       "{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), and was led up "
+       "again; just before: {why}."}}},
     {"slave-left-unasked",
      Severity::kError,
      "A slave went down without being asked",

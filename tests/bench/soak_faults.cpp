@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// soak_faults [HOURS [FAULTS [SEED [line|drawn [loud]]]]]: one master on one simulated machine for so many virtual
-// hours (24), brought up anew for each of so many faults (200) of every kind at random times. Each must be told by its
-// kind and be seen in the plots, nothing else accused or seen there, and the memory stay what it was. The machine is a
-// line of six, or one drawn by the seed: a branch with up to twelve more, some without SYNC0 or without a clock, clocks
-// of 32 bits, another reference clock, a second task, a branch that may be unplugged, noisy latches, cables whose ways
-// differ, another cycle time, limit, mode and host. Exit code 1 when a promise is missed.
+// soak_faults [HOURS [FAULTS [SEED [line|drawn|pairs [loud]]]]]: one master on one simulated machine for so many
+// virtual hours (24), brought up anew for each of so many faults (200) of every kind at random times. Each must be told
+// by its kind and be seen in the plots, nothing else accused or seen there, and the memory stay what it was. With pairs
+// another fault comes minutes after the first, and both are told in one report. The machine is a line of six, or one
+// drawn by the seed: a branch with up to twelve more, some without SYNC0 or without a clock, clocks of 32 bits, another
+// reference clock, a second task, a branch that may be unplugged, noisy latches, cables whose ways differ, another
+// cycle time, limit, mode and host. Exit code 1 when a promise is missed.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -13,6 +14,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,22 +43,43 @@ double resident_mb() {
   return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-/// What came out of one fault.
-struct Outcome {
+struct Thrown {
+  FaultConfig fault;
+  const SoakFaultKind* kind = nullptr;
   bool told = false, shown = true;
-  std::vector<std::string> accused, strange;  // beyond what the kind brings with it: findings, signals in the plots
-  std::string log;
+
+  [[nodiscard]] bool concerns(int slave) const { return fault.slave < 0 || slave < 0 || slave == fault.slave; }
 };
+
+/// What was thrown in between two bring-ups, and what came out of it.
+struct Segment {
+  std::vector<Thrown> thrown{};
+  std::vector<std::string> accused{},
+      strange{};  // beyond what the kinds bring with them: findings, signals in the plots
+  std::string log{};
+
+  [[nodiscard]] bool kept() const {
+    return accused.empty() && strange.empty() &&
+           std::ranges::all_of(thrown, [](const Thrown& one) { return one.told && one.shown; });
+  }
+};
+
+enum class Way { kLine, kDrawn, kPairs };
+
+template <class Range, class Value>
+bool holds(const Range& range, const Value& value) {
+  return std::ranges::find(range, value) != range.end();
+}
 
 class Soak {
  public:
-  Soak(double hours, int faults, std::uint64_t seed, bool drawn)
+  Soak(double hours, int faults, std::uint64_t seed, Way way)
       : random_(seed),
-        machine_(soak_machine(random_, drawn)),
+        machine_(soak_machine(random_, way != Way::kLine)),
         length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
     begin_ = clock_.now();
     network_.sim.seed = seed;
-    for (int i = 0; i < faults; ++i) add_fault(i);
+    for (int i = 0; i < faults; ++i) add_segment(way == Way::kPairs);
     const auto host = set_up_host(clock_, network_.sim);
     auto bus = sim::SimBus::create(network_.sim, begin_);
     service_ = std::make_unique<MasterService>(
@@ -66,10 +89,12 @@ class Soak {
   int run(bool loud) {
     fmt::print("{}\n", text_of(machine_));
     double at_first = 0, most = 0;
-    const auto settled = std::min<std::size_t>(20, thrown_in_.size() / 2);
-    for (std::size_t i = 0; i < thrown_in_.size(); ++i) {
-      const auto outcome = run_segment(i);
-      judge(i, outcome, loud);
+    const auto settled = std::min<std::size_t>(20, segments_.size() / 2);
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      run_segment(i);
+      count(segments_[i]);
+      if (loud || !segments_[i].kept()) show(i);
+      segments_[i].log.clear();
       const double resident = resident_mb();
       if (i == settled) at_first = resident;
       if (i >= settled) most = std::max(most, resident);
@@ -80,16 +105,27 @@ class Soak {
  private:
   [[nodiscard]] Nanoseconds start_of(std::size_t segment) const { return static_cast<Nanoseconds>(segment) * length_; }
 
-  void add_fault(int number) {
+  void add_segment(bool pair) {
     const auto kinds = soak_fault_kinds();
-    const auto& kind = kinds[static_cast<std::size_t>(number) % kinds.size()];
-    const auto start = start_of(static_cast<std::size_t>(number));
+    const auto& first = kinds[segments_.size() % kinds.size()];
+    const auto start = start_of(segments_.size());
+    segments_.emplace_back();
+    const auto up = start + kBringUp;
+    if (!pair || first.while_down) return throw_in(first, up, up + (length_ - kBringUp) / 2);
+    throw_in(first, up, up + (length_ - kBringUp) / 5);
+    const auto* second = &kinds[random_.next() % kinds.size()];
+    while (second->while_down) second = &kinds[random_.next() % kinds.size()];
+    throw_in(*second, up + (length_ - kBringUp) * 3 / 5, up + (length_ - kBringUp) * 3 / 4);
+  }
+
+  /// Into the last segment, at a time between these two.
+  void throw_in(const SoakFaultKind& kind, Nanoseconds earliest, Nanoseconds latest) {
+    const auto start = start_of(segments_.size() - 1);
     FaultConfig fault;
     fault.kind = kind.kind;
     fault.at = kind.while_down
                    ? start + kSecond
-                   : start + kBringUp +
-                         static_cast<Nanoseconds>(random_.uniform(0, 0.5) * static_cast<double>(length_ - kBringUp));
+                   : earliest + static_cast<Nanoseconds>(random_.uniform(0, static_cast<double>(latest - earliest)));
     const auto whom = victims(machine_, kind);
     if (!whom.empty()) fault.slave = whom[random_.next() % whom.size()];
     if (kind.longest > 0) {
@@ -115,7 +151,7 @@ class Soak {
                                      .until = fault.at + kSecond / 2});
     }
     network_.sim.faults.push_back(fault);
-    thrown_in_.push_back(fault);
+    segments_.back().thrown.push_back({fault, &kind});
   }
 
   /// Good news are told by the same events.
@@ -141,7 +177,7 @@ class Soak {
     }
   }
 
-  Outcome run_segment(std::size_t segment) {
+  void run_segment(std::size_t segment) {
     const auto start = begin_ + start_of(segment), end = start + length_ - 2 * kSecond;
     network_.project.master.dc.dcm.mode = machine_.modes[segment % machine_.modes.size()];
     const auto config = network_.compiled();
@@ -166,82 +202,111 @@ class Soak {
     service_->channels().commands.push(GoOfflineCommand{});
     service_->run_for(kSecond / 2);
     (void)service_->channels().events.drain();
-    auto outcome = outcome_of(segment, report, events);
-    look_at_plots(segment, store, limits, outcome);
-    return outcome;
+    look_at_report(segment, report, events);
+    look_at_plots(segment, store, limits);
   }
 
   /// From where the machine is up: what is thrown in before shows in the bring-up, which is judged by its events.
-  void look_at_plots(std::size_t segment, const SampleStore& store, const RunLimits& limits, Outcome& outcome) const {
-    const auto& fault = thrown_in_[segment];
-    const auto& kind = soak_fault_kinds()[segment % soak_fault_kinds().size()];
-    const auto from = begin_ + start_of(segment) + kBringUp;
-    outcome.shown = (kind.shows.empty() && kind.gaps.empty()) || std::ranges::any_of(kind.gaps, [&](Signal signal) {
-                      return has_gap(store, signal, static_cast<std::size_t>(fault.slave), from);
-                    });
-    for (const auto& shown : shown_out_of_order(store, limits, from)) {
-      outcome.log += "plots: " + text_of(shown) + "\n";
-      const bool concerns = fault.slave < 0 || shown.slave < 0 || shown.slave == fault.slave;
-      const bool shows = concerns && std::ranges::find(kind.shows, shown.signal) != kind.shows.end();
+  void look_at_plots(std::size_t number, const SampleStore& store, const RunLimits& limits) {
+    auto& segment = segments_[number];
+    const auto from = begin_ + start_of(number) + kBringUp;
+    for (auto& [fault, kind, told, shown] : segment.thrown) {
+      const auto slave = static_cast<std::size_t>(fault.slave);
+      const bool has_gaps = std::ranges::any_of(
+          kind->gaps, [&, &victim = slave](Signal signal) { return has_gap(store, signal, victim, from); });
+      shown = (kind->shows.empty() && kind->gaps.empty()) || has_gaps || !can_be_told(segment.thrown.front(), fault);
+    }
+    for (const auto& signal : shown_out_of_order(store, limits, from)) {
+      segment.log += "plots: " + text_of(signal) + "\n";
       // A stamp that is off shows in the filtered error for as long as it is no loss of synchronisation.
-      const bool stamped = shown.signal == Signal::kDcmErrorFiltered && !network_.sim.host_jitter.stamp_error.empty();
-      const bool follows = stamped || std::ranges::find(kind.may_show, shown.signal) != kind.may_show.end();
-      outcome.shown = outcome.shown || shows;
-      if (!shows && !follows) outcome.strange.push_back(text_of(shown));
+      bool follows = signal.signal == Signal::kDcmErrorFiltered && !network_.sim.host_jitter.stamp_error.empty();
+      for (auto& one : segment.thrown) {
+        const bool shows = one.concerns(signal.slave) && holds(one.kind->shows, signal.signal);
+        one.shown = one.shown || shows;
+        follows = follows || shows || holds(one.kind->may_show, signal.signal);
+      }
+      if (!follows) segment.strange.push_back(text_of(signal));
     }
   }
 
-  Outcome outcome_of(std::size_t segment, const RunReport& report, const std::vector<Event>& events) const {
-    const auto& fault = thrown_in_[segment];
-    const auto kinds = soak_fault_kinds();
-    const auto& kind = kinds[segment % kinds.size()];
-    Outcome outcome;
+  /// What came first may have taken the victim down for good.
+  [[nodiscard]] bool can_be_told(const Thrown& first, const FaultConfig& fault) const {
+    return first.fault.at == fault.at || down_.empty() || fault.slave < 0 || !holds(down_, fault.slave);
+  }
+
+  /// Slaves that were not in OP when the last fault came.
+  void note_down(const Segment& segment, const std::vector<Event>& events) {
+    down_.clear();
+    if (segment.thrown.size() < 2) return;
+    std::map<int, AlState> states;
+    for (const auto& event : events) {
+      const auto* change = event.as<events::StateChanged>();
+      if (change != nullptr && event.time < begin_ + segment.thrown.back().fault.at) states[event.slave] = change->to;
+    }
+    for (const auto& [slave, state] : states) {
+      if (state != AlState::kOp) down_.push_back(slave);
+    }
+  }
+
+  void look_at_report(std::size_t number, const RunReport& report, const std::vector<Event>& events) {
+    auto& segment = segments_[number];
+    note_down(segment, events);
     // What a clock is slewed by need not leave a wider window.
     constexpr std::uint8_t kUsualWindow = SyncWindowSettings{}.exponent;
-    const bool is_small =
-        kind.kind == FaultKind::kClockSlew && network_.project.master.dc.sync_window.exponent > kUsualWindow;
-    outcome.told = kind.harmless || is_small;
-    const auto concerns = [&](int slave) { return fault.slave < 0 || slave == fault.slave; };
+    const bool is_wide = network_.project.master.dc.sync_window.exponent > kUsualWindow;
+    for (auto& one : segment.thrown) {
+      const bool is_small = one.kind->kind == FaultKind::kClockSlew && is_wide;
+      one.told = one.kind->harmless || is_small || !can_be_told(segment.thrown.front(), one.fault);
+    }
     for (const auto& event : events) {
-      outcome.log += cli::event_text(event, begin_ + start_of(segment)) + "\n";
-      const bool its_kind = std::ranges::find(kind.events, event.kind()) != kind.events.end();
-      // Of what is lost it is the time of sending.
-      const bool is_late_enough = event.time >= begin_ + fault.at - network_.project.master.cycle_time;
-      outcome.told |= its_kind && is_late_enough && is_bad(event) && (event.slave < 0 || concerns(event.slave));
+      segment.log += cli::event_text(event, begin_ + start_of(number)) + "\n";
+      for (auto& one : segment.thrown) {
+        // Of what is lost it is the time of sending.
+        const bool is_late_enough = event.time >= begin_ + one.fault.at - network_.project.master.cycle_time;
+        one.told |=
+            holds(one.kind->events, event.kind()) && is_late_enough && is_bad(event) && one.concerns(event.slave);
+      }
     }
     for (const auto& finding : diagnose(report)) {
       const auto words = fmt::format("{} {}: {}", finding.code, finding.place.slave, describe(finding));
-      outcome.log += words + "\n";
-      const bool its_kind = std::ranges::find(kind.findings, finding.code) != kind.findings.end();
-      const bool follows = std::ranges::find(kind.also, finding.code) != kind.also.end();
-      outcome.told |= its_kind && (finding.place.slave < 0 || concerns(finding.place.slave));
-      const bool accuses = finding.severity != Severity::kNote;
-      if (accuses && !follows && !(its_kind && (finding.place.slave < 0 || concerns(finding.place.slave))))
-        outcome.accused.push_back(words);
+      segment.log += words + "\n";
+      // Who fell and was led up again, by what the other fault brought with it.
+      const bool is_explained = finding.code == code::kSlaveHadFallen &&
+                                std::ranges::find(finding.figures, "why", &Figure::name) != finding.figures.end();
+      bool follows = finding.severity == Severity::kNote || is_explained;
+      for (auto& one : segment.thrown) {
+        const bool tells = holds(one.kind->findings, finding.code) && one.concerns(finding.place.slave);
+        one.told |= tells;
+        follows = follows || tells || holds(one.kind->also, finding.code);
+      }
+      if (!follows) segment.accused.push_back(words);
     }
-    return outcome;
   }
 
-  void judge(std::size_t segment, const Outcome& outcome, bool loud) {
-    const auto& fault = thrown_in_[segment];
-    const auto& kind = soak_fault_kinds()[segment % soak_fault_kinds().size()];
-    auto& count = counts_[kind.name];
-    ++count.faults;
-    count.told += outcome.told ? 1 : 0;
-    count.accused += outcome.accused.empty() ? 0 : 1;
-    count.shown += outcome.shown ? 1 : 0;
-    count.strange += outcome.strange.empty() ? 0 : 1;
-    const bool kept = outcome.told && outcome.shown && outcome.accused.empty() && outcome.strange.empty();
-    if (kept && !loud) return;
-    fmt::print("{} fault {} ({}, slave {}, at {:.3f} s, value {} ns, count {}){}\n", loud ? "-" : "MISSED", segment,
-               kind.name, fault.slave, static_cast<double>(fault.at - start_of(segment)) / 1e9, fault.value_ns,
-               fault.count,
-               !outcome.told   ? ": not told"
-               : outcome.shown ? ""
-                               : ": not in the plots");
-    for (const auto& words : outcome.accused) fmt::print("  accused: {}\n", words);
-    for (const auto& signal : outcome.strange) fmt::print("  in the plots, too: {}\n", signal);
-    fmt::print("{}\n", outcome.log);
+  void count(const Segment& segment) {
+    for (const auto& one : segment.thrown) {
+      auto& count = counts_[one.kind->name];
+      ++count.faults;
+      count.told += one.told ? 1 : 0;
+      count.accused += segment.accused.empty() ? 0 : 1;
+      count.shown += one.shown ? 1 : 0;
+      count.strange += segment.strange.empty() ? 0 : 1;
+    }
+  }
+
+  void show(std::size_t number) const {
+    const auto& segment = segments_[number];
+    for (const auto& [fault, kind, told, shown] : segment.thrown) {
+      fmt::print("{} fault {} ({}, slave {}, at {:.3f} s, value {} ns, count {}){}\n", segment.kept() ? "-" : "MISSED",
+                 number, kind->name, fault.slave, static_cast<double>(fault.at - start_of(number)) / 1e9,
+                 fault.value_ns, fault.count,
+                 !told   ? ": not told"
+                 : shown ? ""
+                         : ": not in the plots");
+    }
+    for (const auto& words : segment.accused) fmt::print("  accused: {}\n", words);
+    for (const auto& signal : segment.strange) fmt::print("  in the plots, too: {}\n", signal);
+    fmt::print("{}\n", segment.log);
     std::fflush(stdout);
   }
 
@@ -272,7 +337,8 @@ class Soak {
   VirtualClock clock_;
   SoakMachine machine_;
   test::SimulatedNetwork& network_ = machine_.network;
-  std::vector<FaultConfig> thrown_in_;  // by segment
+  std::vector<Segment> segments_;
+  std::vector<int> down_;  // see note_down()
   Nanoseconds length_, begin_ = 0;
   std::unique_ptr<MasterService> service_;
   std::vector<CycleSample> samples_;
@@ -287,10 +353,16 @@ int main(int argc, char** argv) {
   const int faults = argc > 2 ? std::atoi(argv[2]) : 200;
   const auto seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   const std::string_view which = argc > 4 ? argv[4] : "line";
-  if ((which != "line" && which != "drawn") || hours * 3'600 / std::max(faults, 1) < 60) {
-    fmt::print(stderr,
-               "usage: soak_faults [HOURS [FAULTS [SEED [line|drawn [loud]]]]], a minute or more for each fault\n");
+  using syncline::bench::Way;
+  const auto way = which == "line"    ? std::optional(Way::kLine)
+                   : which == "drawn" ? std::optional(Way::kDrawn)
+                   : which == "pairs" ? std::optional(Way::kPairs)
+                                      : std::nullopt;
+  if (!way || hours * 3'600 / std::max(faults, 1) < 60) {
+    fmt::print(
+        stderr,
+        "usage: soak_faults [HOURS [FAULTS [SEED [line|drawn|pairs [loud]]]]], a minute or more for each fault\n");
     return 2;
   }
-  return syncline::bench::Soak(hours, faults, seed, which == "drawn").run(argc > 5);
+  return syncline::bench::Soak(hours, faults, seed, *way).run(argc > 5);
 }

@@ -2301,6 +2301,10 @@
         <translation>es gibt keine Datei {file}</translation>
     </message>
     <message>
+        <source>what else is told of that moment</source>
+        <translation>was sonst von diesem Zeitpunkt gemeldet ist</translation>
+    </message>
+    <message>
         <source>{count:# cyclic frame has|# cyclic frames have} no reply in the capture, of {frames}: lost on the bus, or by who captured.</source>
         <translation>{count:# zyklischer Frame hat|# zyklische Frames haben} in der Aufzeichnung keine Antwort, von {frames}: auf dem Bus verloren, oder beim Aufzeichnen.</translation>
     </message>
@@ -2315,6 +2319,10 @@
     <message>
         <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its SYNC0 had not come where its outputs are meant for, {why}.</source>
         <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: sein SYNC0 war nicht dort gekommen, wofür seine Ausgänge bestimmt sind, {why}.</translation>
+    </message>
+    <message>
+        <source>{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), and was led up again; just before: {why}.</source>
+        <translation>{slave} war bei {since} nach {state} mit AL-Statuscode {alcode}{alarm} gefallen ({count} insgesamt) und wurde wieder hochgeführt; kurz davor: {why}.</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>
@@ -4659,6 +4667,10 @@
     <message>
         <source>A slave went down unasked</source>
         <translation>Ein Slave ging ungefragt in einen niedrigeren Zustand</translation>
+    </message>
+    <message>
+        <source>{subject}: the receive time of its port {port} contradicts all others and is left out</source>
+        <translation>{subject}: die Empfangszeit seines Ports {port} widerspricht allen anderen und bleibt außer Betracht</translation>
     </message>
     <message>
         <source>{subject}: {from} -&gt; {to} without an error, and not asked by this master</source>

@@ -2301,6 +2301,10 @@
         <translation>没有文件 {file}</translation>
     </message>
     <message>
+        <source>what else is told of that moment</source>
+        <translation>该时刻还报告了什么</translation>
+    </message>
+    <message>
         <source>{count:# cyclic frame has|# cyclic frames have} no reply in the capture, of {frames}: lost on the bus, or by who captured.</source>
         <translation>抓包中 {frames} 个周期帧有 {count} 个没有应答：在总线上丢失，或在抓包时丢失。</translation>
     </message>
@@ -2315,6 +2319,10 @@
     <message>
         <source>{slave} fell to {state} with AL status code {alcode}{alarm} at {since}: its SYNC0 had not come where its outputs are meant for, {why}.</source>
         <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}：其 SYNC0 未在其输出所对应的位置到来，{why}。</translation>
+    </message>
+    <message>
+        <source>{slave} had fallen to {state} with AL status code {alcode}{alarm} at {since} ({count} in all), and was led up again; just before: {why}.</source>
+        <translation>{slave} 曾在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}（共 {count}），后被重新引导上来；在此之前不久：{why}。</translation>
     </message>
     <message>
         <source>{slave} went or came at {since}, and those behind it were off by up to {deviation}, until delays (0x0928) were measured anew at {renewed}.</source>
@@ -4659,6 +4667,10 @@
     <message>
         <source>A slave went down unasked</source>
         <translation>从站未经请求进入更低状态</translation>
+    </message>
+    <message>
+        <source>{subject}: the receive time of its port {port} contradicts all others and is left out</source>
+        <translation>{subject}：其端口 {port} 的接收时间与所有其他时间矛盾，不予采用</translation>
     </message>
     <message>
         <source>{subject}: {from} -&gt; {to} without an error, and not asked by this master</source>

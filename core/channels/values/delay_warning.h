@@ -12,6 +12,7 @@ enum class DelayWarning : std::uint8_t {
   kImplausibleHop,
   kNotIncreasing,
   kUnexplainedPort,  // value: a port with a link behind which no slave is: a ring that is closed, another master
+  kUntimedPort,      // value: a port whose receive time contradicts all others
 };
 
 }  // namespace syncline::dc

@@ -51,6 +51,18 @@ bool breaks_lock(dc::SyncObstacle obstacle) {
          obstacle == dc::SyncObstacle::kErrorCode || obstacle == dc::SyncObstacle::kControlError;
 }
 
+/// Within this time, or so little before or behind it that counters read in turn do not tell.
+bool was_unlocked_in(const RunReport& report, const Spell& spell) {
+  if (!is_controlled(report)) return true;
+  const auto& losses = report.history.master_losses;
+  // Never locked, or lost before anybody noted it.
+  if (breaks_lock(report.dcm.obstacle) && (losses.empty() || losses.back().back)) return true;
+  return std::ranges::any_of(losses, [&](const RunHistory::SyncLoss& loss) {
+    const auto end = loss.back.value_or(report.history.end);
+    return breaks_lock(loss.obstacle) && spell.to >= loss.time - kReadLater && spell.from <= end + kReadLater;
+  });
+}
+
 /// Nobody's outputs reach a slave that is cut off while its SYNC0 goes on: told as its absence, or as the adapter's.
 bool was_cut_off(const RunReport& report, const RunReport::Slave& slave, std::uint64_t missed) {
   Nanoseconds away = 0;
@@ -89,6 +101,17 @@ bool was_locked(const RunReport& report) {
          std::ranges::none_of(report.history.master_losses, breaks_lock, &RunHistory::SyncLoss::obstacle);
 }
 
+bool was_locked(const RunReport& report, const Spells& events) {
+  if (was_locked(report) || events.empty()) return was_locked(report);
+  std::uint64_t unlocked = 0;
+  for (const auto& spell : events.list()) unlocked += was_unlocked_in(report, spell) ? spell.count : 0;
+  return 2 * unlocked < events.count();
+}
+
+bool was_locked(const RunReport& report, Nanoseconds moment) {
+  return was_locked(report) || !was_unlocked_in(report, {moment, moment, 0, 0});
+}
+
 std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::Slave& slave) {
   const auto lateness = usual_worst_lateness(report);
   const auto margin = slave.sync0_margin.value_or(0);
@@ -103,7 +126,7 @@ dc::MissCause main_cause(const Sm2MissedStatus& status) {
 }
 
 std::string_view miss_cause_words(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
-  const bool locked = was_locked(report);
+  const bool locked = was_locked(report, report.history.slaves[slave.position].missed);
   switch (told_cause(report, slave, cause)) {
     case dc::MissCause::kFrameLost:
       return "frames were lost";
@@ -151,7 +174,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     }
     const auto& spells = report.history.slaves[slave.position].missed;
     Finding finding{
-        code_of(told_cause(report, slave, cause), was_locked(report)),
+        code_of(told_cause(report, slave, cause), was_locked(report, spells)),
         Severity::kWarning,
         slave.position,
         spells.first(),

@@ -23,6 +23,9 @@ namespace syncline::diagnosis {
 /// Whether the schedule held its place in the SYNC grid all the time, whatever the host made of single frames. Nothing
 /// holds it there where nobody controls it.
 [[nodiscard]] bool was_locked(const RunReport& report);
+/// The same of one moment (host clock), and of most of these events, which may have been read up to kReadLater behind.
+[[nodiscard]] bool was_locked(const RunReport& report, Nanoseconds moment);
+[[nodiscard]] bool was_locked(const RunReport& report, const Spells& events);
 /// What a later SYNC0 is worth to a slave: "margin" it has, "lateness" of one frame in a thousand, what it "need"s
 /// itself, and by how much "more" the set value would do.
 [[nodiscard]] std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::Slave& slave);

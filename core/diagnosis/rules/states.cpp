@@ -105,9 +105,10 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     }
     const bool in_time =
         usual_worst_lateness(report) < *slave.sync0_margin && slave.evidence.calc_and_copy_ns <= *slave.sync0_margin;
-    const bool by_itself = fall && in_time && was_locked(report) && cycles_were_good(report, fall->time);
+    const bool locked = fall ? was_locked(report, fall->time) : was_locked(report);
+    const bool by_itself = fall && in_time && locked && cycles_were_good(report, fall->time);
     if (by_itself) finding.code = code::kSlaveFellByItself;
-    if (!was_locked(report)) finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "unlocked");
+    if (!locked) finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "unlocked");
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));
     return finding;
   }
@@ -122,7 +123,8 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(report, slave, cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
-  if (cause == dc::MissCause::kFrameLate && !moved && was_locked(report)) finding.code = code::kSlaveFellByLateFrames;
+  if (cause == dc::MissCause::kFrameLate && !moved && was_locked(report, report.history.slaves[slave.position].missed))
+    finding.code = code::kSlaveFellByLateFrames;
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
   return finding;
 }
@@ -142,6 +144,18 @@ Finding refused(const RunReport& report, const RunReport::Slave& slave) {
            phrase_figure("check", al_status_code_text(fall.al_status_code).check)}};
 }
 
+/// What was wrong within a moment before; empty where nothing is known. Goes behind "just before:".
+std::string_view trouble_before(const RunReport& report, const RunReport::Slave& slave, Nanoseconds fall) {
+  constexpr Nanoseconds kBefore = 100 * kMillisecond;
+  const Spell before{fall - kBefore, fall, 0, 0};
+  if (report.history.lost_frames.near(before, 0)) return "frames were lost";
+  if (report.history.stalls.near(before, 0)) return "the host left cycles out";
+  if (const auto moved = sync0_had_moved_at(report, slave, fall)) return *moved;
+  if (!was_locked(report, fall))
+    return "the master was not locked to the reference clock, and frames slid through its SYNC0";
+  return {};
+}
+
 /// What became of it since does not make it undone.
 void find_earlier_falls(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& falls = report.history.slaves[slave.position].falls;
@@ -157,7 +171,14 @@ void find_earlier_falls(const RunReport& report, const RunReport::Slave& slave, 
                      moment_figure(report, "since", first->time),
                      times_figure("count", count, falls.size() == RunHistory::kMostFalls),
                      phrase_figure("check", al_status_code_text(first->al_status_code).check)};
-  if (!slave.present) finding.facts = sentence_of(*find_finding_words(code::kSlaveHadFallen), "absent");
+  const auto why = is_about_outputs(first->al_status_code) ? trouble_before(report, slave, first->time) : "";
+  if (!slave.present) {
+    finding.facts = sentence_of(*find_finding_words(code::kSlaveHadFallen), "absent");
+  } else if (!why.empty()) {
+    finding.facts = sentence_of(*find_finding_words(code::kSlaveHadFallen), "cause");
+    finding.figures.back() = phrase_figure("check", "what else is told of that moment");
+    finding.figures.push_back(phrase_figure("why", why));
+  }
   findings.push_back(std::move(finding));
 }
 

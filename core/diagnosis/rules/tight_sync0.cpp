@@ -30,14 +30,16 @@ bool misses_told(const Findings& findings, const RunReport::Slave& slave) {
 /// by how much they were late, and asks for that and what the slave needs.
 bool is_mostly_late(const RunReport& report, const RunReport::Slave& slave, const Findings& findings) {
   constexpr std::uint64_t kFarMore = 10;
-  if (!was_locked(report) || !nominally_too_short(slave) || !slave.sm2_missed) return false;
+  const bool locked = was_locked(report, report.history.slaves[slave.position].shift_too_short);
+  if (!locked || !nominally_too_short(slave) || !slave.sm2_missed) return false;
   const auto times = slave.evidence.outputs.shift_too_short.total;
   return times >= kFarMore * slave.sm2_missed->total() && !is_found(findings, slave, code::kSlaveFellByLateFrames);
 }
 
 /// It fell by misses where frames slid through its SYNC0: its finding says so.
 bool fell_unlocked(const RunReport& report, const Findings& findings, const RunReport::Slave& slave) {
-  return !was_locked(report) && is_found(findings, slave, code::kSlaveFellByMisses);
+  return !was_locked(report, report.history.slaves[slave.position].missed) &&
+         is_found(findings, slave, code::kSlaveFellByMisses);
 }
 
 /// Frames that slide through SYNC0 are too late for it now and then, wherever it is.
@@ -55,7 +57,7 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
   const bool by_misses = misses_told(findings, slave) && !is_mostly_late(report, slave, findings);
   const bool told = by_misses || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
-  if (outputs.total > 0 && !told && !was_locked(report)) {
+  if (outputs.total > 0 && !told && !was_locked(report, spells)) {
     findings.push_back(slid(report, slave));
   } else if (outputs.total > 0 && !told) {
     const auto margin = slave.sync0_margin.value_or(0);

@@ -111,7 +111,7 @@ dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<c
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::uint16_t>(k);
 
   std::vector<dc::DelayNode> tree;
-  std::vector<dc::DelayFinding> unexplained;
+  std::vector<dc::DelayFinding> of_ports;
   for (const auto position : order) {
     auto node = nodes[position];
     for (unsigned port = 0; port < kPortCount; ++port) {
@@ -119,10 +119,13 @@ dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<c
       // The frame that was latched came back there: slaves that nobody asked about.
       if (!whole && came_back(node, port, wiring[position].entry_port)) continue;
       node.active[port] = false;
-      unexplained.push_back({position, dc::DelayWarning::kUnexplainedPort, static_cast<std::int64_t>(port)});
+      of_ports.push_back({position, dc::DelayWarning::kUnexplainedPort, static_cast<std::int64_t>(port)});
     }
-    for (unsigned port = 0; port < kPortCount; ++port)
+    for (unsigned port = 0; port < kPortCount; ++port) {
       node.untimed[port] = ((wiring[position].untimed_ports >> port) & 1U) != 0;
+      if (node.untimed[port])
+        of_ports.push_back({position, dc::DelayWarning::kUntimedPort, static_cast<std::int64_t>(port)});
+    }
     node.entry_port = wiring[position].entry_port;
     if (const auto& previous = wiring[position].previous) {
       node.parent = place[previous->position];
@@ -142,7 +145,7 @@ dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<c
     finding.position = order[finding.position];
     result.findings.push_back(finding);
   }
-  result.findings.insert(result.findings.end(), unexplained.begin(), unexplained.end());
+  result.findings.insert(result.findings.end(), of_ports.begin(), of_ports.end());
   return result;
 }
 

@@ -78,6 +78,8 @@ TEST(EventFinding, OneIsNotSeveral) {
 TEST(EventFinding, ADelayIsToldInItsUnit) {
   EXPECT_EQ(facts_text(delay_finding(4, dc::DelayWarning::kUnexplainedPort, 2)),
             "slave 4: port C has a link and no slave behind it: a closed ring or another master");
+  EXPECT_EQ(facts_text(delay_finding(4, dc::DelayWarning::kUntimedPort, 1)),
+            "slave 4: the receive time of its port B contradicts all others and is left out");
   EXPECT_EQ(facts_text(delay_finding(4, dc::DelayWarning::kImplausibleHop, 1'500'000)),
             "slave 4: the delay to it is implausible (1.5 ms); 0 is taken");
 }

@@ -568,6 +568,42 @@ TEST(RunDiagnosis, ADriveThatFellThoughAllWasGoodFellByItself) {
   EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
 }
 
+TEST(RunDiagnosis, WhatHappensLongAfterTheMasterFoundBackIsNotDoneByItsTimeUnlocked) {
+  auto report = healthy();
+  report.history.master_losses.push_back(
+      {kStart + kSecond, -1, 5'000, dc::SyncObstacle::kControlError, kStart + 2 * kSecond});
+  auto fallen = report;
+  fallen.slaves[1].al_status = 0x14;
+  fallen.slaves[1].al_status_code = 0x2C;
+  auto& fall = fallen.history.slaves[1].fall;
+  fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x2C};
+  EXPECT_THAT(codes(fallen), Contains(code::kSlaveFellByItself));
+  fall->time = kStart + 3 * kSecond / 2;
+  EXPECT_THAT(describe(diagnose(fallen)[0]), HasSubstr("frames slid through its SYNC0"));
+  fall->time = kStart + 5 * kSecond;
+  fallen.dcm.state = SyncState::kOutOfSync;
+  fallen.history.master_losses.front().back.reset();
+  EXPECT_THAT(describe(diagnose(fallen)[0]), HasSubstr("frames slid through its SYNC0")) << "it has not found back";
+
+  miss(report, 1, dc::MissCause::kUnknown, 4);
+  report.history.slaves[1].missed.note(kStart + 6 * kSecond, 4);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained));
+  report.history.slaves[1].missed = {};
+  report.history.slaves[1].missed.note(kStart + 2 * kSecond, 5);
+  report.history.slaves[1].missed.note(kStart + 6 * kSecond, 4);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnlocked)) << "most of them";
+}
+
+TEST(RunDiagnosis, AnEarlierFallSaysWhatWasWrongJustBefore) {
+  auto report = healthy();
+  report.history.slaves[1].falls.push_back({kStart + 5 * kSecond, 0x14, 0x34});
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("led up again. Check that SYNC pulses"));
+  report.history.lost_frames.note(kStart + 5 * kSecond - 8 * kMillisecond, 3);
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("just before: frames were lost. Check what else is told"));
+  report.history.slaves[1].falls.front().al_status_code = 0x1D;
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("led up again. Check")) << "no error of its synchronisation";
+}
+
 TEST(RunDiagnosis, ASlaveThatFellWhenAClockHadMovedIsToldAsThat) {
   auto report = healthy();
   report.slaves[1].al_status = 0x14;
