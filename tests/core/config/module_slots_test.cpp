@@ -61,6 +61,11 @@ TEST(ModuleSlots, AModuleMovesWhatDependsOnItsPlace) {
         pdo->exclude = {0x1650, 0x1651};
         pdo->exclude_by_slot = {0x1651};
       }
+      StartupCommand command;
+      command.index = 0x8000;
+      command.depend_on_slot = slot;
+      command.depend_on_slot_group = group;
+      fixed.coe.emplace().init_commands = {command};
       const auto made = module_at(fixed, place);
       const auto pdo_moved = (slot ? 0x10 : 0) + (group ? 0x20 : 0);
       const auto object_moved = (slot ? 0x800 : 0) + (group ? 0x1000 : 0);
@@ -69,6 +74,7 @@ TEST(ModuleSlots, AModuleMovesWhatDependsOnItsPlace) {
       EXPECT_EQ(made.rx_pdos[0].entries[0].index, 0x6040 + object_moved);
       EXPECT_EQ(made.tx_pdos[0].entries[0].index, 0x6041 + object_moved);
       EXPECT_THAT(made.rx_pdos[0].exclude, ElementsAre(0x1650, 0x1661 + (group ? 0x20 : 0)));
+      EXPECT_EQ(made.coe->init_commands[0].index, 0x8000 + object_moved);
       EXPECT_FALSE(made.rx_pdos[0].depend_on_slot || made.rx_pdos[0].depend_on_slot_group);
     }
   }
@@ -132,6 +138,19 @@ TEST(ModuleSlots, APdoThatTheModuleOverwritesIsTheModules) {
   for (const auto& pdo : pdos_of(slave, PdoDirection::kRx)) indices.push_back(pdo.index);
   EXPECT_THAT(indices, ElementsAre(0x16FF, 0x1600));
   EXPECT_EQ(pdo_of(slave, 0x1600)->name, "Outputs");
+  // A PDO of the device that is no place holder stays beside one of the same index, which check names.
+  slave.device.rx_pdos[1].overwritten_by_module = false;
+  EXPECT_EQ(pdos_of(slave, PdoDirection::kRx).size(), 3U);
+}
+
+TEST(ModuleSlots, TheDeviceWithItsModulesHasTheirPdosOfBothDirections) {
+  auto slave = default_slave(gateway(), 0);
+  const auto device = device_with_modules(slave);
+  EXPECT_THAT(device.rx_pdos, testing::SizeIs(3));
+  EXPECT_THAT(device.tx_pdos, testing::SizeIs(3));
+  ASSERT_TRUE(plug_module(slave, 2, std::nullopt));
+  EXPECT_THAT(device_with_modules(slave).rx_pdos, testing::SizeIs(2));
+  EXPECT_THAT(device_with_modules(slave).tx_pdos, testing::SizeIs(2));
 }
 
 TEST(ModuleSlots, WhatDoesNotFitIsRefused) {

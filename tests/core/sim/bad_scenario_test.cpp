@@ -172,6 +172,13 @@ TEST(HostProfileFile, SaysWhatItWasMadeFromAndIsReadBack) {
   }
 }
 
+TEST(HostProfileFile, StallsAloneAreAProfileHoweverSeldom) {
+  const auto profile =
+      sim::read_host_profile(write_file("[stalls]\nper_second = 0.5\nquantiles = [[0, 2e6], [1, 3e6]]\n"));
+  ASSERT_TRUE(profile) << describe(profile.error());
+  EXPECT_EQ(profile->stalls_per_second, 0.5);
+}
+
 TEST(HostProfileFile, IsTakenByAScenarioBesideIt) {
   const auto profile = write_file(
       "[wake_up]\nquantiles = [[0, 10], [1, 30]]\n[stalls]\nper_second = 0.5\nquantiles = [[0, 2e6], [1, 3e6]]\n",
@@ -235,6 +242,7 @@ TEST(HostProfileFile, ContradictionsAreNamedWithLineAndKey) {
   expect("[wake_up]\nquantiles = []\n", "quantiles", 2, "list of [part, ns]");
   expect("[wake_up]\nscale = 3\n", "quantiles", 1, "list of [part, ns]");
   expect("[stamps]\nquantiles = [[0, 1]]\n", "stamps", 1, "is not a key");
+  expect("[wake_up]\nquantiles = [[0, 1]]\n[stamps]\nquantiles = [[0, 1]]\n", "stamps", 3, "is not a key");
   expect("[stalls]\nper_second = 3\n", "quantiles", 1, "list of");
   expect("[wake_up]\nquantiles = [[0, 10]]\n[stalls]\nper_second = 0.5\n", "quantiles", 3, "list of");
   expect("[stalls]\nper_second = 300\nquantiles = [[0, 5e6]]\n", "per_second", 2, "no time at all");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "config/sim_config.h"
+#include "protocol/sdo_information.h"
 #include "sim/objects/object_dictionary.h"
 
 namespace syncline::sim {
@@ -47,6 +48,42 @@ TEST(SimDeviceObjects, NameTheTypeOfEachSyncManager) {
   add_device_objects(config, many);
   EXPECT_EQ(many.get<std::uint8_t>(0x1C00, 0), 32);
   EXPECT_EQ(many.sub_indices(0x1C00).back(), 32);
+}
+
+/// ETG.1000.6, object access: bit 6 for RxPDOs, bit 7 for TxPDOs.
+TEST(SimDeviceObjects, SayIntoWhichPdosTheyCanBeMapped) {
+  auto config = with_coe();
+  const auto pdo = [](std::uint16_t index) {
+    Pdo made;
+    made.index = 0x1600;
+    made.entries.emplace_back();
+    made.entries[0].index = index;
+    made.entries[0].sub_index = 1;
+    made.entries[0].bit_length = 16;
+    made.entries[0].data_type = "UINT";
+    return made;
+  };
+  config.device.rx_pdos = {pdo(0x7000)};
+  config.device.tx_pdos = {pdo(0x6000)};
+  ObjectDictionary dictionary;
+  add_device_objects(config, dictionary);
+  EXPECT_EQ(dictionary.find(0x7000, 1)->extra_access, coe::access::kRxPdo);
+  EXPECT_EQ(dictionary.find(0x6000, 1)->extra_access, coe::access::kTxPdo);
+  EXPECT_TRUE(dictionary.find(0x7000, 1)->writable);
+  EXPECT_FALSE(dictionary.find(0x6000, 1)->writable);
+}
+
+TEST(SimObjectDictionary, AnObjectGoesWithAllThatIsUnderItAndNothingElse) {
+  ObjectDictionary dictionary;
+  for (const std::uint16_t index : {0x2000, 0x2001, 0x2002}) {
+    for (const std::uint8_t sub_index : {0, 1, 0xFF}) dictionary.add<std::uint8_t>(index, sub_index, "", 7);
+  }
+  dictionary.remove_object(0x2001);
+  for (const std::uint8_t sub_index : {0, 1, 0xFF}) {
+    EXPECT_NE(dictionary.find(0x2000, sub_index), nullptr);
+    EXPECT_EQ(dictionary.find(0x2001, sub_index), nullptr);
+    EXPECT_NE(dictionary.find(0x2002, sub_index), nullptr);
+  }
 }
 
 /// What start-up commands write is there and can be written, as long as they write it; the lists of PDOs have their

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/sii.h"
+#include "sim/device/sii_from_device.h"
 #include "tests/core/sim/sim_probe.h"
 
 /// Registers 0x0500 to 0x050F (ESC data sheet II, 3.9).
@@ -94,6 +95,18 @@ TEST(SimSiiInterface, WriteEnableHoldsForOneCommandOfItsOwnFrame) {
   EXPECT_EQ(sii.word(4), 0x0456);
   sii.write_word(4, 0x0789, 0x0200);
   EXPECT_EQ(sii.word(4), 0x0456) << "each needs its own";
+}
+
+TEST(SimSiiInterface, TheLastWordCanBeWrittenAndNoneBehindIt) {
+  const auto config = one_terminal();
+  SimSiiAccess sii(config);
+  const auto words = static_cast<std::uint32_t>(sim::factory_sii(config.slaves[0]).size() / 2);
+  sii.write_word(words - 1, 0x5A5A);
+  EXPECT_EQ(sii.status() & kCommandError, 0);
+  EXPECT_EQ(sii.word(words - 1), 0x5A5A);
+  sii.write_word(words, 0x5A5A);
+  EXPECT_EQ(sii.status() & kCommandError, kCommandError);
+  EXPECT_EQ(sii.word(words), 0xFFFF);
 }
 
 TEST(SimSiiInterface, AnUnknownCommandIsAnError) {
