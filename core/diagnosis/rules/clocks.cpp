@@ -23,9 +23,13 @@ Figure obstacle_figure(dc::SyncObstacle what) {
   return {"obstacle", Unit::kAside, 0, 0, std::string(dc::obstacle_text(what))};
 }
 
-/// Who moves a reference clock that this host leads; empty where it leads itself, or follows an external one (DCX).
-Figure led_figure(const RunReport& report) {
-  const bool led = is_controlled(report) && steers_reference_clock(report.dcm.mode) && report.dcm.mode != DcmMode::kDcx;
+/// Who moves a reference clock that this host leads; empty where it leads itself, or follows an external one (DCX), and
+/// where it moved by `first` from one reading to the next, faster than its loop follows anybody.
+Figure led_figure(const RunReport& report, std::int64_t first = 0) {
+  constexpr std::int64_t kFastest = 1'000, kCycles = 10;  // ppm, where an ESC's speed counter ends at 763; until seen
+  const bool by_itself = std::abs(first) > report.dc.limit_ns + kCycles * report.cycle_time * kFastest / 1'000'000;
+  const bool led = !by_itself && is_controlled(report) && steers_reference_clock(report.dcm.mode) &&
+                   report.dcm.mode != DcmMode::kDcx;
   return {"led", Unit::kAside, 0, 0, led ? "it follows this host's clock, which a time service may have moved" : ""};
 }
 
@@ -127,7 +131,7 @@ Finding out_without_culprit(const RunReport& report) {
   if (!stepped && dc.over_limit > 0) return finding;
   name_loss(report, loss, finding);
   finding.place.slave = stepped ? dc.reference_clock : loss.slave;
-  if (stepped) finding.figures.push_back(led_figure(report));
+  if (stepped) finding.figures.push_back(led_figure(report, loss.size));
   const auto* variant = !stepped ? "left" : dc.over_limit > 0 ? "moving" : "stepped";
   finding.facts = sentence_of(*find_finding_words(code::kSlavesOutOfSync), variant);
   return finding;
@@ -205,7 +209,7 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
   const bool stepped = first.obstacle == dc::SyncObstacle::kClockStep;
   if (stepped) {
     finding.place.slave = report.dc.reference_clock;
-    finding.figures.push_back(led_figure(report));
+    finding.figures.push_back(led_figure(report, first.size));
   }
   const auto* of_all = culprit ? "stepped before" : "stepped";
   const auto* variant = stepped ? of_all : culprit ? "before" : "";

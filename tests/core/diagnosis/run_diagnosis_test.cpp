@@ -697,6 +697,17 @@ TEST(RunDiagnosis, AReferenceClockThatMovesIsLedByTheHostsWhereThatIsSo) {
   }
 }
 
+/// No loop follows anybody by hundreds of microseconds in a cycle.
+TEST(RunDiagnosis, AReferenceClockThatJumpsFurtherThanItCanBeLedIsLedByNobody) {
+  auto report = healthy();
+  report.dcm.mode = DcmMode::kBusShift;
+  report.history.slave_losses = {{kStart + 8 * kSecond, -1, 5'000, dc::SyncObstacle::kClockStep, kStart + 9 * kSecond}};
+  const auto words = [&report] { return describe(diagnose(report).front()); };
+  EXPECT_THAT(words(), HasSubstr("a time service may have moved"));
+  report.history.slave_losses.front().size = -400'000;
+  EXPECT_THAT(words(), AllOf(HasSubstr("The reference clock stepped"), Not(HasSubstr("time service"))));
+}
+
 TEST(RunDiagnosis, ASync0ThatIsMisplacedIsNotAlsoTooTight) {
   auto report = healthy();
   report.slaves[1].sync0_margin = 40'000;
