@@ -272,6 +272,18 @@ TEST(DriveSync, CyclicModesOfTheServoNeedSync0) {
   run();
   drive.cycles(300);
   EXPECT_EQ(drive.position(), 5000) << "profile position in free run";
+  // Controlword bit 6: the new set-point counts from the last one.
+  for (const std::uint16_t word : {0x4F, 0x5F}) {
+    drive.target = 300;
+    drive.controlword = word;
+    drive.cycles(300);
+  }
+  EXPECT_EQ(drive.position(), 5300) << "relative";
+  for (const std::uint16_t word : {0x0F, 0x1F}) {
+    drive.controlword = word;
+    drive.cycles(600);
+  }
+  EXPECT_EQ(drive.position(), 300) << "absolute again";
   EXPECT_EQ(drive.read(0x6061, 0), 1U);
 }
 

@@ -82,6 +82,15 @@ class Gateway : public testing::Test {
     }
   }
 
+  /// Sub-indices of an object that the mailbox reads.
+  std::vector<int> sub_indices(std::uint16_t index) {
+    std::vector<int> all;
+    for (int sub_index = 0; sub_index < 20; ++sub_index) {
+      if (read_object(index, static_cast<std::uint8_t>(sub_index)) != 0xDEADBEEF) all.push_back(sub_index);
+    }
+    return all;
+  }
+
   std::optional<SimProbe> probe;
   std::vector<std::pair<std::uint8_t, std::uint32_t>> parameters;
   std::uint32_t sync0_ns = 1'000'000;
@@ -270,6 +279,12 @@ TEST_F(Gateway, SignalsThatNoOperationModeHasAreRefused) {
   probe->set_sync_manager(0, 3, kGatewayInputs, 6, 0x20);
   EXPECT_EQ(probe->request(0, 4), 0x12);
   EXPECT_EQ(probe->al_code(0), 0x0030);
+}
+
+TEST_F(Gateway, HasTheParametersOfItsBus) {
+  ASSERT_EQ(start(), 8);
+  EXPECT_EQ(sub_indices(0xF800), (std::vector{0, 1, 2, 3, 4, 5, 7, 8, 14}));
+  EXPECT_EQ(read_object(0xF800, 0), 14U);
 }
 
 }  // namespace

@@ -67,6 +67,29 @@ TEST(SimProcessData, OutputsOfAStateThatHasNoneAreNotTaken) {
   EXPECT_EQ(bed.object(), 18U);
 }
 
+/// A master that makes the area shorter than the PDOs gets what is in it.
+TEST(SimProcessData, OfAShortAreaWhatIsWholeIsTaken) {
+  Bed bed;
+  auto& entries = bed.slave.device.rx_pdos[0].entries;
+  entries.resize(2, entries[0]);
+  for (std::uint8_t i = 0; i < 2; ++i) {
+    entries[i].sub_index = static_cast<std::uint8_t>(i + 1);
+    entries[i].bit_length = 16;
+  }
+  bed.dictionary.add<std::uint16_t>(0x7000, 2, "Second", 0, true);
+  bed.data.emplace(bed.slave.device, bed.dictionary, bed.esc, 64);
+  bed.data->map();
+  const auto second = [&] { return load_le<std::uint16_t>(bed.dictionary.find(0x7000, 2)->value); };
+  bed.receive(0x0002'0001);
+  EXPECT_EQ(bed.object() & 0xFFFF, 1U);
+  EXPECT_EQ(second(), 2U);
+  bed.esc.memory().set<std::uint16_t>(static_cast<std::uint16_t>(reg::sync_manager(0) + 2), 2);
+  bed.data->forget_objects();
+  bed.receive(0x0004'0003);
+  EXPECT_EQ(bed.object() & 0xFFFF, 3U);
+  EXPECT_EQ(second(), 2U);
+}
+
 RC_GTEST_PROP(SimProcessData, ObjectsAreWhatTheMasterWroteLast, ()) {
   Bed bed;
   const auto moves = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 6));
