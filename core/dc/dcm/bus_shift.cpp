@@ -106,7 +106,7 @@ void BusShift::integrate(double lag) {
   filtered_ += std::min(1.0, cycle / kFilterTime) * (lag - filtered_);
   // A step has taught nothing about the drift.
   working_off_ = working_off_ && std::abs(filtered_) > static_cast<double>(limit_);
-  monitor_.set_led_back(working_off_);
+  monitor_.set_led_back(working_off_ || (monitor_.is_led_back() && !monitor_.in_sync()));
   if (working_off_) return;
   integral_ = std::clamp(integral_ + cycle / integral_time_ * filtered_, -kMaxCorrection, kMaxCorrection);
 }

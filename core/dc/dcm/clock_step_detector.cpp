@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace syncline::dc {
 namespace {
@@ -12,6 +13,8 @@ constexpr double kLevelGain = 0.1, kRateGain = 0.0053;
 constexpr int kLearning = 50;          // readings until the line is trusted
 constexpr double kStepScatters = 7.5;  // six standard deviations of a normal distribution
 constexpr double kStepMemory = 0.02;
+/// An ESC that is led back to its place after a step moves no faster: its speed counter ends at 763 ppm.
+constexpr double kFastestRate = 1e-3;
 constexpr int kLost = 20;  // strange readings in a row that do not agree: the line is begun anew
 
 }  // namespace
@@ -31,7 +34,7 @@ std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nan
   const double gate = std::max(limit_, kStepScatters * scatter_);
   if (readings_ >= kLearning && std::abs(surprise) > gate) {
     if (surprise > 0 && surprise - static_cast<double>(doubt) <= gate) return std::nullopt;  // perhaps the stamp alone
-    const auto step = sure_step(surprise, gate);
+    const auto step = sure_step({host_time, surprise}, gate);
     if (!step && strange_ < kLost) return std::nullopt;
     const auto size = step ? std::optional(static_cast<Nanoseconds>(std::llround(*step))) : std::nullopt;
     const auto keep = *this;
@@ -71,13 +74,17 @@ void ClockStepDetector::follow(double surprise, double passed) {
   rate_ += std::min(rate, 1.0) * surprise / passed;
 }
 
-std::optional<double> ClockStepDetector::sure_step(double surprise, double gate) {
+std::optional<double> ClockStepDetector::sure_step(const Strange& reading, double gate) {
   std::shift_left(last_strange_.begin(), last_strange_.end(), 1);
-  last_strange_.back() = surprise;
+  last_strange_.back() = reading;
   if (++strange_ < kSure) return std::nullopt;
-  const auto [low, high] = std::minmax_element(last_strange_.begin(), last_strange_.end());
-  if (*high - *low > gate / 2) return std::nullopt;
-  return *low + (*high - *low) / 2;
+  const auto [low, high] = std::ranges::minmax(last_strange_, {}, &Strange::surprise);
+  const double spread = high.surprise - low.surprise;
+  const double led = kFastestRate * static_cast<double>(reading.host_time - last_strange_.front().host_time);
+  const bool comes_back =
+      std::ranges::is_sorted(last_strange_, std::greater{}, [](const Strange& one) { return std::abs(one.surprise); });
+  if (spread > gate / 2 + (comes_back ? led : 0)) return std::nullopt;
+  return low.surprise + spread / 2;
 }
 
 }  // namespace syncline::dc

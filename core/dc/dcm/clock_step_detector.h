@@ -12,8 +12,9 @@ namespace syncline::dc {
 /// Tells a step of the reference clock (or of the host's) from what is only a wrong send stamp: the 64-bit time is
 /// compared with what was predicted, so that a step by whole cycles is seen too. A stamp is wrong once and by any
 /// amount; a clock that has stepped is off by the same amount in all readings that follow, and three of them are
-/// enough. Three wrong stamps in a row may agree, too, but a frame that left later than its stamp says comes back
-/// later, and a clock's step delays no frame: such a reading says nothing, be it of a step or of where the clock is.
+/// enough; or off by less each time, where it is led back at once. Three wrong stamps in a row may agree, too, but a
+/// frame that left later than its stamp says comes back later, and a clock's step delays no frame: such a reading says
+/// nothing, be it of a step or of where the clock is.
 class ClockStepDetector {
  public:
   explicit ClockStepDetector(Nanoseconds limit) : limit_(static_cast<double>(limit)) {}
@@ -24,8 +25,12 @@ class ClockStepDetector {
 
  private:
   static constexpr int kSure = 3;
+  struct Strange {
+    Nanoseconds host_time = 0;
+    double surprise = 0;  // ns
+  };
   void follow(double surprise, double passed);
-  [[nodiscard]] std::optional<double> sure_step(double surprise, double gate);
+  [[nodiscard]] std::optional<double> sure_step(const Strange& reading, double gate);
 
   double limit_;
   bool started_ = false;
@@ -34,7 +39,7 @@ class ClockStepDetector {
   double rate_ = 0;                       // reference clock's rate minus host's
   double scatter_ = 0;                    // mean of |surprise|, ns
   int readings_ = 0, strange_ = 0;
-  std::array<double, kSure> last_strange_{};
+  std::array<Strange, kSure> last_strange_{};
 };
 
 }  // namespace syncline::dc

@@ -29,6 +29,7 @@ class DcmMonitor {
   /// After a step, while the clock is led back to its place: the rate at which it goes there is not its own, and the
   /// one from before is shown.
   void set_led_back(bool led_back);
+  [[nodiscard]] bool is_led_back() const { return own_drift_.has_value(); }
   void report(DcmState& state) const;
 
   /// Error without the noise of single stamps (20 ms), ns.
