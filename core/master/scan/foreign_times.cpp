@@ -11,8 +11,8 @@
 namespace syncline::wiring {
 namespace {
 
-/// Through two ESCs and back, ns: 270 by E-bus, 520 by cables (ESC data sheet I, table of processing and forwarding
-/// delays), less what latches are off by.
+/// Through two ESCs and back, ns: 270 by E-bus, 520 by cables (kEbusDelays and kCableDelays in config/sim_config.h,
+/// which says from what), less what latches are off by.
 constexpr std::int32_t kShortestHop = 200;
 constexpr std::int32_t kLongestHop = 2'000'000;  // there and back; no cable is so long
 
@@ -27,8 +27,9 @@ struct Doubts {
 class Explanation {
  public:
   Explanation(std::span<const PortReport> slaves, std::vector<Entry> entries)
-      : slaves_(slaves), entries_(std::move(entries)), tree_(tree_of(slaves_, entries_)) {
+      : slaves_(slaves), entries_(std::move(entries)), tree_(tree_of(slaves_, entries_)), suspects_(slaves.size()) {
     doubts_.unexplained = unexplained(tree_);
+    suspect_unexplained();
     for (std::size_t i = 0; i < slaves_.size(); ++i) {
       const auto way = hop(i);
       doubts_.turned += entries_[i].port != 0 ? 1 : 0;
@@ -36,13 +37,17 @@ class Explanation {
       doubts_.short_hops += way && *way < kShortestHop ? 1 : 0;
       if (way) doubts_.hops.push_back(*way);
       doubts_.unknown_hops += way ? 0 : 1;
-      doubts_.contradictions += lacks_others_before(i) || (way && (*way < 0 || *way > kLongestHop)) ? 1 : 0;
+      if (!lacks_others_before(i) && (!way || (*way >= 0 && *way <= kLongestHop))) continue;
+      ++doubts_.contradictions;
+      suspects_[i] = true;
+      if (const auto above = nearest_above(i)) suspects_[above->position] = true;
     }
     std::ranges::sort(doubts_.hops, std::greater{});
   }
   [[nodiscard]] const Doubts& doubts() const { return doubts_; }
-  [[nodiscard]] std::span<const SlaveWiring> tree() const { return tree_; }
-  [[nodiscard]] std::vector<Entry> take() { return std::move(entries_); }
+  /// A time of this slave may be what is wrong.
+  [[nodiscard]] bool suspects(std::size_t slave) const { return suspects_[slave]; }
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
 
  private:
   /// Whoever hangs between the entry and port 0 comes before the slave, and would be in the list.
@@ -53,11 +58,30 @@ class Explanation {
                                [&](auto port) { return holds(tree_[i].unexplained_ports, port); });
   }
 
+  /// Who comes before the first port with nobody behind it does not hang there, unless it is entered by another one
+  /// than port 0; where somebody has no place at all, nothing is known of that.
+  void suspect_unexplained() {
+    std::size_t first = slaves_.size();
+    for (std::size_t i = slaves_.size(); i-- > 0;) {
+      const bool has_place = tree_[i].root || tree_[i].previous;
+      if (tree_[i].unexplained_ports != 0) first = tree_[i].entry_port == 0 ? i : 0;
+      if (!has_place) first = 0;
+      if (first == 0) break;
+    }
+    for (std::size_t i = first; i < slaves_.size(); ++i) suspects_[i] = true;
+  }
+
+  /// Where a slave hangs, those without times being but a piece of cable.
+  [[nodiscard]] std::optional<PreviousPort> nearest_above(std::size_t i) const {
+    auto above = tree_[i].previous;
+    while (above && !slaves_[above->position].receive_times) above = tree_[above->position].previous;
+    return above;
+  }
+
   /// A frame's way between a slave and the nearest one above it that has times, there and back, ns: for how much longer
   /// it was away from that one than the slave kept it.
   [[nodiscard]] std::optional<std::int32_t> hop(std::size_t i) const {
-    auto above = tree_[i].previous;
-    while (above && !slaves_[above->position].receive_times) above = tree_[above->position].previous;
+    const auto above = nearest_above(i);
     if (!above) return std::nullopt;
     const auto inside = time_behind(slaves_[i], entries_[i], std::nullopt);
     const auto away = time_behind(slaves_[above->position], entries_[above->position], above->port);
@@ -68,6 +92,7 @@ class Explanation {
   std::span<const PortReport> slaves_;
   std::vector<Entry> entries_;
   std::vector<SlaveWiring> tree_;
+  std::vector<bool> suspects_;
   Doubts doubts_;
 };
 
@@ -84,29 +109,17 @@ std::optional<std::vector<Entry>> without(std::span<const PortReport> slaves, co
   return fewer;
 }
 
-/// The times around the first port with nobody behind it are suspected, no others where all have a place and nothing
-/// contradicts itself.
-std::size_t first_suspect(std::span<const SlaveWiring> tree, const Doubts& doubts) {
-  if (doubts.contradictions > 0) return 0;
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    if (!tree[i].root && !tree[i].previous) return 0;
-    // Whoever comes before it does not hang there, unless it is entered by another port than 0.
-    if (tree[i].unexplained_ports != 0) return tree[i].entry_port == 0 ? i : 0;
-  }
-  return tree.size();
-}
-
 }  // namespace
 
 void forget_foreign_times(std::span<const PortReport> slaves, std::vector<Entry>& entries, int& tries) {
   Explanation best(slaves, entries);
   for (bool better = true; better;) {
     better = false;
-    const auto known = entries;
-    for (auto i = first_suspect(best.tree(), best.doubts()); i < slaves.size(); ++i) {
-      for (std::uint8_t port = 0; port < kPortCount; ++port) {
+    const auto known = best;
+    for (std::size_t i = 0; i < slaves.size(); ++i) {
+      for (std::uint8_t port = 0; known.suspects(i) && port < kPortCount; ++port) {
         for (const auto what : {&Entry::foreign, &Entry::untimed}) {
-          auto fewer = tries > 0 ? without(slaves, known, i, port, what) : std::nullopt;
+          auto fewer = tries > 0 ? without(slaves, known.entries(), i, port, what) : std::nullopt;
           if (!fewer) continue;
           --tries;
           Explanation explanation(slaves, std::move(*fewer));
@@ -116,8 +129,8 @@ void forget_foreign_times(std::span<const PortReport> slaves, std::vector<Entry>
         }
       }
     }
-    if (better) entries = Explanation(best).take();
   }
+  entries = best.entries();
 }
 
 }  // namespace syncline::wiring
