@@ -98,7 +98,8 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     return finding;
   }
   if (slave.sm2_missed->missed == 0) {
-    if (const auto moved = fall ? sync0_had_moved_at(report, slave, fall->time) : std::nullopt) {
+    const bool misplaced = slave.evidence.sync0.misplaced();  // told as that
+    if (const auto moved = fall && !misplaced ? sync0_had_moved_at(report, slave, fall->time) : std::nullopt) {
       finding.code = code::kSlaveFellByMovedClock;
       finding.figures.push_back(phrase_figure("why", *moved));
       return finding;
@@ -106,7 +107,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     const bool in_time =
         usual_worst_lateness(report) < *slave.sync0_margin && slave.evidence.calc_and_copy_ns <= *slave.sync0_margin;
     const bool locked = fall ? was_locked(report, fall->time) : was_locked(report);
-    const bool by_itself = fall && in_time && locked && cycles_were_good(report, fall->time);
+    const bool by_itself = fall && in_time && locked && !misplaced && cycles_were_good(report, fall->time);
     if (by_itself) finding.code = code::kSlaveFellByItself;
     if (!locked) finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "unlocked");
     finding.figures.push_back(time_figure("margin", *slave.sync0_margin));

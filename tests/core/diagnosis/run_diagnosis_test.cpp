@@ -617,6 +617,10 @@ TEST(RunDiagnosis, ASlaveThatFellWhenAClockHadMovedIsToldAsThat) {
   EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("outputs are meant for, the reference clock has stepped. Mend"));
   report.history.slave_losses.front().size = 300;
   EXPECT_THAT(codes(report), Contains(code::kSlaveFellByItself)) << "its SYNC0 has more room than that";
+  report.slaves[1].evidence.sync0.time = kStart;
+  report.slaves[1].evidence.sync0.off_ns = 300'000;
+  EXPECT_THAT(codes(report), testing::AllOf(Contains(code::kSlaveFell), Contains(code::kSync0Misplaced)))
+      << "no clock to mend";
 }
 
 TEST(RunDiagnosis, ASlaveThatFellAfterItsFirmwareHadStoodStillIsToldAsThat) {
