@@ -118,7 +118,7 @@ std::vector<SoakFaultKind> host_kinds() {
        .findings = {code::kHostStalled},
        .also = {code::kMissedByHost, code::kSlaveFellByMisses, code::kMasterLostLock},
        .shows = {Signal::kLeftOutCycles},
-       .may_show = kWithoutOutputs + std::vector{Signal::kLateSends}},
+       .may_show = kWithoutOutputs + std::vector{Signal::kLateSends, Signal::kOutputsShiftTooShort}},
       {.name = "clock slew",
        .kind = FaultKind::kClockSlew,
        .victims = {},

@@ -72,6 +72,24 @@ std::optional<Nanoseconds> had_stopped(const RunReport& report, const RunReport:
   return stood ? std::optional(since) : std::nullopt;
 }
 
+/// Hours of single events that it got over are not why it fell: where the host stood still or frames were lost just
+/// before, that is, and otherwise what most of them have.
+dc::MissCause cause_of_fall(const RunReport& report, const RunReport::Slave& slave) {
+  constexpr Nanoseconds kBefore = 100 * kMillisecond;
+  const auto& status = *slave.sm2_missed;
+  const auto most = main_cause(status);
+  const auto& fall = report.history.slaves[slave.position].fall;
+  if (!fall) return most;
+  const Spell before{fall->time - kBefore, fall->time, 0, 0};
+  const auto is_one = [&](dc::MissCause cause, const Spells& spells) {
+    return status.by_cause[static_cast<std::size_t>(cause)] > 0 && spells.near(before, 0);
+  };
+  const bool lost = is_one(dc::MissCause::kFrameLost, report.history.lost_frames);
+  const bool left_out = is_one(dc::MissCause::kCyclesLeftOut, report.history.stalls);
+  if (lost && (most == dc::MissCause::kFrameLost || !left_out)) return dc::MissCause::kFrameLost;
+  return left_out ? dc::MissCause::kCyclesLeftOut : most;
+}
+
 Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto& fall = report.history.slaves[slave.position].fall;
   const auto since = fall ? fall->time : report.history.begin;
@@ -117,7 +135,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   finding.figures.push_back(count_figure("missed", slave.sm2_missed->missed, slave.sm2_missed->at_least));
   finding.figures.push_back(count_figure("integrator", integrator_at_fall(report, slave)));
   finding.figures.push_back(count_figure("limit", slave.sm2_missed->limit));
-  const auto cause = main_cause(*slave.sm2_missed);
+  const auto cause = cause_of_fall(report, slave);
   const auto moved = cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate
                          ? sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)
                          : std::nullopt;

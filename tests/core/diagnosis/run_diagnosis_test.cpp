@@ -604,6 +604,24 @@ TEST(RunDiagnosis, AnEarlierFallSaysWhatWasWrongJustBefore) {
   EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("led up again. Check")) << "no error of its synchronisation";
 }
 
+TEST(RunDiagnosis, ADriveFallsByWhatWasJustBeforeAndNotByWhatItGotOver) {
+  auto report = healthy();
+  report.slaves[1].al_status = 0x14;
+  report.slaves[1].al_status_code = 0x1A;
+  report.history.slaves[1].fall = RunHistory::Fall{kStart + 9 * kSecond, 0x14, 0x1A};
+  miss(report, 1, dc::MissCause::kFrameLate, 16);
+  report.slaves[1].sm2_missed->by_cause[static_cast<std::size_t>(dc::MissCause::kCyclesLeftOut)] = 4;
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByLateFrames);
+  report.history.stalls.note(kStart + 3 * kSecond, 4, 5 * kMillisecond);
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByLateFrames) << "long before";
+  report.history.stalls.note(kStart + 9 * kSecond - 2 * kMillisecond, 4, 5 * kMillisecond);
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
+  EXPECT_THAT(describe(diagnose(report)[0]),
+              HasSubstr("The cause of 4 of the missed events: the host left cycles out"));
+  report.history.lost_frames.note(kStart + 9 * kSecond - 2 * kMillisecond, 2);
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("the host left cycles out")) << "none was missed by them";
+}
+
 TEST(RunDiagnosis, ASlaveThatFellWhenAClockHadMovedIsToldAsThat) {
   auto report = healthy();
   report.slaves[1].al_status = 0x14;
