@@ -72,17 +72,25 @@ std::optional<Nanoseconds> had_stopped(const RunReport& report, const RunReport:
   return stood ? std::optional(since) : std::nullopt;
 }
 
+std::uint64_t count_near(const Spells& spells, Nanoseconds from, Nanoseconds to) {
+  std::uint64_t count = 0;
+  for (const auto& spell : spells.list()) count += spell.from <= to && spell.to >= from ? spell.count : 0;
+  return count;
+}
+
 /// Hours of single events that it got over are not why it fell: where the host stood still or frames were lost just
-/// before, that is, and otherwise what most of them have.
+/// before, and that is about what it missed then, that is; otherwise what most of them have.
 dc::MissCause cause_of_fall(const RunReport& report, const RunReport::Slave& slave) {
   constexpr Nanoseconds kBefore = 100 * kMillisecond;
   const auto& status = *slave.sm2_missed;
   const auto most = main_cause(status);
   const auto& fall = report.history.slaves[slave.position].fall;
   if (!fall) return most;
-  const Spell before{fall->time - kBefore, fall->time, 0, 0};
+  const auto begin = fall->time - kBefore;
+  const auto missed = count_near(report.history.slaves[slave.position].missed, begin, fall->time + kReadLater);
   const auto is_one = [&](dc::MissCause cause, const Spells& spells) {
-    return status.by_cause[static_cast<std::size_t>(cause)] > 0 && spells.near(before, 0);
+    const auto then = count_near(spells, begin, fall->time);
+    return status.by_cause[static_cast<std::size_t>(cause)] > 0 && then > 0 && missed <= 2 * then + 2;
   };
   const bool lost = is_one(dc::MissCause::kFrameLost, report.history.lost_frames);
   const bool left_out = is_one(dc::MissCause::kCyclesLeftOut, report.history.stalls);

@@ -620,6 +620,10 @@ TEST(RunDiagnosis, ADriveFallsByWhatWasJustBeforeAndNotByWhatItGotOver) {
               HasSubstr("The cause of 4 of the missed events: the host left cycles out"));
   report.history.lost_frames.note(kStart + 9 * kSecond - 2 * kMillisecond, 2);
   EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("the host left cycles out")) << "none was missed by them";
+  report.history.slaves[1].missed.note(kStart + 9 * kSecond, 5);
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByMisses);
+  report.history.slaves[1].missed.note(kStart + 9 * kSecond, 11);
+  EXPECT_EQ(codes(report).front(), code::kSlaveFellByLateFrames) << "it did not get over them: they went on until then";
 }
 
 TEST(RunDiagnosis, ASlaveThatFellWhenAClockHadMovedIsToldAsThat) {
