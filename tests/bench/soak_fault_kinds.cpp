@@ -20,9 +20,11 @@ std::vector<Signal> operator+(std::vector<Signal> some, const std::vector<Signal
 /// Who gets no outputs for a few cycles counts it, and a drive falls by it.
 const std::vector<Signal> kWithoutOutputs{Signal::kSm2Missed, Signal::kSetpointSlips, Signal::kAlState};
 const std::vector<Signal> kDeviations{Signal::kDeviation, Signal::kSlaveDeviation};
-/// Who is away, and who is behind it and gets no outputs; their clocks settle anew when they are back.
+/// Who is away, and who is behind it and gets no outputs; their clocks settle anew when they are back, and the
+/// master with them where it was who leads.
 std::vector<Signal> away() {
-  return std::vector{Signal::kSm2Missed, Signal::kWkcErrors, Signal::kAlState, Signal::kProcessDataWatchdog} +
+  return std::vector{Signal::kSm2Missed, Signal::kWkcErrors, Signal::kAlState, Signal::kProcessDataWatchdog,
+                     Signal::kDcmErrorFiltered} +
          kDeviations + of_ports({PortSignal::kLostLinks});
 }
 /// The machine that was never in OP.
