@@ -47,6 +47,8 @@ struct Thrown {
   FaultConfig fault;
   const SoakFaultKind* kind = nullptr;
   bool told = false, shown = true;
+  Nanoseconds next = INT64_MAX;  // when another one comes
+  bool down = false;             // its victim, by what came before: nothing need be told of it
 
   [[nodiscard]] bool concerns(int slave) const { return fault.slave < 0 || slave < 0 || slave == fault.slave; }
 };
@@ -151,7 +153,9 @@ class Soak {
                                      .until = fault.at + kSecond / 2});
     }
     network_.sim.faults.push_back(fault);
-    segments_.back().thrown.push_back({fault, &kind});
+    auto& thrown = segments_.back().thrown;
+    if (!thrown.empty()) thrown.back().next = fault.at;
+    thrown.push_back({fault, &kind});
   }
 
   /// Good news are told by the same events.
@@ -210,11 +214,12 @@ class Soak {
   void look_at_plots(std::size_t number, const SampleStore& store, const RunLimits& limits) {
     auto& segment = segments_[number];
     const auto from = begin_ + start_of(number) + kBringUp;
-    for (auto& [fault, kind, told, shown] : segment.thrown) {
-      const auto slave = static_cast<std::size_t>(fault.slave);
-      const bool has_gaps = std::ranges::any_of(
-          kind->gaps, [&, &victim = slave](Signal signal) { return has_gap(store, signal, victim, from); });
-      shown = (kind->shows.empty() && kind->gaps.empty()) || has_gaps || !can_be_told(segment.thrown.front(), fault);
+    for (auto& one : segment.thrown) {
+      const auto& kind = *one.kind;
+      const auto slave = static_cast<std::size_t>(one.fault.slave);
+      const bool has_gaps =
+          std::ranges::any_of(kind.gaps, [&](Signal signal) { return has_gap(store, signal, slave, from); });
+      one.shown = (kind.shows.empty() && kind.gaps.empty()) || has_gaps || one.down;
     }
     for (const auto& signal : shown_out_of_order(store, limits, from)) {
       segment.log += "plots: " + text_of(signal) + "\n";
@@ -229,22 +234,14 @@ class Soak {
     }
   }
 
-  /// What came first may have taken the victim down for good.
-  [[nodiscard]] bool can_be_told(const Thrown& first, const FaultConfig& fault) const {
-    return first.fault.at == fault.at || down_.empty() || fault.slave < 0 || !holds(down_, fault.slave);
-  }
-
-  /// Slaves that were not in OP when the last fault came.
-  void note_down(const Segment& segment, const std::vector<Event>& events) {
-    down_.clear();
-    if (segment.thrown.size() < 2) return;
-    std::map<int, AlState> states;
+  /// Whether the last one's victim was still in OP when it came.
+  void note_down(Segment& segment, const std::vector<Event>& events) const {
+    auto& last = segment.thrown.back();
+    if (segment.thrown.size() < 2 || last.fault.slave < 0) return;
     for (const auto& event : events) {
       const auto* change = event.as<events::StateChanged>();
-      if (change != nullptr && event.time < begin_ + segment.thrown.back().fault.at) states[event.slave] = change->to;
-    }
-    for (const auto& [slave, state] : states) {
-      if (state != AlState::kOp) down_.push_back(slave);
+      if (change == nullptr || event.slave != last.fault.slave || event.time >= begin_ + last.fault.at) continue;
+      last.down = change->to != AlState::kOp;
     }
   }
 
@@ -256,15 +253,15 @@ class Soak {
     const bool is_wide = network_.project.master.dc.sync_window.exponent > kUsualWindow;
     for (auto& one : segment.thrown) {
       const bool is_small = one.kind->kind == FaultKind::kClockSlew && is_wide;
-      one.told = one.kind->harmless || is_small || !can_be_told(segment.thrown.front(), one.fault);
+      one.told = one.kind->harmless || is_small || one.down;
     }
     for (const auto& event : events) {
       segment.log += cli::event_text(event, begin_ + start_of(number)) + "\n";
       for (auto& one : segment.thrown) {
         // Of what is lost it is the time of sending.
-        const bool is_late_enough = event.time >= begin_ + one.fault.at - network_.project.master.cycle_time;
-        one.told |=
-            holds(one.kind->events, event.kind()) && is_late_enough && is_bad(event) && one.concerns(event.slave);
+        const bool is_then = event.time >= begin_ + one.fault.at - network_.project.master.cycle_time &&
+                             event.time < (one.next == INT64_MAX ? INT64_MAX : begin_ + one.next);
+        one.told |= holds(one.kind->events, event.kind()) && is_then && is_bad(event) && one.concerns(event.slave);
       }
     }
     for (const auto& finding : diagnose(report)) {
@@ -275,9 +272,10 @@ class Soak {
                                 std::ranges::find(finding.figures, "why", &Figure::name) != finding.figures.end();
       bool follows = finding.severity == Severity::kNote || is_explained;
       for (auto& one : segment.thrown) {
-        const bool tells = holds(one.kind->findings, finding.code) && one.concerns(finding.place.slave);
+        const bool its_kind = holds(one.kind->findings, finding.code) && one.concerns(finding.place.slave);
+        const bool tells = its_kind && (one.next == INT64_MAX || finding.from < begin_ + one.next);
         one.told |= tells;
-        follows = follows || tells || holds(one.kind->also, finding.code);
+        follows = follows || its_kind || holds(one.kind->also, finding.code);
       }
       if (!follows) segment.accused.push_back(words);
     }
@@ -296,7 +294,7 @@ class Soak {
 
   void show(std::size_t number) const {
     const auto& segment = segments_[number];
-    for (const auto& [fault, kind, told, shown] : segment.thrown) {
+    for (const auto& [fault, kind, told, shown, next, down] : segment.thrown) {
       fmt::print("{} fault {} ({}, slave {}, at {:.3f} s, value {} ns, count {}){}\n", segment.kept() ? "-" : "MISSED",
                  number, kind->name, fault.slave, static_cast<double>(fault.at - start_of(number)) / 1e9,
                  fault.value_ns, fault.count,
@@ -338,7 +336,6 @@ class Soak {
   SoakMachine machine_;
   test::SimulatedNetwork& network_ = machine_.network;
   std::vector<Segment> segments_;
-  std::vector<int> down_;  // see note_down()
   Nanoseconds length_, begin_ = 0;
   std::unique_ptr<MasterService> service_;
   std::vector<CycleSample> samples_;

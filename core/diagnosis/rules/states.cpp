@@ -19,6 +19,9 @@ namespace {
 
 using Unit = Figure::Unit;
 
+/// What a drive falls by is over so soon after it began.
+constexpr Nanoseconds kJustBefore = 100 * kMillisecond;
+
 std::string alarm_text(const RunReport& report, const RunReport::Slave& slave) {
   const auto& emergency = report.history.slaves[slave.position].emergency;
   if (!emergency || *emergency == 0) return {};
@@ -27,8 +30,7 @@ std::string alarm_text(const RunReport& report, const RunReport::Slave& slave) {
 
 /// Nothing of what disturbs outputs was seen shortly before.
 bool cycles_were_good(const RunReport& report, Nanoseconds fall) {
-  constexpr Nanoseconds kBefore = 100 * kMillisecond;
-  const Spell before{fall - kBefore, fall, 0, 0};
+  const Spell before{fall - kJustBefore, fall, 0, 0};
   const auto& history = report.history;
   const bool damaged = std::ranges::any_of(history.slaves, [&](const RunHistory::Slave& slave) {
     return std::ranges::any_of(slave.port_errors, [&](const Spells& port) {
@@ -81,12 +83,11 @@ std::uint64_t count_near(const Spells& spells, Nanoseconds from, Nanoseconds to)
 /// Hours of single events that it got over are not why it fell: where the host stood still or frames were lost just
 /// before, and that is about what it missed then, that is; otherwise what most of them have.
 dc::MissCause cause_of_fall(const RunReport& report, const RunReport::Slave& slave) {
-  constexpr Nanoseconds kBefore = 100 * kMillisecond;
   const auto& status = *slave.sm2_missed;
   const auto most = main_cause(status);
   const auto& fall = report.history.slaves[slave.position].fall;
   if (!fall) return most;
-  const auto begin = fall->time - kBefore;
+  const auto begin = fall->time - kJustBefore;
   const auto missed = count_near(report.history.slaves[slave.position].missed, begin, fall->time + kReadLater);
   const auto is_one = [&](dc::MissCause cause, const Spells& spells) {
     const auto then = count_near(spells, begin, fall->time);
@@ -173,8 +174,7 @@ Finding refused(const RunReport& report, const RunReport::Slave& slave) {
 
 /// What was wrong within a moment before; empty where nothing is known. Goes behind "just before:".
 std::string_view trouble_before(const RunReport& report, const RunReport::Slave& slave, Nanoseconds fall) {
-  constexpr Nanoseconds kBefore = 100 * kMillisecond;
-  const Spell before{fall - kBefore, fall, 0, 0};
+  const Spell before{fall - kJustBefore, fall, 0, 0};
   if (report.history.lost_frames.near(before, 0)) return "frames were lost";
   if (report.history.stalls.near(before, 0)) return "the host left cycles out";
   if (const auto moved = sync0_had_moved_at(report, slave, fall)) return *moved;

@@ -12,6 +12,7 @@ namespace syncline {
 namespace {
 
 using test::codes;
+using test::fall;
 using test::healthy;
 using test::kStart;
 using test::loss;
@@ -55,9 +56,7 @@ TEST(DriveFalls, WorkingCountersAfterAFallAreItsConsequence) {
 
 TEST(DriveFalls, ADriveThatFellThoughAllWasGoodFellByItself) {
   auto report = healthy();
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x1A;
-  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  fall(report, 1, 5 * kSecond);
   EXPECT_THAT(codes(report), ElementsAre(code::kSlaveFellByItself));
   report.history.lost_frames.note(kStart + 5 * kSecond - 5 * kMillisecond, 3);
   EXPECT_EQ(codes(report).front(), code::kSlaveFell) << "something was wrong: nothing is claimed";
@@ -70,14 +69,11 @@ TEST(DriveFalls, WhatHappensLongAfterTheMasterFoundBackIsNotDoneByItsTimeUnlocke
   report.history.master_losses.push_back(
       {kStart + kSecond, -1, 5'000, dc::SyncObstacle::kControlError, kStart + 2 * kSecond});
   auto fallen = report;
-  fallen.slaves[1].al_status = 0x14;
-  fallen.slaves[1].al_status_code = 0x2C;
-  auto& fall = fallen.history.slaves[1].fall;
-  fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x2C};
+  fall(fallen, 1, 5 * kSecond, 0x2C);
   EXPECT_THAT(codes(fallen), Contains(code::kSlaveFellByItself));
-  fall->time = kStart + 3 * kSecond / 2;
+  fall(fallen, 1, 3 * kSecond / 2, 0x2C);
   EXPECT_THAT(describe(diagnose(fallen)[0]), HasSubstr("frames slid through its SYNC0"));
-  fall->time = kStart + 5 * kSecond;
+  fall(fallen, 1, 5 * kSecond, 0x2C);
   fallen.dcm.state = SyncState::kOutOfSync;
   fallen.history.master_losses.front().back.reset();
   EXPECT_THAT(describe(diagnose(fallen)[0]), HasSubstr("frames slid through its SYNC0")) << "it has not found back";
@@ -103,9 +99,7 @@ TEST(DriveFalls, AnEarlierFallSaysWhatWasWrongJustBefore) {
 
 TEST(DriveFalls, ADriveFallsByWhatWasJustBeforeAndNotByWhatItGotOver) {
   auto report = healthy();
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x1A;
-  report.history.slaves[1].fall = RunHistory::Fall{kStart + 9 * kSecond, 0x14, 0x1A};
+  fall(report, 1, 9 * kSecond);
   miss(report, 1, dc::MissCause::kFrameLate, 16);
   report.slaves[1].sm2_missed->by_cause[static_cast<std::size_t>(dc::MissCause::kCyclesLeftOut)] = 4;
   EXPECT_EQ(codes(report).front(), code::kSlaveFellByLateFrames);
@@ -125,9 +119,7 @@ TEST(DriveFalls, ADriveFallsByWhatWasJustBeforeAndNotByWhatItGotOver) {
 
 TEST(DriveFalls, ASlaveThatFellWhenAClockHadMovedIsToldAsThat) {
   auto report = healthy();
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x1A;
-  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  fall(report, 1, 5 * kSecond);
   auto step = loss(-1, 700'000);
   step.obstacle = dc::SyncObstacle::kClockStep;
   step.time = kStart + 5 * kSecond - 100 * kMillisecond;
@@ -145,9 +137,7 @@ TEST(DriveFalls, ASlaveThatFellWhenAClockHadMovedIsToldAsThat) {
 TEST(DriveFalls, ASlaveThatFellAfterItsFirmwareHadStoodStillIsToldAsThat) {
   auto report = healthy();
   auto& history = report.history.slaves[1];
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x2C;
-  history.fall = RunHistory::Fall{kStart + 9 * kSecond, 0x14, 0x2C};
+  fall(report, 1, 9 * kSecond, 0x2C);
   history.pdi_watchdog.note(kStart + 7 * kSecond, 1);
   EXPECT_THAT(codes(report), ElementsAre(code::kSlaveFellByHang, code::kFirmwareHung));
   EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("expired at 7.000 s"));
@@ -171,9 +161,7 @@ TEST(DriveFalls, ASlaveThatFellAfterItsFirmwareHadStoodStillIsToldAsThat) {
 
 TEST(DriveFalls, ADriveThatGetsItsOutputsTooShortlyBeforeSync0DidNotFallByItself) {
   auto report = healthy();
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x1A;
-  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  fall(report, 1, 5 * kSecond);
   report.slaves[1].sync0_margin = 53'300;
   report.slaves[1].evidence.calc_and_copy_ns = 62'500;
   ASSERT_THAT(codes(report), ElementsAre(code::kSlaveFell, code::kSync0TooTight));
@@ -184,9 +172,7 @@ TEST(DriveFalls, ADriveThatGetsItsOutputsTooShortlyBeforeSync0DidNotFallByItself
 
 TEST(DriveFalls, ADriveThatWasCutOffDidNotFallByItself) {
   auto report = healthy();
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x1A;
-  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  fall(report, 1, 5 * kSecond);
   report.history.slaves[1].absences.note(kStart + 4990 * kMillisecond, 1, 0, kStart + 4890 * kMillisecond);
   for (const std::uint32_t missed : {0U, 2U}) {
     miss(report, 1, dc::MissCause::kUnknown, missed);
@@ -197,9 +183,7 @@ TEST(DriveFalls, ADriveThatWasCutOffDidNotFallByItself) {
 
 TEST(DriveFalls, ADriveWhoseClockJumpedDidNotFallByItself) {
   auto report = healthy();
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x1A;
-  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  fall(report, 1, 5 * kSecond);
   report.history.slave_losses.push_back({kStart + 4998 * kMillisecond, 2, 442'000, {}, kStart + 7 * kSecond});
   EXPECT_EQ(codes(report).front(), code::kSlaveFellByItself) << "it was another one's clock";
   report.history.slave_losses.front().slave = 1;
@@ -208,9 +192,7 @@ TEST(DriveFalls, ADriveWhoseClockJumpedDidNotFallByItself) {
 
 TEST(DriveFalls, ADriveThatFellByLateFramesNeedsALaterSync0) {
   auto report = healthy();
-  report.slaves[1].al_status = 0x14;
-  report.slaves[1].al_status_code = 0x1A;
-  report.history.slaves[1].fall = RunHistory::Fall{kStart + 5 * kSecond, 0x14, 0x1A};
+  fall(report, 1, 5 * kSecond);
   miss(report, 1, dc::MissCause::kFrameLate, 3);
   const auto findings = diagnose(report);
   ASSERT_EQ(findings.front().code, code::kSlaveFellByLateFrames);

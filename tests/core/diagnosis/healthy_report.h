@@ -73,6 +73,13 @@ inline void miss(RunReport& report, std::size_t slave, dc::MissCause cause, std:
   status.integrator_highest = 6;
 }
 
+/// Out of OP with this AL status code, so long after the beginning.
+inline void fall(RunReport& report, std::size_t slave, Nanoseconds after, std::uint16_t al_status_code = 0x1A) {
+  report.slaves[slave].al_status = 0x14;
+  report.slaves[slave].al_status_code = al_status_code;
+  report.history.slaves[slave].fall = RunHistory::Fall{kStart + after, 0x14, al_status_code};
+}
+
 /// For a second, 5 s after the beginning; of nobody with -1.
 inline RunHistory::SyncLoss loss(int slave, std::int64_t size) {
   return {kStart + 5 * kSecond, slave, size, dc::SyncObstacle::kNone, kStart + 6 * kSecond};
