@@ -32,6 +32,7 @@ struct PortErrors {
 /// 0x1C32 or 0x1C33 of a slave (ETG.1020).
 struct SyncObjectCounts {
   EvidenceCount exceeded;           // cycles that took longer than the cycle time
+  std::uint32_t by_frames = 0;      // of these, without SYNC0: no more than frames that came too soon after others
   EvidenceCount shift_too_short;    // 0D: outputs too late for SYNC0, or SYNC1 too close behind it
   bool sync_error = false;          // 20, at its newest reading
   Nanoseconds sync_error_time = 0;  // host clock of that; 0: never read

@@ -3,22 +3,12 @@
 
 #include <algorithm>
 
+#include "config/command_data.h"
 #include "config/cyclic_frame.h"
 #include "config/network_config.h"
-#include "config/process_image.h"
 #include "protocol/frame.h"
 
 namespace syncline {
-namespace {
-
-/// Whether some of these outputs go with this command.
-bool carries(const CyclicCmd& command, const ImageRange& outputs, std::uint32_t data_offset) {
-  if (command.command != Command::kLrw && command.command != Command::kLwr) return false;
-  return outputs.touches(std::uint64_t{command.output_offset} + data_offset, command.length());
-}
-
-}  // namespace
-
 std::size_t frame_bytes(const CyclicFrame& frame) {
   std::size_t bytes = kFrameOverhead;
   for (const auto& cmd : frame.commands) bytes += kDatagramOverhead + cmd.length();
@@ -37,9 +27,8 @@ Nanoseconds outputs_wire_time(const NetworkConfig& config, std::size_t slave) {
   Nanoseconds passed = 0, complete = 0;
   for (const auto& frame : config.cyclic.front().frames) {
     passed += wire_time(frame);
-    if (std::ranges::any_of(frame.commands, [&](const CyclicCmd& command) {
-          return carries(command, *outputs, config.image.command_data_offset);
-        })) {
+    if (std::ranges::any_of(frame.commands,
+                            [&](const CyclicCmd& command) { return writes_outputs(command, outputs, config.image); })) {
       complete = passed;
     }
   }

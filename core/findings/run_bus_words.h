@@ -110,6 +110,17 @@ inline constexpr FindingWords kRunBus[] = {
      "Give it a longer cycle, or fewer objects and functions in each.",
      "master.cycle_time_us",
      {{"", "{slave} needed longer than its cycle {count} ({object} cycle exceeded), last at {last}."}}},
+    {"exceeded-by-host",
+     Severity::kWarning,
+     "Cycles of a slave were not finished because frames came too soon",
+     "",
+     "Look for what makes the host send late: the frame behind a late one comes sooner after it. Its firmware is not "
+     "the "
+     "reason.",
+     "",
+     {{"",
+       "{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at "
+       "{last}: the host sent frames less than a cycle one behind the other."}}},
     {"inputs-late",
      Severity::kWarning,
      "A slave does not renew its inputs in each cycle",

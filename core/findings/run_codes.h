@@ -52,6 +52,7 @@ inline constexpr std::string_view kFirmwareHangs = "firmware-hangs";
 inline constexpr std::string_view kFirmwareSlow = "firmware-slow";
 inline constexpr std::string_view kInputsLate = "inputs-late";
 inline constexpr std::string_view kOutputsLate = "outputs-late";
+inline constexpr std::string_view kExceededByHost = "exceeded-by-host";
 inline constexpr std::string_view kGatewayCycleExceeded = "gateway-cycle-exceeded";
 inline constexpr std::string_view kMailboxSilent = "mailbox-silent";
 inline constexpr std::string_view kOutputsWatchdog = "outputs-watchdog";

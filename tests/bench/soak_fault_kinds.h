@@ -19,7 +19,8 @@ struct SoakFaultKind {
   std::vector<int> victims;               // of the line's six; empty: the line or the host, or
   bool of_reference = false;              // whoever leads,
   bool of_clock = false;                  // who follows it,
-  bool with_sync0 = false;                // who has SYNC signals, whose counters are read
+  bool with_sync0 = false;                // who has SYNC signals,
+  bool by_itself = false;                 // who has none, and shows what it does
   Nanoseconds shortest = 0, longest = 0;  // how long it lasts; 0: a moment
   Nanoseconds least = 0, most = 0;        // value,
   bool in_cycles = false;                 // at a cycle of 1 ms, in proportion to it at others

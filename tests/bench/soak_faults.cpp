@@ -78,6 +78,7 @@ class Soak {
   Soak(double hours, int faults, std::uint64_t seed, Way way)
       : random_(seed),
         machine_(soak_machine(random_, way != Way::kLine)),
+        kinds_(kinds_for(machine_)),
         length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
     begin_ = clock_.now();
     network_.sim.seed = seed;
@@ -108,15 +109,14 @@ class Soak {
   [[nodiscard]] Nanoseconds start_of(std::size_t segment) const { return static_cast<Nanoseconds>(segment) * length_; }
 
   void add_segment(bool pair) {
-    const auto kinds = soak_fault_kinds();
-    const auto& first = kinds[segments_.size() % kinds.size()];
+    const auto& first = *kinds_[segments_.size() % kinds_.size()];
     const auto start = start_of(segments_.size());
     segments_.emplace_back();
     const auto up = start + kBringUp;
     if (!pair || first.while_down) return throw_in(first, up, up + (length_ - kBringUp) / 2);
     throw_in(first, up, up + (length_ - kBringUp) / 5);
-    const auto* second = &kinds[random_.next() % kinds.size()];
-    while (second->while_down) second = &kinds[random_.next() % kinds.size()];
+    const auto* second = kinds_[random_.next() % kinds_.size()];
+    while (second->while_down) second = kinds_[random_.next() % kinds_.size()];
     throw_in(*second, up + (length_ - kBringUp) * 3 / 5, up + (length_ - kBringUp) * 3 / 4);
   }
 
@@ -139,7 +139,7 @@ class Soak {
     fault.value_ns =
         static_cast<Nanoseconds>(random_.uniform(static_cast<double>(kind.least), static_cast<double>(kind.most)));
     if (kind.either_sign && random_.next() % 2 == 0) fault.value_ns = -fault.value_ns;
-    if (kind.in_cycles) fault.value_ns *= network_.project.master.cycle_time / kMillisecond;
+    if (kind.in_cycles) fault.value_ns *= own_cycle(machine_, fault.slave) / kMillisecond;
     fault.ppm = kind.ppm;
     fault.port = kind.port;
     fault.state = kind.state;
@@ -334,6 +334,7 @@ class Soak {
   Random random_;
   VirtualClock clock_;
   SoakMachine machine_;
+  std::vector<const SoakFaultKind*> kinds_;
   test::SimulatedNetwork& network_ = machine_.network;
   std::vector<Segment> segments_;
   Nanoseconds length_, begin_ = 0;

@@ -146,6 +146,14 @@ bool follows(const SoakMachine& machine, int slave) {
   return slave > static_cast<int>(machine.reference) && has_sync0(machine, slave);
 }
 
+/// Slow firmware of a slave that runs by itself shows in its SyncManager, where that is exchanged in each cycle by the
+/// one frame; a gateway counts it.
+bool tells_by_itself(const SoakMachine& machine, int slave) {
+  const auto& network = machine.network;
+  return !has_sync0(machine, slave) && (network.project.master.tasks.empty() ||
+                                        network.sim.slaves[static_cast<std::size_t>(slave)].behaviour == "can-gateway");
+}
+
 }  // namespace
 
 SoakMachine soak_machine(Random& random, bool drawn) {
@@ -163,6 +171,21 @@ SoakMachine soak_machine(Random& random, bool drawn) {
   return machine;
 }
 
+std::vector<const SoakFaultKind*> kinds_for(const SoakMachine& machine) {
+  std::vector<const SoakFaultKind*> kinds;
+  for (const auto& kind : soak_fault_kinds()) {
+    if (kind.victims.empty() || !victims(machine, kind).empty()) kinds.push_back(&kind);
+  }
+  return kinds;
+}
+
+Nanoseconds own_cycle(const SoakMachine& machine, int slave) {
+  const auto& project = machine.network.project;
+  const auto cycle = project.master.cycle_time;
+  if (slave < 0 || !has_sync0(machine, slave)) return cycle;
+  return cycle * project.slaves[static_cast<std::size_t>(slave)].dc.sync0.cycle_factor.value_or(1);
+}
+
 std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind) {
   if (kind.of_reference) return {static_cast<int>(machine.reference)};
   const auto& slaves = machine.network.sim.slaves;
@@ -175,7 +198,8 @@ std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind) 
     if (is_like_one) all.push_back(static_cast<int>(i));
   }
   std::erase_if(all, [&](int slave) {
-    return (kind.of_clock && !follows(machine, slave)) || (kind.with_sync0 && !has_sync0(machine, slave));
+    return (kind.of_clock && !follows(machine, slave)) || (kind.with_sync0 && !has_sync0(machine, slave)) ||
+           (kind.by_itself && !tells_by_itself(machine, slave));
   });
   return all;
 }

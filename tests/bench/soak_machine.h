@@ -26,6 +26,11 @@ struct SoakMachine {
 /// Whom a fault of this kind can hit: those that the kind names, and those behind the line that are like them.
 [[nodiscard]] std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind);
 
+/// Kinds that can hit somebody.
+[[nodiscard]] std::vector<const SoakFaultKind*> kinds_for(const SoakMachine& machine);
+/// Of a slave's SYNC0, or of the machine; -1: of the machine. ns.
+[[nodiscard]] Nanoseconds own_cycle(const SoakMachine& machine, int slave);
+
 /// "14 slaves, slave 1 leads, ..."
 [[nodiscard]] std::string text_of(const SoakMachine& machine);
 

@@ -145,6 +145,53 @@ TEST(SlowFirmware, ATerminalWithOutputsAloneIsNamedByTheOutputsThatItLeaves) {
   }
 }
 
+/// It begins its cycles with the process data, or by itself.
+TEST(SlowFirmware, IsNamedOfSlavesWithoutSync0) {
+  struct SlowKind {
+    DeviceDescription device;
+    const char* behaviour;
+    std::string_view found;
+  };
+  for (const auto& kind : {SlowKind{sample::own("SL-6751"), "can-gateway", code::kGatewayCycleExceeded},
+                           SlowKind{test::servo(), "servo-y", code::kInputsLate},
+                           SlowKind{sample::own("SL-XE2"), "drive-c", code::kInputsLate}}) {
+    test::DiagnosedRun machine;
+    machine.network.add(test::io8());
+    machine.network.add(kind.device, kind.behaviour);
+    machine.network.add(test::servo(), "servo-y");
+    machine.network.project.slaves[1].dc.op_mode.clear();
+    auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
+    fault.value_ns = 2'500'000;
+    fault.until = 10 * kSecond;
+    machine.run(14 * kSecond);
+    EXPECT_TRUE(machine.found(kind.found, 1)) << kind.behaviour << "\n" << machine.said();
+    const auto told = std::ranges::count_if(machine.events, [](const Event& event) {
+      const auto* stale = event.as<events::StaleProcessData>();
+      const auto* longer = event.as<events::LongCycles>();
+      return event.slave == 1 && ((stale != nullptr && stale->begun) || (longer != nullptr && longer->begun));
+    });
+    EXPECT_GE(told, 1) << kind.behaviour << "\n" << machine.said();
+    EXPECT_FALSE(machine.found(code::kInputsLate, 0) || machine.found(code::kFirmwareSlow, 2)) << machine.said();
+  }
+}
+
+/// Whose process data come in each cycle, beside others whose task is slower.
+TEST(SlowFirmware, IsNamedBesideASlowerTask) {
+  test::DiagnosedRun machine;
+  for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+  auto& project = machine.network.project;
+  project.master.tasks.push_back({.name = "slow", .multiple = 4});
+  project.master.sync_units.push_back({.name = "slow", .task = "slow"});
+  project.slaves[2].output_unit = project.slaves[2].input_unit = "slow";
+  project.slaves[2].dc.op_mode.clear();
+  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
+  fault.value_ns = 2'500'000;
+  fault.until = 10 * kSecond;
+  machine.run(14 * kSecond);
+  EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kInputsLate, 0) || machine.found(code::kInputsLate, 2)) << machine.said();
+}
+
 TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
@@ -170,6 +217,26 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
     }
     EXPECT_FALSE(machine.found(code::kInputsLate) || machine.found(code::kOutputsLate)) << seed;
   }
+}
+
+/// Two frames that come close one behind the other leave it less than a cycle.
+TEST(SlowFirmware, IsNotBlamedForFramesOfALateHost) {
+  int counted = 0;
+  for (const auto& host : {JitterProfile::quiet(), JitterProfile::desktop(), JitterProfile::bad()}) {
+    for (const bool stalls : {false, true}) {
+      test::DiagnosedRun machine;
+      machine.jitter = host;
+      machine.network.add(test::io8());
+      machine.network.add(sample::own("SL-6751"), "can-gateway");
+      machine.network.project.master.cycle_time = 550 * kMicrosecond;  // 500 us are the gateway's
+      machine.network.project.slaves[1].dc.op_mode.clear();
+      if (stalls) machine.fault(FaultKind::kHostStall, 8 * kSecond, -1).value_ns = 20 * kMillisecond;
+      machine.run(20 * kSecond);
+      counted += machine.report.slaves[1].evidence.outputs.exceeded.total > 0 ? 1 : 0;
+      EXPECT_FALSE(machine.found(code::kGatewayCycleExceeded)) << machine.said();
+    }
+  }
+  EXPECT_GT(counted, 0) << "nothing is shown by it";
 }
 
 TEST(FirmwareFault, AMailboxThatWasSilentAnswersAgainAndIsToldAllTheSame) {

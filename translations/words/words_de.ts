@@ -2153,6 +2153,10 @@
         <translation>Nach dem Gerät dahinter sehen.</translation>
     </message>
     <message>
+        <source>Look for what makes the host send late: the frame behind a late one comes sooner after it. Its firmware is not the reason.</source>
+        <translation>Suchen Sie, was den Rechner spät senden lässt: Der Frame nach einem späten folgt ihm zu bald. Die Firmware ist nicht der Grund.</translation>
+    </message>
+    <message>
         <source>Look for what stops it: an interrupt storm, a debugger, a crash.</source>
         <translation>Suchen, was sie anhält: ein Interrupt-Sturm, ein Debugger, ein Absturz.</translation>
     </message>
@@ -6957,6 +6961,10 @@
         <translation>{slave} zählt {missed:# fehlendes SM2-Ereignis|# fehlende SM2-Ereignisse} (0x1C32:{sub}), und bei {part} davon sah der Master gute Zyklen.</translation>
     </message>
     <message>
+        <source>{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at {last}: the host sent frames less than a cycle one behind the other.</source>
+        <translation>{slave} wurde mit {count:# Zyklus|# Zyklen} nicht fertig, bevor der nächste Frame kam ({object} Cycle exceeded), zuletzt bei {last}: Der Rechner sandte Frames in weniger als einem Zyklus hintereinander.</translation>
+    </message>
+    <message>
         <source>{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input SyncManager names the same buffer again).</source>
         <translation>{slave} erneuert seine Eingänge nicht mehr in jedem Zyklus wie zuvor: ab {since}, {count} (0x0805 + 8 n seines Eingangs-SyncManagers nennt wieder denselben Puffer).</translation>
     </message>
@@ -9411,6 +9419,10 @@
     <message>
         <source>Frames lost</source>
         <translation>Verlorene Frames</translation>
+    </message>
+    <message>
+        <source>Cycles of a slave were not finished because frames came too soon</source>
+        <translation>Ein Slave wurde mit Zyklen nicht fertig, weil Frames zu früh kamen</translation>
     </message>
     <message>
         <source>Cycles with another working counter than expected</source>

@@ -2153,6 +2153,10 @@
         <translation>检查它后面的设备。</translation>
     </message>
     <message>
+        <source>Look for what makes the host send late: the frame behind a late one comes sooner after it. Its firmware is not the reason.</source>
+        <translation>请查找主机发送延迟的原因：迟到的帧之后，下一帧来得更快。固件并非原因。</translation>
+    </message>
+    <message>
         <source>Look for what stops it: an interrupt storm, a debugger, a crash.</source>
         <translation>查找使它停止的原因：中断风暴、调试器、程序崩溃。</translation>
     </message>
@@ -6957,6 +6961,10 @@
         <translation>{slave} 计到 {missed} 个错过的 SM2 事件 (0x1C32:{sub})，其中 {part} 个发生时主站看到的周期都正常。</translation>
     </message>
     <message>
+        <source>{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at {last}: the host sent frames less than a cycle one behind the other.</source>
+        <translation>{slave} 有 {count} 个周期在下一帧到来前未完成（{object} cycle exceeded），最近一次在 {last}：主机发送的帧间隔小于一个周期。</translation>
+    </message>
+    <message>
         <source>{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input SyncManager names the same buffer again).</source>
         <translation>{slave} 不再像以前那样每个周期更新输入：从 {since} 起，{count}（其输入同步管理器的 0x0805 + 8 n 再次指向同一个缓冲区）。</translation>
     </message>
@@ -9411,6 +9419,10 @@
     <message>
         <source>Frames lost</source>
         <translation>丢失的帧</translation>
+    </message>
+    <message>
+        <source>Cycles of a slave were not finished because frames came too soon</source>
+        <translation>帧来得太早，从站未能完成周期</translation>
     </message>
     <message>
         <source>Cycles with another working counter than expected</source>

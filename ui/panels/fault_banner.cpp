@@ -10,6 +10,7 @@
 #include "findings/finding.h"
 #include "record/run_record.h"
 #include "trace/fault_log.h"
+#include "trace/sync_overview.h"
 #include "ui/text/overview_text.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/named.h"

@@ -13,6 +13,9 @@
 #include <span>
 #include <utility>
 
+#include "record/run_record.h"
+#include "trace/fault_log.h"
+#include "trace/sync_overview.h"
 #include "ui/panels/csv_export.h"
 #include "ui/panels/cycle_view.h"
 #include "ui/panels/distribution_view.h"

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record/run_record.h"
+#include "trace/sync_overview.h"
 #include "ui/plots/cursor_item.h"
 #include "ui/plots/plot_colors.h"
 #include "ui/text/step_text.h"

@@ -156,6 +156,8 @@ void LiveStripToolbar::setWanted(View view) {
   showViews();
 }
 
+void LiveStripToolbar::setFoldable(bool foldable) { fold_->setVisible(foldable); }
+
 void LiveStripToolbar::setReplayed(bool replayed) {
   replayed_ = replayed;
   live_->setText(replayed ? tr("Now") : tr("Live"));

@@ -31,7 +31,7 @@ class LiveStripToolbar final : public QWidget {
   /// What stands in place of the plots.
   enum class View : std::uint8_t { kNone, kFree, kDistribution, kStability, kSlaves, kCycle };
   void setWanted(View view);
-  void setFoldable(bool foldable) { fold_->setVisible(foldable); }
+  void setFoldable(bool foldable);
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:

@@ -15,6 +15,10 @@
 class QPainter;
 class QWidget;
 
+namespace syncline {
+class RunRecord;
+}  // namespace syncline
+
 namespace syncline::ui {
 
 /// What a picture is written as: pixels, or lines and letters that stay sharp at every size.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "record/run_record.h"
+#include "trace/sync_overview.h"
 #include "ui/plots/cursor_item.h"
 #include "ui/plots/time_view.h"
 

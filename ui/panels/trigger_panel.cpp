@@ -25,6 +25,7 @@
 #include "findings/run_bus_words.h"
 #include "findings/run_slaves_words.h"
 #include "record/run_record.h"
+#include "trace/sync_overview.h"
 #include "ui/session/trigger_monitor.h"
 #include "ui/text/signal_text.h"
 #include "ui/text/units.h"

@@ -11,6 +11,7 @@
 
 #include "record/recording_reader.h"
 #include "support/types.h"
+#include "trace/min_max_series.h"
 
 namespace syncline::ui {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "record/run_record.h"
+#include "trace/sync_overview.h"
 #include "ui/session/project_document.h"
 #include "ui/text/link_text.h"
 

@@ -9,6 +9,7 @@
 
 #include "record/run_record.h"
 #include "trace/fault_log.h"
+#include "trace/sync_overview.h"
 #include "ui/text/event_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/glossary.h"

@@ -30,6 +30,16 @@ void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findi
       fmt::format("0x{:04X}:{:02X}", outputs ? families::kOutputSync : families::kInputSync, counters.cycle_exceeded);
   const auto* family = families::find(slave.identity);
   const bool gateway = family != nullptr && family->gateway;
+  if (const auto by_frames = (outputs ? evidence.outputs : evidence.inputs).by_frames; 2 * by_frames >= counted.total) {
+    findings.push_back({code::kExceededByHost,
+                        Severity::kWarning,
+                        slave.position,
+                        spells.first(),
+                        spells.last(),
+                        {slave_figure(report, slave.position), count_figure("count", counted.total, counted.at_least),
+                         text_figure("object", object), moment_figure(report, "last", spells.last())}});
+    return;
+  }
   findings.push_back({gateway ? code::kGatewayCycleExceeded : code::kFirmwareSlow,
                       Severity::kWarning,
                       slave.position,

@@ -162,6 +162,7 @@ void AcyclicScheduler::adapt(Nanoseconds scheduled, Nanoseconds cycle_time) {
 }
 
 bool AcyclicScheduler::take_mailboxes(Nanoseconds time, CycleSample& sample) {
+  sm2_.sent(time);
   mailboxes_.take_polls();
   if (std::exchange(request_asked_, false)) requests_.take(time);
   requests_.settle(time);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "config/command_data.h"
 #include "config/cyclic_frame.h"
 #include "config/network_config.h"
 #include "config/process_image.h"
@@ -38,19 +39,14 @@ CyclicFrameSet::CyclicFrameSet(const NetworkConfig& config) : data_offset_(confi
 
 /// By the ranges of the slaves in the process image: a slave that reads counts 1, one that writes 1, or 2 in an LRW.
 void CyclicFrameSet::share_counters(const NetworkConfig& config) {
-  const auto touches = [&](const std::optional<ImageRange>& range, std::uint32_t offset, std::uint16_t length) {
-    return range && range->touches(offset + data_offset_, length);
-  };
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const auto& command = *entries_[e].command;
     if (entries_[e].role != Role::kProcessData) continue;
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
       const auto& slave = config.slaves[i];
       unsigned wkc = 0;
-      if (command.command != Command::kLrd && touches(slave.send, command.output_offset, command.length())) {
-        wkc += command.command == Command::kLrw ? 2 : 1;
-      }
-      if (command.command != Command::kLwr && touches(slave.receive, command.input_offset, command.length())) ++wkc;
+      if (writes_outputs(command, slave.send, config.image)) wkc += command.command == Command::kLrw ? 2 : 1;
+      if (reads_inputs(command, slave.receive, config.image)) ++wkc;
       if (wkc > 0) shares_.push_back({i, e, static_cast<std::uint16_t>(wkc)});
     }
   }

@@ -9,6 +9,7 @@
 
 #include "channels/snapshot.h"
 #include "channels/sync_standing.h"
+#include "config/command_data.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
 #include "master/exchange/event_teller.h"
@@ -47,9 +48,10 @@ std::optional<std::uint8_t> process_data_manager(const SlaveConfig& slave, bool 
 
 ProcessDataWatch::ProcessDataWatch(const NetworkConfig& config, const Snapshot& snapshot, EventTeller& teller)
     : config_(config), snapshot_(snapshot), teller_(teller) {
-  // With several tasks the process data of some are not exchanged in every cycle.
-  if (config.cyclic.size() != 1) return;
-  for (std::size_t i = 0; i < config.slaves.size(); ++i) add_slave(i);
+  // Whose task is slower need not do anything in each cycle.
+  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+    if (is_exchanged_in_each_cycle(config, i)) add_slave(i);
+  }
 }
 
 void ProcessDataWatch::add_slave(std::size_t position) {
@@ -62,7 +64,8 @@ void ProcessDataWatch::add_slave(std::size_t position) {
   slave.position = static_cast<std::uint16_t>(position);
   slave.has_sync0 = config.dc && config.dc->assign_activate != 0;
   // What rides goes with the last frame, and one that runs by itself may be busy between two of them.
-  if (!slave.has_sync0 && config_.cyclic.front().frames.size() > 1) return;
+  const bool alone = config_.cyclic.size() == 1 && config_.cyclic.front().frames.size() == 1;
+  if (!slave.has_sync0 && !alone) return;
   if (outputs) {
     const auto bit = kFirstManager + *manager;
     slave.address = static_cast<std::uint16_t>(reg::kAlEventRequest + bit / 8);

@@ -20,12 +20,13 @@ namespace {
 
 /// Often enough for a live plot, seldom enough to leave the slaves' mailboxes to others.
 constexpr Nanoseconds kPeriod = 20 * kMillisecond;
+/// A frame that comes sooner than usual by one in so many of the cycle comes too soon for who needs nearly all of it.
+constexpr Nanoseconds kCloseShare = 50;
 constexpr coe::ObjectAddress kSyncErrorLimit{0x10F1, 2};
 constexpr std::uint8_t kCalcAndCopyTime = 0x06, kShiftTooShort = 0x0D, kSyncErrorSubIndex = 0x20;
 
-bool uses_sync(const SlaveConfig& slave) {
-  return slave.mailbox && slave.mailbox->coe && slave.dc && AssignActivate{slave.dc->assign_activate}.sync0();
-}
+bool has_objects(const SlaveConfig& slave) { return slave.mailbox && slave.mailbox->coe; }
+bool uses_sync(const SlaveConfig& slave) { return slave.dc && AssignActivate{slave.dc->assign_activate}.sync0(); }
 
 std::uint8_t other_of(std::uint8_t sub_index) {
   return sub_index == kSm2MissedSubIndex ? kSm2MissedSubIndexOldLayout : kSm2MissedSubIndex;
@@ -36,20 +37,28 @@ std::uint8_t other_of(std::uint8_t sub_index) {
 Sm2Reader::Sm2Reader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller, CyclicMailbox& mailbox,
                      SyncEventWatch& events)
     : config_(config), snapshot_(snapshot), teller_(teller), mailbox_(mailbox), events_(events) {
-  for (std::size_t i = 0; i < config.slaves.size(); ++i) {
-    const auto& slave = config.slaves[i];
-    if (!uses_sync(slave)) continue;
-    const auto known = known_sm2_missed_sub_index(slave.identity);
-    Counter counter;
-    counter.slave = static_cast<std::uint16_t>(i);
-    counter.missed = known.value_or(kSm2MissedSubIndex);
-    counter.exceeded = other_of(counter.missed);
-    counter.has = static_cast<std::uint16_t>((1U << kItems) - 1);
-    // Nobody knows which of the two it is: they are read in turn, and neither is called by its name.
-    const auto not_there = known ? bit(Item::kOther) : bit(Item::kOutputsExceeded) | bit(Item::kInputsExceeded);
-    counter.has = static_cast<std::uint16_t>(counter.has & ~not_there);
-    counters_.push_back(counter);
+  for (const bool sync : {true, false}) {
+    for (std::size_t i = 0; i < config.slaves.size(); ++i) {
+      if (has_objects(config.slaves[i]) && uses_sync(config.slaves[i]) == sync) add(i, sync);
+    }
+    if (sync) with_sync_ = counters_.size();
   }
+}
+
+void Sm2Reader::add(std::size_t position, bool sync) {
+  const auto known = known_sm2_missed_sub_index(config_.slaves[position].identity);
+  Counter counter;
+  counter.slave = static_cast<std::uint16_t>(position);
+  counter.missed = known.value_or(kSm2MissedSubIndex);
+  counter.exceeded = other_of(counter.missed);
+  // As long as nobody knows which of the two it is they are read in turn, and neither is called by its name.
+  if (sync) counter.has = static_cast<std::uint16_t>(((1U << kItems) - 1) & ~exceeded());
+  if (known) tell_apart(counter);
+  counters_.push_back(counter);
+}
+
+void Sm2Reader::tell_apart(Counter& counter) {
+  counter.has = static_cast<std::uint16_t>((counter.has | exceeded()) & ~bit(Item::kOther));
 }
 
 std::vector<std::size_t> Sm2Reader::slaves() const {
@@ -63,8 +72,7 @@ void Sm2Reader::set_sub_index(std::size_t slave, std::uint8_t sub_index) {
     if (counter.slave != slave) continue;
     counter.missed = sub_index;
     counter.exceeded = other_of(sub_index);
-    counter.has |= bit(Item::kOutputsExceeded) | bit(Item::kInputsExceeded);
-    counter.has = static_cast<std::uint16_t>(counter.has & ~bit(Item::kOther));
+    tell_apart(counter);
   }
 }
 
@@ -112,15 +120,34 @@ coe::ObjectAddress Sm2Reader::object(const Counter& counter) {
   return {};
 }
 
+/// Those that run by themselves share one turn: many of them do not make the others' misses known later.
+std::size_t Sm2Reader::next() {
+  if (++turn_ < with_sync_) return turn_;
+  if (turn_ == with_sync_ && has_others()) {
+    other_ = (other_ + 1) % (counters_.size() - with_sync_);
+    return with_sync_ + other_;
+  }
+  turn_ = 0;
+  return 0;
+}
+
+void Sm2Reader::sent(Nanoseconds time) {
+  const auto passed = time - std::exchange(last_sent_, time);
+  const auto cycle = config_.cycle_time();
+  if (passed < cycle - cycle / kCloseShare) ++close_;
+}
+
 void Sm2Reader::begin(Nanoseconds now) {
   if (counters_.empty() || now < next_start_ || !mailbox_.idle()) return;
-  next_start_ = now + kPeriod / static_cast<Nanoseconds>(counters_.size());
-  current_ = (current_ + 1) % counters_.size();
+  next_start_ = now + kPeriod / static_cast<Nanoseconds>(with_sync_ + (has_others() ? 1 : 0));
+  current_ = next();
   auto& counter = counters_[current_];
   const bool counting = has_process_data_communication(al_state_of(snapshot_.slaves[counter.slave].al_status));
   if (!counting || counter.has == 0 || !mailbox_.ready_for(counter.slave)) return;
   choose(counter);
-  if ((counter.has & bit(counter.turn)) != 0) mailbox_.upload(counter.slave, object(counter));
+  if ((counter.has & bit(counter.turn)) == 0) return;
+  close_when_asked_ = close_;
+  mailbox_.upload(counter.slave, object(counter));
 }
 
 void Sm2Reader::take(const CyclicMailbox::Answer& answer, Nanoseconds now, CycleSample& sample) {
@@ -146,8 +173,12 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
     auto& total = counter.totals[which];
     const auto more = total.read(value);
     result = {total.total(), total.at_least(), now};
-    if (&result == &evidence.outputs.exceeded || &result == &evidence.inputs.exceeded)
-      tell_exceeded(counter, which, more, now);
+    return more;
+  };
+  const auto exceeded = [&](SyncObjectCounts& counts, std::size_t which) {
+    const auto more = count(counts.exceeded, which), not_its_own = by_frames(counter, which, more);
+    counts.by_frames += not_its_own;
+    tell_exceeded(counter, which, more - not_its_own, now);
   };
   switch (counter.turn) {
     case Item::kLimit:
@@ -165,18 +196,26 @@ void Sm2Reader::take_value(Counter& counter, std::uint32_t value, Nanoseconds no
       slave.sm2_missed.other_value = value;
       return;
     case Item::kOutputsExceeded:
-      return count(evidence.outputs.exceeded, 0);
+      return exceeded(evidence.outputs, 0);
     case Item::kOutputsShift:
-      return count(evidence.outputs.shift_too_short, 1);
+      count(evidence.outputs.shift_too_short, 1);
+      return;
     case Item::kSyncError:
       evidence.outputs.sync_error = value != 0;
       evidence.outputs.sync_error_time = now;
       return;
     case Item::kInputsExceeded:
-      return count(evidence.inputs.exceeded, 2);
+      return exceeded(evidence.inputs, 2);
     case Item::kInputsShift:
-      return count(evidence.inputs.shift_too_short, 3);
+      count(evidence.inputs.shift_too_short, 3);
+      return;
   }
+}
+
+std::uint32_t Sm2Reader::by_frames(Counter& counter, std::size_t which, std::uint32_t more) const {
+  const auto before = std::exchange(counter.close_before[which], close_when_asked_);
+  const bool by_sync0 = (counter.has & bit(Item::kMissed)) != 0;
+  return by_sync0 ? 0 : static_cast<std::uint32_t>(std::min<std::uint64_t>(more, close_ - before));
 }
 
 /// Once when it begins to rise, and once when it has stopped.

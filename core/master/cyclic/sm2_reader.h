@@ -16,10 +16,15 @@ struct NetworkConfig;
 struct Snapshot;
 class SyncEventWatch;
 
-/// Reads what slaves with SYNC signals count in 0x1C32 and 0x1C33, one object of one slave after the other, through the
-/// mailboxes of the running bus: missed SM2 events in every second turn; cycles exceeded, shift too short and sync
-/// error in the others; and once the limit that the missed events obey (0x10F1:02) and the calc-and-copy time
-/// (0x1C32:06). What a slave does not have is asked for once. Allocates nothing.
+/// Reads what slaves count in 0x1C32 and 0x1C33, one object of one slave after the other, through the mailboxes of the
+/// running bus. Of slaves with SYNC signals missed SM2 events in every second turn; cycles exceeded, shift too short
+/// and sync error in the others; and once the limit that the missed events obey (0x10F1:02) and the calc-and-copy time
+/// (0x1C32:06). Of those that begin their cycles with the process data, or by themselves, the cycles exceeded alone:
+/// the rest needs a SYNC signal (ETG.1020, table of 0x1C32). What a slave does not have is asked for once. Allocates
+/// nothing.
+///
+/// A slave whose cycles begin with the process data does not finish one either when the next frame comes too soon,
+/// behind one that was late: as many of the exceeded cycles as there were such frames are theirs, and no firmware's.
 class Sm2Reader {
  public:
   Sm2Reader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller, CyclicMailbox& mailbox,
@@ -32,6 +37,8 @@ class Sm2Reader {
   /// The sub-index that the object's names gave; see sm2_counter_profile.h.
   void set_sub_index(std::size_t slave, std::uint8_t sub_index);
 
+  /// The cycle's frames were handed to the link. Once a cycle.
+  void sent(Nanoseconds time);
   /// Begins an upload when its time has come and the mailbox is free.
   void begin(Nanoseconds now);
   void take(const CyclicMailbox::Answer& answer, Nanoseconds now, CycleSample& sample);
@@ -55,16 +62,27 @@ class Sm2Reader {
     std::uint16_t has = 0;                  // items that the slave may have, a bit each
     Item turn = Item::kMissed, rare = Item::kOther;
     std::array<CounterTotal, 4> totals{kWord, kWord, kWord, kWord};
-    std::array<bool, 4> rising{};  // so at the newest reading
+    std::array<bool, 4> rising{};                 // so at the newest reading
+    std::array<std::uint64_t, 4> close_before{};  // frames that came too soon, when that was asked for
   };
   static constexpr CounterTotal kWord{16, CounterTotal::End::kWraps};
   static constexpr std::uint16_t bit(Item item) {
     return static_cast<std::uint16_t>(1U << static_cast<unsigned>(item));
   }
 
+  static constexpr std::uint16_t exceeded() { return bit(Item::kOutputsExceeded) | bit(Item::kInputsExceeded); }
+
+  void add(std::size_t position, bool sync);
+  /// It is known which of the two counts what.
+  static void tell_apart(Counter& counter);
+  [[nodiscard]] bool has_others() const { return counters_.size() > with_sync_; }
+  /// Whose turn is next.
+  [[nodiscard]] std::size_t next();
   static void choose(Counter& counter);
   [[nodiscard]] static coe::ObjectAddress object(const Counter& counter);
   void take_value(Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample);
+  /// Of so many exceeded cycles those that frames account for which came too soon.
+  [[nodiscard]] std::uint32_t by_frames(Counter& counter, std::size_t which, std::uint32_t more) const;
   void tell_exceeded(Counter& counter, std::size_t which, std::uint32_t more, Nanoseconds now);
   void take_missed(const Counter& counter, std::uint32_t value, Nanoseconds now, CycleSample& sample);
 
@@ -73,8 +91,11 @@ class Sm2Reader {
   EventTeller& teller_;
   CyclicMailbox& mailbox_;
   SyncEventWatch& events_;
-  std::vector<Counter> counters_;
-  std::size_t current_ = 0;
+  std::vector<Counter> counters_;  // those with SYNC signals first
+  std::size_t with_sync_ = 0;
+  std::size_t current_ = 0, turn_ = 0, other_ = 0;
+  std::uint64_t close_ = 0, close_when_asked_ = 0;  // frames that came too soon
+  Nanoseconds last_sent_ = 0;
   Nanoseconds next_start_ = 0;
 };
 

@@ -46,6 +46,7 @@ Drive::Drive(const SimSlaveConfig& config, Esc& esc, const DriveHabits& habits)
       habits_(habits),
       outputs_sync_(dictionary_, SyncObject::kOutputs, habits.sync),
       inputs_sync_(dictionary_, SyncObject::kInputs, habits.sync),
+      loop_(esc),
       clock_(habits.servo_period_ns, config.oscillator.ppm, timer_phase(config)) {
   add_objects();
   enable_diagnosis_history();
@@ -147,6 +148,7 @@ void Drive::on_state(AlState state) {
     integrator_ = 0;
     busy_until_ = 0;
     any_outputs_ = event_in_time_ = false;
+    loop_.stop();
     event_due_.reset();
     waiting_.reset();
     arriving_.reset();
@@ -178,6 +180,7 @@ void Drive::leave_op() {
 }
 
 void Drive::check_running(Nanoseconds time) {
+  if (loop_.ended(time)) publish_inputs();
   run_servo(time);
   // The signal was there when OP was entered; a unit that was switched off or has lost its time fires no more.
   if (time >= sync_patience()) drop_to_safeop(al_code::kSyncStopped);
@@ -246,7 +249,8 @@ void Drive::on_outputs(Nanoseconds time) {
       arriving_ = {command(), time + times.calc_and_copy};
     }
   } else {
-    apply(command(), time);
+    loop_.outputs_came(output_manager(), application_delay());
+    if (loop_.begin(output_manager(), time, application_delay())) apply(command(), time);
   }
 }
 
@@ -348,8 +352,8 @@ void Drive::run_ticks(Nanoseconds time) {
       any = true;
     }
   }
-  // Without a SYNC0 that says when, the inputs are those of the last servo period.
-  if (any && !latches_at_sync0()) publish_inputs();
+  // Without a SYNC0 that says when, the inputs are those of the last servo period, unless the firmware is slow.
+  if (any && !latches_at_sync0() && !loop_.under_way()) publish_inputs();
 }
 
 void Drive::apply(const AxisCommand& command, Nanoseconds time) {

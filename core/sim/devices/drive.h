@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/device/device.h"
+#include "sim/device/own_loop.h"
 #include "sim/devices/power_state.h"
 #include "sim/devices/servo_axis.h"
 #include "sim/devices/servo_clock.h"
@@ -120,6 +121,7 @@ class Drive : public Device {
   };
   std::optional<KnownCommand> known_command_;
   SyncObject outputs_sync_, inputs_sync_;
+  OwnLoop loop_;  // without SYNC0
   ServoClock clock_;
   PowerState power_;
   ServoAxis axis_;

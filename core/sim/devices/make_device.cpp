@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <optional>
-
 #include "families/families.h"
 #include "sim/device/device.h"
+#include "sim/device/own_loop.h"
 #include "sim/devices/analog_input.h"
 #include "sim/devices/can_gateway.h"
 #include "sim/devices/drive.h"
@@ -15,34 +14,27 @@ namespace {
 /// Holds what it is given (terminals, couplers, any other device); its inputs are what its objects say.
 class Generic final : public Device {
  public:
-  using Device::Device;
+  Generic(const SimSlaveConfig& config, Esc& esc) : Device(config, esc), loop_(esc) {}
 
  protected:
   void on_sync0(Nanoseconds time) override { cycle(time); }
   void on_outputs(Nanoseconds time) override {
-    if (const auto manager = output_manager(); manager && (application_delay() > 0 || busy_until_))
-      esc().leave_written(*manager);
+    loop_.outputs_came(output_manager(), application_delay());
     if (!dc().sync0_enabled()) cycle(time);
   }
   void check_running(Nanoseconds time) override {
-    if (!busy_until_ || time < *busy_until_) return;
-    busy_until_.reset();
-    renew_inputs();
+    if (loop_.ended(time)) renew_inputs();
   }
-  Nanoseconds runs_alone_until() override { return busy_until_.value_or(INT64_MAX); }
-  bool rests() override { return inputs_stay() && application_delay() == 0 && !busy_until_; }
+  Nanoseconds runs_alone_until() override { return loop_.end(); }
+  bool rests() override { return inputs_stay() && application_delay() == 0 && !loop_.under_way(); }
 
  private:
-  /// Takes next to no time, unless it is slow; what comes meanwhile is passed over.
   void cycle(Nanoseconds time) {
     check_running(time);
-    if (busy_until_) return;
-    if (const auto manager = output_manager()) esc().take_written(*manager);
-    if (application_delay() == 0) return renew_inputs();
-    busy_until_ = time + application_delay();
+    if (loop_.begin(output_manager(), time, application_delay()) && !loop_.under_way()) renew_inputs();
   }
 
-  std::optional<Nanoseconds> busy_until_;
+  OwnLoop loop_;
 };
 
 /// Of the device's own family, where that is one of these servos; what is not known of it is the simulated servo's.

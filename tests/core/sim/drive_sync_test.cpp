@@ -227,6 +227,29 @@ TEST(DriveSync, AnApplicationThatIsTooSlowExceedsItsCycles) {
   EXPECT_NEAR(drive.read(0x1C32, 0x0B), 80, 4) << "20 ms of cycles of 250 us";
 }
 
+TEST(DriveSync, AnApplicationThatIsTooSlowAndRunsByItselfTakesItsOutputsAndRenewsItsInputsSeldom) {
+  FaultConfig slow;
+  slow.kind = FaultKind::kSlowApplication;
+  slow.slave = 0;
+  slow.at = 700 * kMillisecond;
+  slow.until = 900 * kMillisecond;
+  slow.value_ns = 10 * kMillisecond;
+  DriveBed drive("SL-SV7", {slow});
+  ASSERT_EQ(drive.to_op(), 8);
+  const auto cycles_until = [&](std::uint16_t word, std::uint16_t shown) {
+    drive.controlword = word;
+    int cycles = 0;
+    for (; cycles < 40 && (drive.statusword() & 0x6F) != shown; ++cycles) drive.cycles(1);
+    return cycles;
+  };
+  EXPECT_LE(cycles_until(0x06, 0x21), 3);
+  EXPECT_LE(cycles_until(0x07, 0x23), 3);
+  while (drive.probe.now < VirtualClock::kDefaultStart + 750 * kMillisecond) drive.cycles(1);
+  EXPECT_GE(cycles_until(0x06, 0x21), 8) << "a pass of ten cycles";
+  while (drive.probe.now < VirtualClock::kDefaultStart + 950 * kMillisecond) drive.cycles(1);
+  EXPECT_LE(cycles_until(0x07, 0x23), 3) << "fast again";
+}
+
 TEST(DriveSync, InputShiftTimeSaysWhenInputsAreLatched) {
   for (const std::uint32_t shift : {0U, 400'000U}) {
     DriveBed drive("SL-SV7");
