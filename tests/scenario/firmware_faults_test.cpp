@@ -219,6 +219,19 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
   }
 }
 
+/// Of two frames the later one is before its SYNC0, and there is as much room for readings as with the others.
+TEST(SlowFirmware, IsNamedBesideASlaveWhoseSync0ComesEverySecondCycle) {
+  test::DiagnosedRun machine;
+  for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+  machine.network.project.slaves[2].dc.sync0.cycle_factor = 2;
+  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
+  fault.value_ns = 2'500'000;
+  fault.until = 10 * kSecond;
+  machine.run(14 * kSecond);
+  EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kInputsLate, 0) || machine.found(code::kInputsLate, 2)) << machine.said();
+}
+
 /// Two frames that come close one behind the other leave it less than a cycle.
 TEST(SlowFirmware, IsNotBlamedForFramesOfALateHost) {
   int counted = 0;

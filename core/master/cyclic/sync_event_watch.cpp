@@ -157,12 +157,18 @@ Nanoseconds SyncEventWatch::room() {
   const auto set_value = snapshot_.dcm.set_value_ns;
   if (!room_ || room_->changes != changes || room_->set_value != set_value) {
     room_ = {INT64_MAX, changes, set_value};
-    for (const auto& slave : slaves_) {
-      const auto need = slave.need > 0 ? slave.need : slave.period / 2;
-      room_->room = std::min(room_->room, nominal_margin(slave) - need);
-    }
+    for (const auto& slave : slaves_) room_->room = std::min(room_->room, room_of(slave));
   }
   return room_->room;
+}
+
+/// Frames come in each cycle, and SYNC0 perhaps in every n-th: the last one counts that is early enough.
+Nanoseconds SyncEventWatch::room_of(const Slave& slave) const {
+  const auto step = std::min(slave.period, config_.cycle_time());
+  const auto need = slave.need > 0 ? slave.need : step / 2;
+  const auto margin = nominal_margin(slave) % step;
+  const auto sooner = margin < need ? (need - margin + step - 1) / step * step : 0;
+  return (margin + sooner < slave.period ? margin + sooner : margin) - need;
 }
 
 void SyncEventWatch::observe(CycleSample& sample, bool outputs_back, Nanoseconds held) {

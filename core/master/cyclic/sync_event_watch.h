@@ -37,7 +37,7 @@ class SyncEventWatch {
   /// What the slave takes from its outputs to SYNC0 (0x1C32:06), ns.
   void set_calc_and_copy(std::size_t slave, Nanoseconds time);
   /// What the outputs of each slave with SYNC0 nominally have beyond the time that it takes for them, the least of all,
-  /// ns; the end of time where nobody has SYNC0. Of a slave that does not say what it takes half its period is thought
+  /// ns; the end of time where nobody has SYNC0. Of a slave that does not say what it takes half a cycle is thought
   /// to be enough.
   [[nodiscard]] Nanoseconds room();
   /// All that are in OP are looked at together, in closed form, until one of them changes.
@@ -94,6 +94,7 @@ class SyncEventWatch {
   void note_fall(Slave& slave);
   void explain_fall(Slave& slave);
   [[nodiscard]] Nanoseconds nominal_margin(const Slave& slave) const;
+  [[nodiscard]] Nanoseconds room_of(const Slave& slave) const;
   void publish(const Slave& slave);
   void tell(CycleSample& sample);
   /// It found into OP: what it counted on the way there is forgotten.
