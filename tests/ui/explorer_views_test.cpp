@@ -162,6 +162,26 @@ TEST_F(Thousand, AreShownChosenAndMoved) {
   EXPECT_EQ(project().slaves[static_cast<std::size_t>(selected())].station_address, moved);
 }
 
+Project two_drives() {
+  Project project;
+  for (const char* name : {"A", "B"})
+    project.slaves.push_back(default_slave(plain(name, "YY"), static_cast<std::uint16_t>(project.slaves.size())));
+  project.slaves[1].previous = PreviousPort{0, 1};
+  return project;
+}
+
+class TwoDrives : public Building {
+ protected:
+  TwoDrives() : Building(two_drives()) {}
+};
+
+TEST_F(TwoDrives, TheOneThatComesToTheFrontStaysSelected) {
+  window_.selectNode(1);
+  press(Qt::Key_Up, Qt::AltModifier);
+  ASSERT_EQ(types(), QStringLiteral("B A"));
+  EXPECT_EQ(selected(), 0);
+}
+
 TEST(ExplorerViews, AreRemembered) {
   QTemporaryDir folder;
   auto environment = test::virtualEnvironment();

@@ -168,6 +168,21 @@ TEST_F(FreeViewTest, BeginsWithUsualViewsThatBecomeTheProjectsWhenTheyAreChanged
   EXPECT_TRUE(told.back().empty());
 }
 
+TEST_F(FreeViewTest, OfAProjectsViewsTheFirstIsShown) {
+  settle();
+  auto first = free().current(), second = first;
+  first.name = "Drives";
+  second.name = "Terminals";
+  strip.setViews({first, second});
+  EXPECT_EQ(free().current().name, "Drives");
+  // The one that is shown stays, wherever it stands; without it the first again.
+  free().choose(1);
+  strip.setViews({second, first});
+  EXPECT_EQ(free().current().name, "Terminals");
+  strip.setViews({first});
+  EXPECT_EQ(free().current().name, "Drives");
+}
+
 TEST_F(FreeViewTest, EachUsualViewShowsSomething) {
   for (int number = 0; number < 4; ++number) {
     free().chooseUsual(number);

@@ -54,6 +54,21 @@ TEST(SeriesItem, OneSampleSpikeIsInThePictureAtEveryZoom) {
   }
 }
 
+/// Each column has many samples, and none of them lies between the two levels.
+TEST(SeriesItem, BarsOfColumnsMeetWhereTheSignalSteps) {
+  for (const float to : {30.F, -30.F}) {
+    MinMaxSeries series(1U << 18);
+    for (int i = 0; i < 40'000; ++i) series.append(kSeriesStart + i * kMillisecond, i < 20'000 ? -to : to);
+    SeriesItem item(QStringLiteral("step"));
+    item.setSeries(&series);
+    const auto image = drawn(item, kSeriesStart, kSeriesStart + 40 * kSecond);
+    int longest = 0;
+    for (int x = kWidth / 2 - 2; x <= kWidth / 2 + 2; ++x)
+      longest = std::max(longest, darkPixels(image, x, 0, kHeight));
+    EXPECT_GE(longest, 58) << "to " << to;
+  }
+}
+
 /// A line that leaves the axis keeps its slope: it is cut there, and no end of it is moved.
 TEST(SeriesItem, ALineToAPointOffTheAxisKeepsItsSlope) {
   MinMaxSeries series(1U << 10);

@@ -213,6 +213,8 @@ TEST_F(SlavesViewTest, WhatIsChosenInOneIsMarkedInTheOther) {
   QTest::keyClick(&plot(), Qt::Key_Up);
   QTest::keyClick(&plot(), Qt::Key_Up);
   EXPECT_EQ(plot().selected(), 1) << "the reference clock has nothing to choose";
+  QTest::keyClick(&plot(), Qt::Key_Down);
+  EXPECT_EQ(plot().selected(), 2);
   QTest::mouseClick(&plot(), Qt::LeftButton, {}, plot().placeOf(3, 200).toPoint());
   EXPECT_EQ(plot().selected(), 3);
   EXPECT_EQ(table().currentIndex().row(), 1);
