@@ -219,6 +219,18 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
   }
 }
 
+/// Terminals that do not say how long they take for their outputs.
+TEST(SlowFirmware, IsNamedWhereSync0IsHalfACycleBehindTheFrames) {
+  test::DiagnosedRun machine;
+  for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+  machine.network.project.master.dc.dcm.set_value = machine.network.project.master.cycle_time / 2;
+  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
+  fault.value_ns = 2'500'000;
+  fault.until = 10 * kSecond;
+  machine.run(14 * kSecond);
+  EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
+}
+
 /// Of two frames the later one is before its SYNC0, and there is as much room for readings as with the others.
 TEST(SlowFirmware, IsNamedBesideASlaveWhoseSync0ComesEverySecondCycle) {
   test::DiagnosedRun machine;

@@ -165,7 +165,8 @@ Nanoseconds SyncEventWatch::room() {
 /// Frames come in each cycle, and SYNC0 perhaps in every n-th: the last one counts that is early enough.
 Nanoseconds SyncEventWatch::room_of(const Slave& slave) const {
   const auto step = std::min(slave.period, config_.cycle_time());
-  const auto need = slave.need > 0 ? slave.need : step / 2;
+  const auto thought = config_.slaves[slave.position].mailbox ? step / 2 : step / 4;
+  const auto need = slave.need > 0 ? slave.need : thought;
   const auto margin = nominal_margin(slave) % step;
   const auto sooner = margin < need ? (need - margin + step - 1) / step * step : 0;
   return (margin + sooner < slave.period ? margin + sooner : margin) - need;

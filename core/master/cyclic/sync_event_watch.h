@@ -38,7 +38,7 @@ class SyncEventWatch {
   void set_calc_and_copy(std::size_t slave, Nanoseconds time);
   /// What the outputs of each slave with SYNC0 nominally have beyond the time that it takes for them, the least of all,
   /// ns; the end of time where nobody has SYNC0. Of a slave that does not say what it takes half a cycle is thought
-  /// to be enough.
+  /// to be enough; of one without a mailbox, a terminal, a quarter.
   [[nodiscard]] Nanoseconds room();
   /// All that are in OP are looked at together, in closed form, until one of them changes.
   [[nodiscard]] bool together() const { return together_.has_value(); }
