@@ -28,6 +28,18 @@ bool reads_inputs(const CyclicCmd& command, const std::optional<ImageRange>& inp
   return reads && touches(inputs, command.input_offset, command, image);
 }
 
+std::optional<std::size_t> outputs_task(const NetworkConfig& config, std::size_t slave) {
+  for (std::size_t task = 0; task < config.cyclic.size(); ++task) {
+    for (const auto& frame : config.cyclic[task].frames) {
+      const bool writes = std::ranges::any_of(frame.commands, [&](const CyclicCmd& command) {
+        return writes_outputs(command, config.slaves[slave].send, config.image);
+      });
+      if (writes) return task;
+    }
+  }
+  return std::nullopt;
+}
+
 bool is_exchanged_in_each_cycle(const NetworkConfig& config, std::size_t slave) {
   if (config.cyclic.empty()) return false;
   const auto& whose = config.slaves[slave];

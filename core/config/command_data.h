@@ -17,6 +17,8 @@ struct ProcessImage;
 /// Whether some of these inputs come with it.
 [[nodiscard]] bool reads_inputs(const CyclicCmd& command, const std::optional<ImageRange>& inputs,
                                 const ProcessImage& image);
+/// The first task with which some of the slave's outputs go; nothing where none do.
+[[nodiscard]] std::optional<std::size_t> outputs_task(const NetworkConfig& config, std::size_t slave);
 /// Whether the slave's outputs go, and its inputs come, with the base task: in every cycle.
 [[nodiscard]] bool is_exchanged_in_each_cycle(const NetworkConfig& config, std::size_t slave);
 

@@ -9,6 +9,7 @@
 #include "protocol/frame.h"
 
 namespace syncline {
+
 std::size_t frame_bytes(const CyclicFrame& frame) {
   std::size_t bytes = kFrameOverhead;
   for (const auto& cmd : frame.commands) bytes += kDatagramOverhead + cmd.length();
@@ -22,14 +23,16 @@ std::size_t bytes_sent(const CyclicFrame& frame) {
 Nanoseconds wire_time(const CyclicFrame& frame) { return wire_time_ns(frame_bytes(frame)); }
 
 Nanoseconds outputs_wire_time(const NetworkConfig& config, std::size_t slave) {
-  const auto& outputs = config.slaves[slave].send;
-  if (config.cyclic.empty() || !outputs) return 0;
+  const auto task = outputs_task(config, slave);
+  if (!task) return 0;
   Nanoseconds passed = 0, complete = 0;
-  for (const auto& frame : config.cyclic.front().frames) {
-    passed += wire_time(frame);
-    if (std::ranges::any_of(frame.commands,
-                            [&](const CyclicCmd& command) { return writes_outputs(command, outputs, config.image); })) {
-      complete = passed;
+  for (std::size_t i = 0; i <= *task; ++i) {
+    for (const auto& frame : config.cyclic[i].frames) {
+      passed += wire_time(frame);
+      const bool carries = std::ranges::any_of(frame.commands, [&](const CyclicCmd& command) {
+        return writes_outputs(command, config.slaves[slave].send, config.image);
+      });
+      if (carries) complete = passed;
     }
   }
   return complete;

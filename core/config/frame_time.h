@@ -32,9 +32,9 @@ struct NetworkConfig;
 /// When the frames of a cycle must be back, from its begin; what comes later counts as lost or late.
 [[nodiscard]] constexpr Nanoseconds latest_return(Nanoseconds cycle_time) { return cycle_time * 95 / 100; }
 
-/// From when the base task's first frame reaches a slave until the one with its outputs has passed it: what an ESC is
-/// sent is valid, and SM2's event comes, at the end of the frame (ESC data sheet I, 5.2). 0 for a slave without
-/// outputs.
+/// From when a cycle's first frame reaches a slave until the one with its outputs has passed it: what an ESC is sent is
+/// valid, and SM2's event comes, at the end of the frame (ESC data sheet I, 5.2). With a slower task those in front of
+/// it are thought to go with the same cycle. 0 for a slave without outputs.
 [[nodiscard]] Nanoseconds outputs_wire_time(const NetworkConfig& config, std::size_t slave);
 
 struct CycleNeed {

@@ -251,6 +251,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .longest = 5 * kSecond,
        .events = {kind_of<events::AlStatusError>},
        .findings = {code::kSlaveFellByItself},
+       .also = {code::kSlaveHadFallen},
        .shows = {Signal::kAlState}},
   };
 }

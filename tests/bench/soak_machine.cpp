@@ -100,12 +100,17 @@ std::size_t draw_reference(test::SimulatedNetwork& network, Random& random) {
   return 1;
 }
 
-/// Terminals of the branch that run by themselves are exchanged less often than the drives.
+/// Terminals of the branch that run by themselves are exchanged less often than the drives, and one of these with them.
 void draw_task(test::SimulatedNetwork& network, Random& random) {
   if (random.next() % 3 > 0) return;
   auto& project = network.project;
-  project.master.tasks.push_back({.name = "slow", .multiple = 2 + static_cast<std::uint32_t>(random.next() % 3)});
+  const auto multiple = 2 + static_cast<std::int32_t>(random.next() % 3);
+  project.master.tasks.push_back({.name = "slow", .multiple = static_cast<std::uint32_t>(multiple)});
   project.master.sync_units.push_back({.name = "slow", .task = "slow"});
+  constexpr Nanoseconds kLongest = 4 * kMillisecond;  // SYNC0 cycle of the servos
+  if (random.next() % 2 == 0 && multiple * project.master.cycle_time <= kLongest) {
+    project.slaves[2].output_unit = project.slaves[2].input_unit = "slow";
+  }
   for (std::size_t i = kLine; i < project.slaves.size(); ++i) {
     auto& slave = project.slaves[i];
     if (slave.dc.op_mode.empty() && network.sim.slaves[i].behaviour == "generic")
@@ -183,7 +188,9 @@ Nanoseconds own_cycle(const SoakMachine& machine, int slave) {
   const auto& project = machine.network.project;
   const auto cycle = project.master.cycle_time;
   if (slave < 0 || !has_sync0(machine, slave)) return cycle;
-  return cycle * project.slaves[static_cast<std::size_t>(slave)].dc.sync0.cycle_factor.value_or(1);
+  const auto& own = project.slaves[static_cast<std::size_t>(slave)];
+  const auto units = own.output_unit.empty() ? 1 : project.master.tasks.front().multiple;
+  return cycle * units * own.dc.sync0.cycle_factor.value_or(1);
 }
 
 std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind) {
@@ -215,6 +222,7 @@ std::string text_of(const SoakMachine& machine) {
       (1U << master.dc.sync_window.exponent) - 1, jitter == JitterProfile::desktop() ? "a desktop" : "a quiet");
   if (jitter.stamp_error.empty()) text += " with exact stamps";
   if (!master.tasks.empty()) text += fmt::format(", a task every {} cycles", master.tasks.front().multiple);
+  if (!network.project.slaves[2].output_unit.empty()) text += " with a servo";
   if (network.sim.slaves.size() > kLine && !network.project.slaves[kLine].hot_connect.empty())
     text += ", the branch may be unplugged";
   return text;

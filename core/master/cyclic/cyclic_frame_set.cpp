@@ -108,13 +108,14 @@ void CyclicFrameSet::address_leader(Entry& entry) {
 
 void CyclicFrameSet::add_task(const CyclicTask& task, Nanoseconds base_cycle) {
   const auto divider = std::max<Nanoseconds>(1, (task.cycle_time + base_cycle / 2) / base_cycle);
+  tasks_.push_back({TaskTurn(divider)});
   for (const auto& frame : task.frames) {
     for (const auto& command : frame.commands) {
       Entry entry;
       entry.command = &command;
       entry.role = role_of(command);
       entry.frame = frames_.size();
-      entry.divider = static_cast<std::uint64_t>(divider);
+      entry.task = tasks_.size() - 1;
       entry.period = divider * base_cycle;
       // This master latches by itself (DelayCompensation); a latch in every cycle would spoil what it is reading.
       const bool latches = command.command == Command::kBwr && command.ado == reg::kReceiveTimePort0;
@@ -189,12 +190,13 @@ bool CyclicFrameSet::reads_deviation() const {
   return std::ranges::any_of(entries_, [](const Entry& e) { return e.selected && e.role == Role::kDeviation; });
 }
 
-void CyclicFrameSet::prepare(std::uint64_t cycle, bool steer) {
+void CyclicFrameSet::prepare(std::int64_t slot, bool steer) {
   for (auto& frame : frames_) frame.clear();
   active_.clear();
   time_frame_ = nullptr;
+  for (auto& task : tasks_) task.due = task.turn.take(slot);
   for (auto& entry : entries_) {
-    entry.sent = entry.selected && cycle % entry.divider == 0;
+    entry.sent = entry.selected && tasks_[entry.task].due;
     if (!entry.sent) continue;
     fill(entry, steer);
     entry.sent = frames_[entry.frame].add(entry.datagram);

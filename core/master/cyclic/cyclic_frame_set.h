@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "master/clocks/ored_deviation.h"
+#include "master/cyclic/task_slots.h"
 #include "master/exchange/frame_exchange.h"
 #include "protocol/al_state.h"
 
@@ -31,11 +32,13 @@ class CyclicFrameSet {
 
   /// Fills the frames of cycle number `cycle`. `steer`: the reference clock is to be written (bus shift); if not, that
   /// command travels as a NOP, because any value written to 0x0910 steers the clock.
-  void prepare(std::uint64_t cycle, bool steer);
+  void prepare(std::int64_t slot, bool steer);
   /// Times that depend on the moment of sending, system time. `reference_time`: what the reference clock will show;
   /// slaves in front of it are written what the master sends, before the clock has put its own time into the datagram.
   void stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write);
   [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
+  /// Whether the frames of the configuration's task go out with this cycle. After prepare().
+  [[nodiscard]] bool is_due(std::size_t task) const { return task < tasks_.size() && tasks_[task].due; }
   /// The one that carries the reference clock's time in this cycle, if any does.
   [[nodiscard]] const PendingFrame* time_frame() const { return time_frame_; }
 
@@ -110,7 +113,7 @@ class CyclicFrameSet {
     const CyclicCmd* command = nullptr;
     Role role = Role::kOther;
     std::size_t frame = 0;
-    std::uint64_t divider = 1;  // sent every so many base cycles
+    std::size_t task = 0;
     bool selected = false;
     bool sent = false;
     Nanoseconds period = 0;         // between two times that it is sent
@@ -127,6 +130,11 @@ class CyclicFrameSet {
     std::uint16_t wkc = 0;
   };
 
+  struct Task {
+    TaskTurn turn;
+    bool due = false;
+  };
+
   static Role role_of(const CyclicCmd& command);
   void add_task(const CyclicTask& task, Nanoseconds base_cycle);
   void size_images(const NetworkConfig& config);
@@ -139,6 +147,7 @@ class CyclicFrameSet {
   void copy_slave_to_slave(const Entry& entry);
 
   std::uint32_t data_offset_;
+  std::vector<Task> tasks_;
   std::vector<Entry> entries_;
   std::vector<Share> shares_;
   Leader leader_;

@@ -43,6 +43,7 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       feed_(run.config().cycle_time()),
       without_(run.config().slaves.size()),
       cycle_time_(run.config().cycle_time()),
+      slots_(cycle_time_),
       spin_(std::min(run.config().real_time.spin, cycle_time_ / 4), SpinBudget::tolerated(cycle_time_)),
       standstill_(clock) {
   in_flight_.reserve(64);
@@ -70,7 +71,7 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   steering_ = sync_.reference_write(send_time_, scheduled_).has_value();
   calculate_outputs(sample);
   reference_.address(slaves_.settled());
-  frames_.prepare(sample.cycle, steering_);
+  frames_.prepare(slots_.next(skipped_, since_base()), steering_);
   publish_image(sample.cycle);
   watched_.take_outputs();
   forces_.restore(frames_.outputs());
@@ -91,6 +92,11 @@ Status CyclicTaskRunner::run_cycle(std::span<Datagram* const> acyclic) {
   finish_sample(sample);
   scheduled_ += cycle_time_ + adjust_;
   return status;
+}
+
+std::optional<Nanoseconds> CyclicTaskRunner::since_base() const {
+  if (!sync_.active()) return std::nullopt;
+  return sync_.reference_time_at(scheduled_) + run_.snapshot.dcm.set_value_ns - sync_.base();
 }
 
 void CyclicTaskRunner::calculate_outputs(const CycleSample& sample) {
@@ -308,7 +314,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   reference_.watch(send_time_);
   const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);
   acyclic_.take_evidence(send_time_, all_back && sample.skipped_cycles == 0);
-  sync_events_.observe(sample, all_back, stamp_doubt_);
+  sync_events_.observe(sample, {frames_, all_back, stamp_doubt_});
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   sync_.observe_slaves(send_time_, slaves_.deviations_read(), deviation, sample);
 }

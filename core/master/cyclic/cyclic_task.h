@@ -66,6 +66,8 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void note_sending(CycleSample& sample);
   void calculate_outputs(const CycleSample& sample);
   void publish_image(std::uint64_t cycle);
+  /// See TaskSlots::next().
+  [[nodiscard]] std::optional<Nanoseconds> since_base() const;
   void fill_acyclic(std::span<Datagram* const> requests, Nanoseconds now);
   Status exchange_frames(Nanoseconds deadline);
   Status note_link(Status status);
@@ -105,6 +107,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   std::vector<bool> without_;  // slaves that take no part in the process data
   std::vector<PendingFrame*> in_flight_;
   Nanoseconds cycle_time_;
+  TaskSlots slots_;
   SpinBudget spin_;  // last part of each wait
   StandstillCause standstill_;
   std::int64_t skipped_ = 0;              // cycles left out before this one

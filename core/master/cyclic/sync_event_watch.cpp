@@ -6,6 +6,7 @@
 
 #include "channels/cycle_sample.h"
 #include "channels/snapshot.h"
+#include "config/command_data.h"
 #include "config/frame_time.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
@@ -13,6 +14,7 @@
 #include "families/device_family.h"
 #include "families/families.h"
 #include "master/clocks/sync_watch.h"
+#include "master/cyclic/cyclic_frame_set.h"
 #include "master/exchange/slave_states.h"
 #include "protocol/al_state.h"
 #include "protocol/al_status_code.h"
@@ -57,6 +59,7 @@ SyncEventWatch::SyncEventWatch(const NetworkConfig& config, Snapshot& snapshot, 
                        .period = period,
                        .shift = dc->shift_time,
                        .wire = outputs_wire_time(config, i),
+                       .task = outputs_task(config, i).value_or(0),
                        .account = {},
                        .before = {},
                        .limit = limit,
@@ -172,14 +175,14 @@ Nanoseconds SyncEventWatch::room_of(const Slave& slave) const {
   return (margin + sooner < slave.period ? margin + sooner : margin) - need;
 }
 
-void SyncEventWatch::observe(CycleSample& sample, bool outputs_back, Nanoseconds held) {
+void SyncEventWatch::observe(CycleSample& sample, const Sent& frames) {
   if (!sync_.active()) return;
   const bool known = (sample.flags & CycleSample::kReferenceValid) != 0;
   const auto sent = sync_.reference_time_at(sample.send_time);
   const auto passed = known ? sample.reference_time : sent;
   // It may as well have been the way back that took longer: no longer than from the master to the reference clock.
-  held = std::clamp<Nanoseconds>(held, 0, std::max<Nanoseconds>(passed - sent, 0));
-  const Outputs outputs{sample.send_time, passed, outputs_back, sample.skipped_cycles, held};
+  const auto held = std::clamp<Nanoseconds>(frames.held, 0, std::max<Nanoseconds>(passed - sent, 0));
+  const Outputs outputs{sample.send_time, passed, frames.back, sample.skipped_cycles, held, frames.frames};
   if (!outputs.regular() || !pass_together(passed)) observe_each(outputs);
   if (sample.sm2_position < 0) tell(sample);
 }
@@ -210,10 +213,14 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
   Together together;
   together.changes = states_.slave_changes();
   for (auto& slave : slaves_) {
+    slave.left_out += outputs.skipped;
+    if (slave.task > 0) all_regular = false;  // not all of them in each cycle
+    if (!outputs.frames.is_due(slave.task)) continue;
+    const auto left_out = std::exchange(slave.left_out, 0);
     const auto came =
         dc::outputs_arrival(outputs.passed, snapshot_.slaves[slave.position].propagation_delay_ns, slave.wire);
     const auto delay = came - outputs.passed;
-    if (outputs.regular() && slave.next && observe_regular(slave, came)) {
+    if (outputs.regular() && left_out == 0 && slave.next && observe_regular(slave, came)) {
       if (together.period == 0) together.period = slave.period;
       all_regular = all_regular && slave.period == together.period;
       together.begin = std::max(together.begin, *slave.next - delay);
@@ -224,7 +231,7 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
     if (!follow_presence(slave)) continue;
     // The gap that made a slave fall may be told in the same cycle as its fall: first the gap, then the state.
     const auto held = counting_hold(grid_of(slave), came, outputs.held, nominal_margin(slave), config_.cycle_time());
-    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, outputs.skipped, slave.need, held};
+    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, left_out, slave.need, held};
     const bool was_in_op = slave.in_op_since.has_value();
     if (was_in_op) slave.account->observe(cycle);
     follow_state(slave, outputs.send_time);

@@ -9,6 +9,7 @@
 
 namespace syncline {
 
+class CyclicFrameSet;
 struct CycleSample;
 struct NetworkConfig;
 class SlaveStates;
@@ -22,10 +23,15 @@ class SyncEventWatch {
  public:
   SyncEventWatch(const NetworkConfig& config, Snapshot& snapshot, const SlaveStates& states, const SyncWatch& sync);
 
-  /// One cycle; `outputs_back`: all cyclic frames came back; `held`: by how much later than frames usually do, ns. Not
-  /// before SYNC0 has its grid.
+  /// The frames of a cycle.
+  struct Sent {
+    const CyclicFrameSet& frames;  // of which tasks they are
+    bool back = false;             // all of them came back,
+    Nanoseconds held = 0;          // by so much later than frames usually do, ns
+  };
+  /// One cycle. Not before SYNC0 has its grid.
   /// Tells in the sample the count of one slave that has changed since it was told.
-  void observe(CycleSample& sample, bool outputs_back, Nanoseconds held);
+  void observe(CycleSample& sample, const Sent& sent);
   /// So many cycles whose outputs were thought to be lost came back after all. Before observe() of the cycle in which
   /// they came.
   void came_late(std::uint32_t cycles);
@@ -49,6 +55,7 @@ class SyncEventWatch {
     std::size_t position = 0;
     Nanoseconds period = 0, shift = 0;
     Nanoseconds wire = 0;  // until the frame with its outputs has passed
+    std::size_t task = 0;  // that carries them
     std::optional<dc::SyncEventAccount> account;
     std::optional<dc::SyncEventAccount> before;  // while it settles: what counts when it stays in OP
     std::uint32_t limit = 0;
@@ -61,6 +68,7 @@ class SyncEventWatch {
     // While all of its cycles are regular they are counted only, and the account gets them when it is asked:
     std::optional<Nanoseconds> next{};  // begin of the period in which the next outputs are to come
     std::int64_t regular = 0;
+    std::uint32_t left_out = 0;  // cycles since its outputs went out last
   };
   /// Those of one cycle.
   struct Outputs {
@@ -68,6 +76,7 @@ class SyncEventWatch {
     bool back = false;
     std::uint32_t skipped = 0;  // cycles before
     Nanoseconds held = 0;       // see SyncEventAccount::Cycle
+    const CyclicFrameSet& frames;
     [[nodiscard]] bool regular() const { return back && skipped == 0; }
   };
   /// The cycles of all slaves in OP are regular, and will be as long as outputs pass the reference clock in time. Who

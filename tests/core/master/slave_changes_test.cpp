@@ -16,6 +16,7 @@
 #include "master/clocks/ored_deviation.h"
 #include "master/clocks/slaves_sync.h"
 #include "master/clocks/sync_watch.h"
+#include "master/cyclic/cyclic_frame_set.h"
 #include "master/cyclic/sync_event_watch.h"
 #include "master/exchange/run_state.h"
 #include "support/random.h"
@@ -66,6 +67,7 @@ struct WatchedLine {
     slaves_sync.start(network, 0, false);
     run.states.note_slave_change();
     events = std::make_unique<SyncEventWatch>(run.config(), run.snapshot, run.states, sync);
+    frames = std::make_unique<CyclicFrameSet>(run.config());
     limits.resize(config.slaves.size());
   }
   /// What an event says, with its moment.
@@ -88,7 +90,8 @@ struct WatchedLine {
       run.states.note_slave_change();
       for (std::size_t i = 0; i < limits.size(); ++i) events->set_limit(i, limits[i]);  // ends the closed form
     }
-    events->observe(sample, back, 0);
+    frames->prepare(slot++, false);
+    events->observe(sample, {*frames, back, 0});
     take_events();
   }
 
@@ -99,6 +102,8 @@ struct WatchedLine {
   SyncWatch sync;
   SlavesSync slaves_sync;
   std::unique_ptr<SyncEventWatch> events;
+  std::unique_ptr<CyclicFrameSet> frames;
+  std::int64_t slot = 0;
   std::vector<std::uint32_t> limits;
   std::vector<std::string> told;
 };
