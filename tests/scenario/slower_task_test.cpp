@@ -41,8 +41,8 @@ TEST(SlowerTask, AMissedEventOfItIsThatOfTheFrameThatWasLost) {
   EXPECT_TRUE(missed && missed->missed > 0) << run.said();
 }
 
-/// It stays where it was in its SYNC0 period, however many cycles the host left out.
-TEST(SlowerTask, AStandstillOfTheHostMovesNoOutputs) {
+/// However many cycles it left out: more than one period, a part of one.
+TEST(SlowerTask, WhatItMissedInAStandstillOfTheHostIsTheHosts) {
   for (const auto held : {4, 5, 6}) {
     auto run = machine();
     run.fault(FaultKind::kHostStall, 8 * kSecond).value_ns = held * kMillisecond;
