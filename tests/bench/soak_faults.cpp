@@ -139,7 +139,7 @@ class Soak {
     fault.value_ns =
         static_cast<Nanoseconds>(random_.uniform(static_cast<double>(kind.least), static_cast<double>(kind.most)));
     if (kind.either_sign && random_.next() % 2 == 0) fault.value_ns = -fault.value_ns;
-    if (kind.in_cycles) fault.value_ns *= own_cycle(machine_, fault.slave) / kMillisecond;
+    if (kind.in_cycles) fault.value_ns = fault.value_ns * own_cycle(machine_, fault.slave) / kMillisecond;
     fault.ppm = kind.ppm;
     fault.port = kind.port;
     fault.state = kind.state;

@@ -47,6 +47,9 @@ void add_branch(test::SimulatedNetwork& network, Random& random) {
       case 2:
         network.add(device("SL-6751.xml"), "can-gateway");
         break;
+      case 3:
+        network.add(random.next() % 2 == 0 ? test::large_io() : test::io8());  // two of them need two frames
+        break;
       default:
         network.add(test::io8());
     }
@@ -61,7 +64,9 @@ void draw_master(test::SimulatedNetwork& network, Random& random) {
   const std::array hosts{network.sim.host_jitter, JitterProfile::quiet(), JitterProfile::desktop()};
   network.sim.host_jitter = hosts[random.next() % hosts.size()];
   auto& master = network.project.master;
-  master.cycle_time = random.next() % 2 == 0 ? kMillisecond : 2 * kMillisecond;
+  constexpr std::array kCycles{kMillisecond / 2, kMillisecond, kMillisecond, 2 * kMillisecond, 2 * kMillisecond};
+  master.cycle_time = kCycles[random.next() % kCycles.size()];
+  if (master.cycle_time < kMillisecond) network.sim.host_jitter = JitterProfile::quiet();
   master.dc.sync_window.exponent = static_cast<std::uint8_t>(7 + random.next() % 3);
   master.dc.continuous_propagation_compensation = random.next() % 3 == 0;
   // Half of a millisecond is too little for a desktop's tails, which is told, and rightly.
@@ -218,8 +223,9 @@ std::string text_of(const SoakMachine& machine) {
   auto text = fmt::format(
       "{} slaves, slave {} leads{}, {} and {}, {} ms, window of {} ns, {} computer as host", network.sim.slaves.size(),
       machine.reference, master.dc.reference_clock ? " (one with a clock is in front of it)" : "",
-      dcm_mode_name(machine.modes[0]), dcm_mode_name(machine.modes[1]), master.cycle_time / kMillisecond,
-      (1U << master.dc.sync_window.exponent) - 1, jitter == JitterProfile::desktop() ? "a desktop" : "a quiet");
+      dcm_mode_name(machine.modes[0]), dcm_mode_name(machine.modes[1]),
+      static_cast<double>(master.cycle_time) / kMillisecond, (1U << master.dc.sync_window.exponent) - 1,
+      jitter == JitterProfile::desktop() ? "a desktop" : "a quiet");
   if (jitter.stamp_error.empty()) text += " with exact stamps";
   if (!master.tasks.empty()) text += fmt::format(", a task every {} cycles", master.tasks.front().multiple);
   if (!network.project.slaves[2].output_unit.empty()) text += " with a servo";

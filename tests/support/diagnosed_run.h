@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +65,24 @@ class AwayLink final : public Link {
   std::vector<std::uint8_t> bytes_{};
 };
 
+/// Loses the frames on their way to the bus of which a function says so.
+class LosingLink final : public Link {
+ public:
+  using Loses = std::function<bool(std::span<const std::uint8_t> frame)>;
+  LosingLink(std::unique_ptr<Link> inner, Loses loses) : inner_(std::move(inner)), loses_(std::move(loses)) {}
+  Status send(std::span<const std::uint8_t> frame) override {
+    return loses_ && loses_(frame) ? Status{} : inner_->send(frame);
+  }
+  Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
+    return inner_->receive(buffer, deadline);
+  }
+  [[nodiscard]] LinkDescription describe() const override { return inner_->describe(); }
+
+ private:
+  std::unique_ptr<Link> inner_;
+  Loses loses_;
+};
+
 /// A simulated machine with something known wrong with it, run on the virtual clock, and what is found.
 class DiagnosedRun {
  public:
@@ -75,6 +94,7 @@ class DiagnosedRun {
   std::map<std::size_t, std::uint32_t> shown_misses;  // the last that the samples said, by position
   std::vector<AwaySpan> adapter_away;
   std::vector<HeldSpan> held_up;
+  LosingLink::Loses loses;
   std::function<void(NetworkConfig&)> change;  // of what was compiled, before it is run
 
   FaultConfig& fault(FaultKind kind, Nanoseconds at, int slave = -1) {
@@ -90,7 +110,8 @@ class DiagnosedRun {
     auto config = network.compiled();
     if (change) change(config);
     RunRecorder recorder(config);
-    auto way = std::make_unique<HoldingLink>(network.link(clock), clock, held_up);
+    auto sent = std::make_unique<LosingLink>(network.link(clock), loses);
+    auto way = std::make_unique<HoldingLink>(std::move(sent), clock, held_up);
     MasterService service(std::make_unique<AwayLink>(std::move(way), clock, adapter_away), clock);
     auto& channels = service.channels();
     channels.commands.push(GoOnlineCommand{config, AlState::kOp});

@@ -25,6 +25,24 @@ DeviceDescription io8() {
   return device;
 }
 
+DeviceDescription large_io() {
+  constexpr std::uint8_t kWords = 220;
+  auto device = io8();
+  device.type = device.name = "large";
+  device.identity.product_code = 0x0111;
+  for (auto* pdo : {&device.rx_pdos[0], &device.tx_pdos[0]}) {
+    const auto first = pdo->entries[0];
+    pdo->entries.clear();
+    for (std::uint8_t sub = 1; sub <= kWords; ++sub) {
+      pdo->entries.push_back(first);
+      pdo->entries.back().sub_index = sub;
+    }
+  }
+  device.sync_managers[0].default_size = device.sync_managers[1].default_size = 4 * kWords;
+  device.sync_managers[1].start_address = 0x1D00;  // behind three buffers of the outputs
+  return device;
+}
+
 DeviceDescription bridge() {
   auto device = io8();
   device.type = device.name = "bridge";

@@ -9,6 +9,9 @@ namespace syncline::test {
 /// A terminal with 4 bytes out and 4 in, distributed clocks, no mailbox.
 [[nodiscard]] DeviceDescription io8();
 
+/// A terminal whose process data fill most of a frame.
+[[nodiscard]] DeviceDescription large_io();
+
 /// A terminal that maps the time stamps of its external synchronisation.
 [[nodiscard]] DeviceDescription bridge();
 

@@ -39,13 +39,17 @@ CyclicFrameSet::CyclicFrameSet(const NetworkConfig& config) : data_offset_(confi
 
 /// By the ranges of the slaves in the process image: a slave that reads counts 1, one that writes 1, or 2 in an LRW.
 void CyclicFrameSet::share_counters(const NetworkConfig& config) {
+  writers_.resize(config.slaves.size());
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const auto& command = *entries_[e].command;
     if (entries_[e].role != Role::kProcessData) continue;
     for (std::size_t i = 0; i < config.slaves.size(); ++i) {
       const auto& slave = config.slaves[i];
       unsigned wkc = 0;
-      if (writes_outputs(command, slave.send, config.image)) wkc += command.command == Command::kLrw ? 2 : 1;
+      if (writes_outputs(command, slave.send, config.image)) {
+        wkc += command.command == Command::kLrw ? 2 : 1;
+        writers_[i].push_back(static_cast<std::uint16_t>(e));
+      }
       if (reads_inputs(command, slave.receive, config.image)) ++wkc;
       if (wkc > 0) shares_.push_back({i, e, static_cast<std::uint16_t>(wkc)});
     }
@@ -234,6 +238,12 @@ void CyclicFrameSet::fill_time(Entry& entry, Nanoseconds time) {
   } else {
     store_le(entry.data, static_cast<std::uint32_t>(time));
   }
+}
+
+bool CyclicFrameSet::brought_outputs(std::size_t slave) const {
+  return std::ranges::all_of(writers_[slave], [this](std::uint16_t entry) {
+    return !entries_[entry].sent || entries_[entry].datagram.answered;
+  });
 }
 
 CyclicFrameSet::Reading CyclicFrameSet::evaluate() {

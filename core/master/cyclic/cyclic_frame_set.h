@@ -64,6 +64,9 @@ class CyclicFrameSet {
   [[nodiscard]] std::uint16_t wkc_configured() const;
   [[nodiscard]] std::uint16_t wkc_expected() const;
 
+  /// The frames of this cycle with the slave's outputs have come back. Of a task that is not due nothing is asked for.
+  [[nodiscard]] bool brought_outputs(std::size_t slave) const;
+
   /// What the answers of this cycle say.
   struct Reading {
     std::uint16_t wkc_expected = 0, wkc_received = 0;       // process data
@@ -150,6 +153,7 @@ class CyclicFrameSet {
   std::vector<Task> tasks_;
   std::vector<Entry> entries_;
   std::vector<Share> shares_;
+  std::vector<std::vector<std::uint16_t>> writers_;  // by slave: entries that carry its outputs
   Leader leader_;
   std::vector<PendingFrame> frames_;
   std::vector<PendingFrame*> active_;

@@ -220,7 +220,8 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
     const auto came =
         dc::outputs_arrival(outputs.passed, snapshot_.slaves[slave.position].propagation_delay_ns, slave.wire);
     const auto delay = came - outputs.passed;
-    if (outputs.regular() && left_out == 0 && slave.next && observe_regular(slave, came)) {
+    const bool back = outputs.frames.brought_outputs(slave.position);
+    if (back && left_out == 0 && slave.next && observe_regular(slave, came)) {
       if (together.period == 0) together.period = slave.period;
       all_regular = all_regular && slave.period == together.period;
       together.begin = std::max(together.begin, *slave.next - delay);
@@ -231,7 +232,7 @@ void SyncEventWatch::observe_each(const Outputs& outputs) {
     if (!follow_presence(slave)) continue;
     // The gap that made a slave fall may be told in the same cycle as its fall: first the gap, then the state.
     const auto held = counting_hold(grid_of(slave), came, outputs.held, nominal_margin(slave), config_.cycle_time());
-    const dc::SyncEventAccount::Cycle cycle{came, outputs.back, left_out, slave.need, held};
+    const dc::SyncEventAccount::Cycle cycle{came, back, left_out, slave.need, held};
     const bool was_in_op = slave.in_op_since.has_value();
     if (was_in_op) slave.account->observe(cycle);
     follow_state(slave, outputs.send_time);

@@ -68,6 +68,7 @@ struct WatchedLine {
     run.states.note_slave_change();
     events = std::make_unique<SyncEventWatch>(run.config(), run.snapshot, run.states, sync);
     frames = std::make_unique<CyclicFrameSet>(run.config());
+    frames->select(AlState::kOp);
     limits.resize(config.slaves.size());
   }
   /// What an event says, with its moment.
@@ -91,6 +92,9 @@ struct WatchedLine {
       for (std::size_t i = 0; i < limits.size(); ++i) events->set_limit(i, limits[i]);  // ends the closed form
     }
     frames->prepare(slot++, false);
+    for (auto* frame : frames->frames()) {
+      for (auto* datagram : frame->datagrams()) datagram->answered = back;
+    }
     events->observe(sample, {*frames, back, 0});
     take_events();
   }
