@@ -219,7 +219,7 @@ class Soak {
       const auto slave = static_cast<std::size_t>(one.fault.slave);
       const bool has_gaps =
           std::ranges::any_of(kind.gaps, [&](Signal signal) { return has_gap(store, signal, slave, from); });
-      one.shown = (kind.shows.empty() && kind.gaps.empty()) || has_gaps || one.down;
+      one.shown = (kind.shows.empty() && kind.gaps.empty()) || has_gaps || is_small(one) || one.down;
     }
     for (const auto& signal : shown_out_of_order(store, limits, from)) {
       segment.log += "plots: " + text_of(signal) + "\n";
@@ -232,6 +232,12 @@ class Soak {
       }
       if (!follows) segment.strange.push_back(text_of(signal));
     }
+  }
+
+  /// What a clock is slewed by need not leave a wider window.
+  [[nodiscard]] bool is_small(const Thrown& one) const {
+    constexpr std::uint8_t kUsualWindow = SyncWindowSettings{}.exponent;
+    return one.kind->kind == FaultKind::kClockSlew && network_.project.master.dc.sync_window.exponent > kUsualWindow;
   }
 
   /// Whether the last one's victim was still in OP when it came.
@@ -248,13 +254,7 @@ class Soak {
   void look_at_report(std::size_t number, const RunReport& report, const std::vector<Event>& events) {
     auto& segment = segments_[number];
     note_down(segment, events);
-    // What a clock is slewed by need not leave a wider window.
-    constexpr std::uint8_t kUsualWindow = SyncWindowSettings{}.exponent;
-    const bool is_wide = network_.project.master.dc.sync_window.exponent > kUsualWindow;
-    for (auto& one : segment.thrown) {
-      const bool is_small = one.kind->kind == FaultKind::kClockSlew && is_wide;
-      one.told = one.kind->harmless || is_small || one.down;
-    }
+    for (auto& one : segment.thrown) one.told = one.kind->harmless || is_small(one) || one.down;
     for (const auto& event : events) {
       segment.log += cli::event_text(event, begin_ + start_of(number)) + "\n";
       for (auto& one : segment.thrown) {

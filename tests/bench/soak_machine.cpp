@@ -160,8 +160,10 @@ bool follows(const SoakMachine& machine, int slave) {
 /// one frame; a gateway counts it.
 bool tells_by_itself(const SoakMachine& machine, int slave) {
   const auto& network = machine.network;
-  return !has_sync0(machine, slave) && (network.project.master.tasks.empty() ||
-                                        network.sim.slaves[static_cast<std::size_t>(slave)].behaviour == "can-gateway");
+  if (has_sync0(machine, slave)) return false;
+  if (network.sim.slaves[static_cast<std::size_t>(slave)].behaviour == "can-gateway") return true;
+  const auto config = network.compiled();
+  return config.cyclic.size() == 1 && config.cyclic.front().frames.size() == 1;
 }
 
 }  // namespace
