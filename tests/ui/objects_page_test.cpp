@@ -343,6 +343,7 @@ TEST_F(ObjectsOfARunningSlave, ASlaveThatDoesNotRunIsNotAsked) {
   workspace_.document().replace(QStringLiteral("edit"), edited);
   EXPECT_FALSE(runningSlave(workspace_, kServo).has_value());
   EXPECT_TRUE(runningSlave(workspace_, kOtherServo).has_value());
+  EXPECT_TRUE(runningSlave(workspace_, 0).has_value());
   show(kServo, "slaveObjectsPage");
   EXPECT_TRUE(field<QLabel>("slaveObjectsPageHint").text().contains(QStringLiteral("restart")));
   EXPECT_FALSE(field("objectRead").isEnabled());

@@ -134,6 +134,17 @@ TEST(IsoUtc, HandlesDatesOnBothSidesOfTheEpoch) {
       << "2000 has a 29th of February";
 }
 
+TEST(UnitScaleDraw, TicksWithWordsOfTheirOwnHaveThoseUntilThereAreNone) {
+  UnitScaleDraw draw;
+  draw.setTicks({{0, QStringLiteral("noon")}, {60, QStringLiteral("12:01")}});
+  EXPECT_EQ(draw.label(1).text(), QStringLiteral("noon"));
+  EXPECT_EQ(draw.label(59).text(), QStringLiteral("12:01"));
+  draw.setTicks({{60, QStringLiteral("a minute")}});
+  EXPECT_EQ(draw.label(60).text(), QStringLiteral("a minute"));
+  draw.setTicks({});
+  EXPECT_EQ(draw.label(60).text(), QStringLiteral("60"));
+}
+
 TEST(UnitScaleDraw, DecimalsFollowTheTicks) {
   UnitScaleDraw draw;
   draw.setDivisor(1e3);

@@ -181,6 +181,14 @@ TEST_F(RecordingWindow, ALogOfTheMasterSynchronisationIsShownLikeARecording) {
   EXPECT_EQ(window_.findChild<Pill*>(QStringLiteral("overviewMaster"))->text().toStdString(), "At the end: In sync");
 }
 
+TEST(RecordedText, ASpanIsToldInTheTwoLargestUnits) {
+  EXPECT_EQ(spanText(59 * kSecond), QStringLiteral("59 s"));
+  EXPECT_EQ(spanText(60 * kSecond), QStringLiteral("1 min 0 s"));
+  EXPECT_EQ(spanText(3599 * kSecond), QStringLiteral("59 min 59 s"));
+  EXPECT_EQ(spanText(3600 * kSecond), QStringLiteral("1 h 0 min"));
+  EXPECT_EQ(spanText(90'061 * kSecond), QStringLiteral("25 h 1 min"));
+}
+
 /// Its recording holds what the machine was held against last, since when, and what ran.
 /// A capture of any master becomes a recording on disk, and is shown.
 TEST_F(RecordingWindow, ACaptureIsImportedAsARecording) {

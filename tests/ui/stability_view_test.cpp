@@ -127,6 +127,7 @@ TEST_F(StabilityViewTest, WhiteNoiseFallsWithSlopeMinusOneAndIsCalledJitter) {
   EXPECT_THAT(words(), Not(HasSubstr("Drift")));
   EXPECT_THAT(words(), Not(HasSubstr("Hunting")));
   EXPECT_THAT(words(), HasSubstr("10000 samples, one each 2.00 ms, no gap"));
+  EXPECT_THAT(words(), Not(HasSubstr("No limit is set"))) << "it is not asked for";
 }
 
 TEST_F(StabilityViewTest, NothingIsDrawnForTimesWithTooFewWindows) {
