@@ -129,7 +129,7 @@ std::vector<SoakFaultKind> host_kinds() {
        .ppm = 50,
        .events = {kind_of<events::DcmError>, kind_of<events::MasterOutOfSync>},
        .findings = {code::kMasterLostLock, code::kDcmError, code::kWindowLeft},
-       .also = {code::kSlaveLeftWindow},
+       .also = {code::kSlaveLeftWindow, code::kJitterReachesClock},
        .shows = std::vector{Signal::kDcmErrorFiltered} + kDeviations},
       {.name = "host warms up",
        .kind = FaultKind::kTemperatureRamp,

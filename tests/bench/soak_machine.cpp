@@ -133,8 +133,13 @@ void draw_group(test::SimulatedNetwork& network, Random& random) {
 }
 
 void draw_modes(SoakMachine& machine, Random& random) {
-  constexpr std::array kBeside{DcmMode::kMasterShift, DcmMode::kLinkLayerRefClock};
+  constexpr std::array kBeside{DcmMode::kMasterShift, DcmMode::kLinkLayerRefClock, DcmMode::kMasterRefClock};
   machine.modes[1] = kBeside[random.next() % kBeside.size()];
+  // A desktop's tails shake a clock that is told the nominal time, which is told, and rightly.
+  const auto& network = machine.network;
+  const bool calm =
+      network.sim.host_jitter != JitterProfile::desktop() && network.project.master.dc.sync_window.exponent > 7;
+  if (machine.modes[1] == DcmMode::kMasterRefClock && !calm) machine.modes[1] = DcmMode::kMasterShift;
 }
 
 void draw_machine(SoakMachine& machine, Random& random) {

@@ -211,6 +211,27 @@ TEST_F(Diagnosis, ASteppedClockIsNoJitterOfTheHost) {
   EXPECT_FALSE(machine.found(code::kJitterReachesClock)) << machine.said();
 }
 
+/// Nor is one slave that is off by more than comes through the reference clock's loop.
+TEST(JitterOfTheHost, IsNotBlamedForWhatOneClockDoes) {
+  for (const auto kind : {FaultKind::kNoisyDelay, FaultKind::kClockStep}) {
+    test::DiagnosedRun machine;
+    machine.jitter = JitterProfile::quiet();
+    for (int i = 0; i < 2; ++i) machine.network.add(test::io8());
+    machine.network.add(test::servo(), "servo-y");
+    auto& dc = machine.network.project.master.dc;
+    dc.dcm.mode = DcmMode::kMasterRefClock;
+    dc.sync_window.enabled = true;
+    dc.sync_window.exponent = 8;
+    auto& fault = machine.fault(kind, 8 * kSecond, kind == FaultKind::kClockStep ? 0 : 1);
+    fault.value_ns = kind == FaultKind::kNoisyDelay ? 10'000 : 200 * kMicrosecond;
+    fault.period = 10 * kMillisecond;
+    fault.until = 14 * kSecond;
+    machine.run(20 * kSecond);
+    EXPECT_TRUE(machine.accuses()) << static_cast<int>(kind);
+    EXPECT_FALSE(machine.found(code::kJitterReachesClock)) << machine.said();
+  }
+}
+
 TEST_F(Diagnosis, AsksForMoreTimeBetweenFrameAndSync0) {
   machine.jitter = JitterProfile::bad();
   machine.network.project.master.dc.dcm.mode = DcmMode::kMasterShift;
