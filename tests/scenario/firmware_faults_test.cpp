@@ -175,6 +175,20 @@ TEST(SlowFirmware, IsNamedOfSlavesWithoutSync0) {
   }
 }
 
+TEST(SlowFirmware, IsNamedOfEachSlaveWhereNobodyHasSync0) {
+  for (const int slow : {0, 1, 2}) {
+    test::DiagnosedRun machine;
+    for (int i = 0; i < 3; ++i) {
+      machine.network.add(sample::own("SL-6751"), "can-gateway");
+      machine.network.project.slaves.back().dc.op_mode.clear();
+    }
+    machine.fault(FaultKind::kSlowApplication, 6 * kSecond, slow).value_ns = 2'500'000;
+    machine.run(10 * kSecond);
+    for (const int slave : {0, 1, 2})
+      EXPECT_EQ(machine.found(code::kGatewayCycleExceeded, slave), slave == slow) << machine.said();
+  }
+}
+
 /// Whose process data come in each cycle, beside others whose task is slower.
 TEST(SlowFirmware, IsNamedBesideASlowerTask) {
   test::DiagnosedRun machine;

@@ -122,13 +122,10 @@ coe::ObjectAddress Sm2Reader::object(const Counter& counter) {
 
 /// Those that run by themselves share one turn: many of them do not make the others' misses known later.
 std::size_t Sm2Reader::next() {
-  if (++turn_ < with_sync_) return turn_;
-  if (turn_ == with_sync_ && has_others()) {
-    other_ = (other_ + 1) % (counters_.size() - with_sync_);
-    return with_sync_ + other_;
-  }
-  turn_ = 0;
-  return 0;
+  turn_ = (turn_ + 1) % (with_sync_ + (has_others() ? 1 : 0));
+  if (turn_ < with_sync_) return turn_;
+  other_ = (other_ + 1) % (counters_.size() - with_sync_);
+  return with_sync_ + other_;
 }
 
 void Sm2Reader::sent(Nanoseconds time) {
