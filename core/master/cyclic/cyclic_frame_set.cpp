@@ -241,6 +241,7 @@ void CyclicFrameSet::fill_time(Entry& entry, Nanoseconds time) {
 }
 
 bool CyclicFrameSet::brought_outputs(std::size_t slave) const {
+  if (writers_[slave].empty()) return std::ranges::all_of(active_, &PendingFrame::answered);
   return std::ranges::all_of(writers_[slave], [this](std::uint16_t entry) {
     return !entries_[entry].sent || entries_[entry].datagram.answered;
   });

@@ -64,7 +64,8 @@ class CyclicFrameSet {
   [[nodiscard]] std::uint16_t wkc_configured() const;
   [[nodiscard]] std::uint16_t wkc_expected() const;
 
-  /// The frames of this cycle with the slave's outputs have come back. Of a task that is not due nothing is asked for.
+  /// The frames of this cycle with the slave's outputs have come back; all of them, where the configuration does not
+  /// say which these are. Of a task that is not due nothing is asked for.
   [[nodiscard]] bool brought_outputs(std::size_t slave) const;
 
   /// What the answers of this cycle say.

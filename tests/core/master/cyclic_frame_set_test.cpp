@@ -34,5 +34,27 @@ TEST(CyclicFrameSet, LatchesNoReceiveTimesByItself) {
   EXPECT_GE(seen, commands.size());
 }
 
+/// Of two slaves with a frame each; and where an ENI's offsets lead to no command it may be any of them.
+TEST(CyclicFrameSet, KnowsWhoseOutputsCameBack) {
+  test::SimulatedNetwork network;
+  for (int i = 0; i < 3; ++i) network.add(test::large_io());
+  auto config = network.compiled();
+  ASSERT_EQ(config.cyclic.at(0).frames.size(), 3U);
+  config.slaves[2].send->bit_start = 1U << 20;
+  CyclicFrameSet set(config);
+  set.select(AlState::kOp);
+  set.prepare(0, true);
+  const auto answer = [&](std::size_t frame) {
+    for (auto* datagram : set.frames()[frame]->datagrams()) datagram->answered = true;
+  };
+  answer(0);
+  answer(2);
+  EXPECT_TRUE(set.brought_outputs(0));
+  EXPECT_FALSE(set.brought_outputs(1));
+  EXPECT_FALSE(set.brought_outputs(2));
+  answer(1);
+  EXPECT_TRUE(set.brought_outputs(1));
+}
+
 }  // namespace
 }  // namespace syncline
