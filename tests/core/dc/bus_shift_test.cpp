@@ -209,7 +209,8 @@ void lead_back_after_a_step(Nanoseconds cycle, double step) {
 }
 
 TEST(BusShift, TheWayBackOfAClockThatSteppedIsNoDrift) {
-  for (const Nanoseconds cycle : {kMillisecond / 4, kMillisecond / 2, kMillisecond, 2 * kMillisecond, 4 * kMillisecond}) {
+  for (const Nanoseconds cycle :
+       {kMillisecond / 4, kMillisecond / 2, kMillisecond, 2 * kMillisecond, 4 * kMillisecond}) {
     for (const double step : {-457e3, -400e3, -60e3, 90e3, 400e3}) {
       SCOPED_TRACE(testing::Message() << cycle << " " << step);
       lead_back_after_a_step(cycle, step);
