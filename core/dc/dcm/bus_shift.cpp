@@ -60,6 +60,7 @@ DcmAction BusShift::observe(const DcmObservation& observation) {
     // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
     auto lag = *observation.reference_time - wanted_at(observation.send_time);
     const bool new_block = monitor_.observe(observation, lag);
+    monitor_.lead_back();
     if (monitor_.step()) lag = begin_anew(observation);
     action.write_again = take(observation, lag) == OutlierGate::Verdict::kOutlier;
     if (new_block) watch_runaway();
@@ -106,7 +107,6 @@ void BusShift::integrate(double lag) {
   filtered_ += std::min(1.0, cycle / kFilterTime) * (lag - filtered_);
   // A step has taught nothing about the drift.
   working_off_ = working_off_ && std::abs(filtered_) > static_cast<double>(limit_);
-  monitor_.set_led_back(working_off_ || (monitor_.is_led_back() && !monitor_.in_sync()));
   if (working_off_) return;
   integral_ = std::clamp(integral_ + cycle / integral_time_ * filtered_, -kMaxCorrection, kMaxCorrection);
 }

@@ -78,6 +78,11 @@ std::uint32_t DcmMonitor::error_code() {
   return 0;
 }
 
+void DcmMonitor::lead_back() {
+  if (step_) return set_led_back(true);
+  if (in_sync()) set_led_back(false);
+}
+
 void DcmMonitor::set_led_back(bool led_back) {
   if (led_back == own_drift_.has_value()) return;
   if (led_back) {

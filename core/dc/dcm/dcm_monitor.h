@@ -26,10 +26,9 @@ class DcmMonitor {
   bool observe(const DcmObservation& observation, Nanoseconds error);
   /// The reference clock moves away although it is told to come.
   void set_running_away(bool running_away) { running_away_ = running_away; }
-  /// After a step, while the clock is led back to its place: the rate at which it goes there is not its own, and the
-  /// one from before is shown.
-  void set_led_back(bool led_back);
-  [[nodiscard]] bool is_led_back() const { return own_drift_.has_value(); }
+  /// Behind observe(), by who leads the clock to its place: after a step, until it is there, the rate at which it goes
+  /// is not its own, and the one from before is shown.
+  void lead_back();
   void report(DcmState& state) const;
 
   /// Error without the noise of single stamps (20 ms), ns.
@@ -43,6 +42,7 @@ class DcmMonitor {
  private:
   void read(const DcmObservation& observation, Nanoseconds error);
   [[nodiscard]] std::uint32_t error_code();
+  void set_led_back(bool led_back);
   [[nodiscard]] const DriftEstimator& own_drift() const { return own_drift_ ? *own_drift_ : drift_; }
 
   Nanoseconds cycle_;

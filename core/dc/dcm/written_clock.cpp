@@ -80,6 +80,7 @@ DcmAction WrittenClock::observe(const DcmObservation& observation) {
   if (observation.reference_time) lag = *observation.reference_time - wanted_at(observation.send_time - usual);
   if (observation.reference_time && time_ == Time::kOfSending) lag = without_way(observation, lag, action);
   monitor_.observe(observation, lag);
+  monitor_.lead_back();
   monitor_.report(state_);
   state_.usual_lateness = usual;
   return action;

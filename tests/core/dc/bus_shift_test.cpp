@@ -187,37 +187,6 @@ TEST(BusShift, AReferenceClockThatCannotFollowIsADriftTooHigh) {
   }
 }
 
-/// It is led back as fast as its loop can, which is no rate at which it and the host drift apart. In long cycles it is
-/// no longer where it was before three readings agree.
-void lead_back_after_a_step(Nanoseconds cycle, double step) {
-  auto options = bus_shifted(JitterProfile::quiet(), 50);
-  options.cycle = cycle;
-  options.set_value = cycle * 2 / 3;
-  options.clock_step = {static_cast<int>(8 * kSecond / cycle), step};
-  DcmPlant plant(options);
-  plant.run_until(16);
-  const auto told = std::ranges::find_if(plant.cycles(), [](const auto& c) { return c.state.clock_step.has_value(); });
-  ASSERT_NE(told, plant.cycles().end());
-  EXPECT_NEAR(static_cast<double>(*told->state.clock_step), step, 10'000);
-  EXPECT_TRUE(plant.reported(kDcmErrorOutOfLimit));
-  EXPECT_FALSE(plant.reported(kDcmErrorDriftTooHigh));
-  for (const auto& each : plant.cycles()) {
-    if (each.time < 4) continue;
-    ASSERT_LT(std::abs(each.state.drift_ppm), 5) << each.time;
-  }
-  EXPECT_TRUE(plant.last().state.in_sync);
-}
-
-TEST(BusShift, TheWayBackOfAClockThatSteppedIsNoDrift) {
-  for (const Nanoseconds cycle :
-       {kMillisecond / 4, kMillisecond / 2, kMillisecond, 2 * kMillisecond, 4 * kMillisecond}) {
-    for (const double step : {-457e3, -400e3, -60e3, 90e3, 400e3}) {
-      SCOPED_TRACE(testing::Message() << cycle << " " << step);
-      lead_back_after_a_step(cycle, step);
-    }
-  }
-}
-
 /// A controller in sync whose reference clock runs with the host, at host time `now`; the clock shows `shown`.
 struct Settled {
   static constexpr Nanoseconds kLate = 40'000;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/identity.h"
@@ -45,6 +46,38 @@ TEST(DcmModes, TheStandardsOfTheTaskWithNoisyStamps) {
         EXPECT_EQ(plant.times_lost(), 0) << name;
         const double mean = plant.mean(&PlantCycle::grid_error, 10);
         EXPECT_LT(std::sqrt(std::pow(plant.rms(&PlantCycle::grid_error, 10), 2) - mean * mean), rms) << name;
+      }
+    }
+  }
+}
+
+/// It is led back as fast as its loop can, which is no rate at which it and the host drift apart. In long cycles it is
+/// no longer where it was before three readings agree.
+void lead_back_after_a_step(DcmMode mode, Nanoseconds cycle, double step) {
+  auto options = with(mode, JitterProfile::quiet());
+  options.cycle = cycle;
+  options.set_value = cycle * 2 / 3;
+  options.clock_step = {static_cast<int>(8 * kSecond / cycle), step};
+  DcmPlant plant(options);
+  plant.run_until(16);
+  const auto told = std::ranges::find_if(plant.cycles(), [](const auto& c) { return c.state.clock_step.has_value(); });
+  ASSERT_NE(told, plant.cycles().end());
+  EXPECT_NEAR(static_cast<double>(*told->state.clock_step), step, 10'000);
+  EXPECT_TRUE(plant.reported(kDcmErrorOutOfLimit));
+  EXPECT_FALSE(plant.reported(kDcmErrorDriftTooHigh));
+  for (const auto& each : plant.cycles()) {
+    if (each.time < 4) continue;
+    ASSERT_LT(std::abs(each.state.drift_ppm), 5) << each.time;
+  }
+  EXPECT_TRUE(plant.last().state.in_sync);
+}
+
+TEST(DcmModes, TheWayBackOfAClockThatSteppedIsNoDriftWhereverItIsLed) {
+  for (const auto mode : {DcmMode::kBusShift, DcmMode::kMasterRefClock, DcmMode::kLinkLayerRefClock}) {
+    for (const auto cycle : {kMillisecond / 4, kMillisecond / 2, kMillisecond, 2 * kMillisecond, 4 * kMillisecond}) {
+      for (const double step : {-457e3, -400e3, -60e3, 90e3, 400e3}) {
+        SCOPED_TRACE(testing::Message() << dcm_mode_name(mode) << " " << cycle << " " << step);
+        lead_back_after_a_step(mode, cycle, step);
       }
     }
   }
