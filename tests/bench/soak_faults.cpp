@@ -206,6 +206,7 @@ class Soak {
     service_->channels().commands.push(GoOfflineCommand{});
     service_->run_for(kSecond / 2);
     (void)service_->channels().events.drain();
+    service_->channels().samples.pop(samples_);  // the next run's recorder shall not take them for its own
     look_at_report(segment, report, events);
     look_at_plots(segment, store, limits);
   }
@@ -251,6 +252,16 @@ class Soak {
     }
   }
 
+  void log_misses(Segment& segment, const RunReport& report, Nanoseconds start) const {
+    const auto seconds = [&](Nanoseconds time) { return static_cast<double>(time - begin_ - start) / 1e9; };
+    for (std::size_t slave = 0; slave < report.history.slaves.size(); ++slave) {
+      for (const auto& spell : report.history.slaves[slave].missed.list()) {
+        segment.log += fmt::format("slave {} missed {} SM2 events between {:.3f} and {:.3f} s\n", slave, spell.count,
+                                   seconds(spell.from), seconds(spell.to));
+      }
+    }
+  }
+
   void look_at_report(std::size_t number, const RunReport& report, const std::vector<Event>& events) {
     auto& segment = segments_[number];
     note_down(segment, events);
@@ -264,6 +275,7 @@ class Soak {
         one.told |= holds(one.kind->events, event.kind()) && is_then && is_bad(event) && one.concerns(event.slave);
       }
     }
+    log_misses(segment, report, start_of(number));
     for (const auto& finding : diagnose(report)) {
       const auto words = fmt::format("{} {}: {}", finding.code, finding.place.slave, describe(finding));
       segment.log += words + "\n";
