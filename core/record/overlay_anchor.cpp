@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "record/run_record.h"
+#include "trace/sync_overview.h"
 #include "trace/trigger.h"
 
 namespace syncline {

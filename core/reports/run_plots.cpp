@@ -11,6 +11,7 @@
 #include "reports/run_pictures.h"
 #include "trace/fault_log.h"
 #include "trace/outages.h"
+#include "trace/sync_overview.h"
 
 namespace syncline::reports {
 namespace {
