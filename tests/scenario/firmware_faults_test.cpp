@@ -145,6 +145,28 @@ TEST(SlowFirmware, ATerminalWithOutputsAloneIsNamedByTheOutputsThatItLeaves) {
   }
 }
 
+/// Once all are in OP, for four seconds; the run ends as long behind it.
+void run_with_slow(test::DiagnosedRun& machine, int slave) {
+  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, slave);
+  fault.value_ns = 2'500'000;
+  fault.until = 10 * kSecond;
+  machine.run(14 * kSecond);
+}
+
+/// Three terminals, the second of which becomes slow.
+class SlowTerminal : public ::testing::Test {
+ protected:
+  SlowTerminal() {
+    for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+  }
+  void expect_it_alone_is_named() {
+    run_with_slow(machine, 1);
+    EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
+    EXPECT_FALSE(machine.found(code::kInputsLate, 0) || machine.found(code::kInputsLate, 2)) << machine.said();
+  }
+  test::DiagnosedRun machine;
+};
+
 /// It begins its cycles with the process data, or by itself.
 TEST(SlowFirmware, IsNamedOfSlavesWithoutSync0) {
   struct SlowKind {
@@ -160,10 +182,7 @@ TEST(SlowFirmware, IsNamedOfSlavesWithoutSync0) {
     machine.network.add(kind.device, kind.behaviour);
     machine.network.add(test::servo(), "servo-y");
     machine.network.project.slaves[1].dc.op_mode.clear();
-    auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
-    fault.value_ns = 2'500'000;
-    fault.until = 10 * kSecond;
-    machine.run(14 * kSecond);
+    run_with_slow(machine, 1);
     EXPECT_TRUE(machine.found(kind.found, 1)) << kind.behaviour << "\n" << machine.said();
     const auto told = std::ranges::count_if(machine.events, [](const Event& event) {
       const auto* stale = event.as<events::StaleProcessData>();
@@ -182,28 +201,20 @@ TEST(SlowFirmware, IsNamedOfEachSlaveWhereNobodyHasSync0) {
       machine.network.add(sample::own("SL-6751"), "can-gateway");
       machine.network.project.slaves.back().dc.op_mode.clear();
     }
-    machine.fault(FaultKind::kSlowApplication, 6 * kSecond, slow).value_ns = 2'500'000;
-    machine.run(10 * kSecond);
+    run_with_slow(machine, slow);
     for (const int slave : {0, 1, 2})
       EXPECT_EQ(machine.found(code::kGatewayCycleExceeded, slave), slave == slow) << machine.said();
   }
 }
 
 /// Whose process data come in each cycle, beside others whose task is slower.
-TEST(SlowFirmware, IsNamedBesideASlowerTask) {
-  test::DiagnosedRun machine;
-  for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+TEST_F(SlowTerminal, IsNamedBesideASlowerTask) {
   auto& project = machine.network.project;
   project.master.tasks.push_back({.name = "slow", .multiple = 4});
   project.master.sync_units.push_back({.name = "slow", .task = "slow"});
   project.slaves[2].output_unit = project.slaves[2].input_unit = "slow";
   project.slaves[2].dc.op_mode.clear();
-  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
-  fault.value_ns = 2'500'000;
-  fault.until = 10 * kSecond;
-  machine.run(14 * kSecond);
-  EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
-  EXPECT_FALSE(machine.found(code::kInputsLate, 0) || machine.found(code::kInputsLate, 2)) << machine.said();
+  expect_it_alone_is_named();
 }
 
 TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
@@ -234,28 +245,15 @@ TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
 }
 
 /// Terminals that do not say how long they take for their outputs.
-TEST(SlowFirmware, IsNamedWhereSync0IsHalfACycleBehindTheFrames) {
-  test::DiagnosedRun machine;
-  for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+TEST_F(SlowTerminal, IsNamedWhereSync0IsHalfACycleBehindTheFrames) {
   machine.network.project.master.dc.dcm.set_value = machine.network.project.master.cycle_time / 2;
-  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
-  fault.value_ns = 2'500'000;
-  fault.until = 10 * kSecond;
-  machine.run(14 * kSecond);
-  EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
+  expect_it_alone_is_named();
 }
 
 /// Of two frames the later one is before its SYNC0, and there is as much room for readings as with the others.
-TEST(SlowFirmware, IsNamedBesideASlaveWhoseSync0ComesEverySecondCycle) {
-  test::DiagnosedRun machine;
-  for (int i = 0; i < 3; ++i) machine.network.add(test::io8());
+TEST_F(SlowTerminal, IsNamedBesideASlaveWhoseSync0ComesEverySecondCycle) {
   machine.network.project.slaves[2].dc.sync0.cycle_factor = 2;
-  auto& fault = machine.fault(FaultKind::kSlowApplication, 6 * kSecond, 1);
-  fault.value_ns = 2'500'000;
-  fault.until = 10 * kSecond;
-  machine.run(14 * kSecond);
-  EXPECT_TRUE(machine.found(code::kInputsLate, 1)) << machine.said();
-  EXPECT_FALSE(machine.found(code::kInputsLate, 0) || machine.found(code::kInputsLate, 2)) << machine.said();
+  expect_it_alone_is_named();
 }
 
 /// Two frames that come close one behind the other leave it less than a cycle.
