@@ -235,10 +235,12 @@ class Soak {
     }
   }
 
-  /// What a clock is slewed by need not leave a wider window.
+  /// What a clock is slewed by need not leave a wider window, nor one of slaves that are told the time more often.
   [[nodiscard]] bool is_small(const Thrown& one) const {
     constexpr std::uint8_t kUsualWindow = SyncWindowSettings{}.exponent;
-    return one.kind->kind == FaultKind::kClockSlew && network_.project.master.dc.sync_window.exponent > kUsualWindow;
+    const auto& master = network_.project.master;
+    const bool wide = master.dc.sync_window.exponent > kUsualWindow || master.cycle_time < kMillisecond;
+    return one.kind->kind == FaultKind::kClockSlew && wide;
   }
 
   /// Whether the last one's victim was still in OP when it came.

@@ -217,6 +217,34 @@ TEST_F(SlowTerminal, IsNamedBesideASlowerTask) {
   expect_it_alone_is_named();
 }
 
+TEST_F(SlowTerminal, IsNamedWithoutSync0BesideASlowerTask) {
+  auto& project = machine.network.project;
+  project.master.tasks.push_back({.name = "slow", .multiple = 4});
+  project.master.sync_units.push_back({.name = "slow", .task = "slow"});
+  project.slaves[2].output_unit = project.slaves[2].input_unit = "slow";
+  for (auto& slave : project.slaves) slave.dc.op_mode.clear();
+  expect_it_alone_is_named();
+}
+
+/// A quarter of a cycle, and hardly more: not enough for all that may go with the process data.
+TEST_F(SlowTerminal, IsNamedWhereSync0IsCloseBehindTheFrames) {
+  machine.network.project.master.dc.dcm.set_value = machine.network.project.master.cycle_time / 4 + 25 * kMicrosecond;
+  expect_it_alone_is_named();
+}
+
+/// By the frame that brings its own process data, whichever of several that is.
+TEST(SlowFirmware, IsNamedOfTheSlavesOfEachFrame) {
+  for (const int slow : {0, 1}) {
+    test::DiagnosedRun machine;
+    for (int i = 0; i < 2; ++i) machine.network.add(test::large_io());
+    for (auto& slave : machine.network.project.slaves) slave.dc.op_mode.clear();
+    ASSERT_EQ(machine.network.compiled().cyclic.front().frames.size(), 2U);
+    run_with_slow(machine, slow);
+    for (const int slave : {0, 1})
+      EXPECT_EQ(machine.found(code::kInputsLate, slave), slave == slow) << slow << "\n" << machine.said();
+  }
+}
+
 TEST(SlowFirmware, NobodyIsAccusedOfItWithoutIt) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);

@@ -34,6 +34,8 @@ TEST_P(HeldFrames, AreTheCauseOfWhatTheyDo) {
       EXPECT_EQ(missed.by_cause[static_cast<std::size_t>(dc::MissCause::kFrameHeldUp)], missed.missed);
       EXPECT_EQ(run.found(code::kMissedByHeldFrames, axis), us == 600 || us == 1300);
       EXPECT_EQ(run.found(code::kSlaveFellByMisses, axis), us == 3000);
+      // One cause, and one advice.
+      EXPECT_FALSE(run.found(code::kShiftTooShort, axis));
     }
     // Only where the reference clock is written does an old time move anybody, and no clock stepped.
     EXPECT_EQ(run.found(code::kReferenceWrittenLate), us > 1000 && GetParam() == DcmMode::kBusShift);

@@ -26,6 +26,17 @@ bool misses_told(const Findings& findings, const RunReport::Slave& slave) {
          is_found(findings, slave, code::kMissedByLateFrames) || is_found(findings, slave, code::kMissedUnlocked);
 }
 
+/// Each time with an event that it missed by frames that were held up, or that a host did not send: told as that, and
+/// no place of SYNC0 is later than these.
+bool came_with_misses(const RunReport& report, const Findings& findings, const RunReport::Slave& slave) {
+  if (!is_found(findings, slave, code::kMissedByHeldFrames) && !is_found(findings, slave, code::kMissedByHost))
+    return false;
+  const auto& history = report.history.slaves[slave.position];
+  const auto& times = history.shift_too_short.list();
+  return !times.empty() &&
+         std::ranges::all_of(times, [&](const Spell& spell) { return history.missed.near(spell, kReadLater); });
+}
+
 /// What it missed in thousands of cycles that were all late is the least of it. A fall by late frames is not: it says
 /// by how much they were late, and asks for that and what the slave needs.
 bool is_mostly_late(const RunReport& report, const RunReport::Slave& slave, const Findings& findings) {
@@ -56,7 +67,8 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
   const bool by_misses = misses_told(findings, slave) && !is_mostly_late(report, slave, findings);
-  const bool told = by_misses || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
+  const bool told = by_misses || came_with_misses(report, findings, slave) || fell_unlocked(report, findings, slave) ||
+                    sync0_had_moved(report, slave, spells);
   if (outputs.total > 0 && !told && !was_locked(report, spells)) {
     findings.push_back(slid(report, slave));
   } else if (outputs.total > 0 && !told) {

@@ -7,6 +7,7 @@
 #include "channels/cycle_sample.h"
 #include "channels/master_channels.h"
 #include "config/frame_time.h"
+#include "master/cyclic/cyclic_frame_set.h"
 #include "master/cyclic/mailbox_bits.h"
 #include "master/cyclic/sync_event_watch.h"
 #include "master/exchange/run_state.h"
@@ -19,12 +20,16 @@ constexpr std::size_t kMostFrames = 8;
 /// As long as the shortest frame of its own keeps the wire busy: 64 bytes, preamble and gap. Outputs are valid, and
 /// inputs come back, later by no more than that, 6.7 us.
 constexpr std::size_t kLongestRide = 84;
-/// What outputs must have left for that.
+/// What outputs must have left for that, and for fewer bytes accordingly less.
 constexpr Nanoseconds kRoomToRide = 30 * kMicrosecond;
 
 /// Room that a cycle has for one short datagram, whatever is left of it: registers of 16 bytes, deviations, AL states.
 constexpr std::size_t kLeast = 28;
 constexpr unsigned kMostHeldUp = 8;  // cycles
+
+bool may_ride(std::size_t bytes, Nanoseconds room) {
+  return room >= kRoomToRide * static_cast<Nanoseconds>(bytes) / Nanoseconds{kLongestRide};
+}
 
 std::size_t size_of(const Datagram& datagram) { return kDatagramOverhead + datagram.data.size(); }
 
@@ -76,7 +81,8 @@ void AcyclicScheduler::fill(std::span<Datagram* const> waiting, Nanoseconds now)
   add_waiting(waiting);
   // Whoever waits for an answer goes first, and evidence takes one datagram a cycle.
   evidence_asked_ = false;
-  if (process_data_.add_to(bounded(0))) return;
+  looked_after_ = process_data_.next();
+  if (looked_after_) return;
   auto* evidence = evidence_.next(now);
   evidence_asked_ = evidence != nullptr && bounded(0).add(*evidence);
 }
@@ -119,10 +125,21 @@ bool AcyclicScheduler::add_waiting_one(Datagram& request, std::size_t& frame) {
   return frame < limit_;
 }
 
-void AcyclicScheduler::ride(PendingFrame& cyclic, Nanoseconds room) {
+void AcyclicScheduler::ride(CyclicFrameSet& cyclic, Nanoseconds room) {
+  if (cyclic.frames().empty()) return;
+  const auto& last = *cyclic.frames().back();
+  const auto before = last.size();
+  ride_whole(*cyclic.frames().back(), room);
+  if (!looked_after_) return;
+  auto* const frame = cyclic.frame_with(looked_after_->outputs, looked_after_->slave);
+  const auto bytes = last.size() - before + size_of(*looked_after_->datagram);
+  if (frame != nullptr && may_ride(bytes, room)) (void)frame->add(*looked_after_->datagram);
+}
+
+void AcyclicScheduler::ride_whole(PendingFrame& cyclic, Nanoseconds room) {
   auto& own = frames_.front();
-  if (room < kRoomToRide || own.empty() || !frames_[1].empty() || own.size() > kLongestRide || !cyclic.has_room(own))
-    return;
+  const bool is_short = frames_[1].empty() && own.size() <= kLongestRide;
+  if (own.empty() || !is_short || !may_ride(own.size(), room) || !cyclic.has_room(own)) return;
   for (auto* datagram : own.datagrams()) (void)cyclic.add(*datagram);
   own.clear();
   carrier_ = &cyclic;
@@ -174,9 +191,9 @@ bool AcyclicScheduler::take_mailboxes(Nanoseconds time, CycleSample& sample) {
   return answer->emergency;
 }
 
-void AcyclicScheduler::take_evidence(Nanoseconds time, bool read) {
+void AcyclicScheduler::take_evidence(Nanoseconds time, bool regular) {
   if (std::exchange(evidence_asked_, false)) evidence_.take(time);
-  process_data_.take(time, {.read = read, .rode = carrier_ != nullptr});
+  process_data_.take(time, regular);
 }
 
 }  // namespace syncline

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@
 namespace syncline {
 
 struct CycleSample;
+class CyclicFrameSet;
 class MailboxBits;
 class RunState;
 class SyncEventWatch;
@@ -45,11 +47,12 @@ class AcyclicScheduler {
   /// Behind what is in there.
   void fill(std::span<Datagram* const> waiting, Nanoseconds now);
   [[nodiscard]] std::span<PendingFrame> frames() { return frames_; }
-  /// When what goes in this cycle is short, it goes behind the commands of `cyclic`, and no frame of its own is sent:
-  /// that would take longer on the wire, and the host twice as long. Not where a slave has so little `room` for its
-  /// outputs (SyncEventWatch::room()) that they must not come later in one cycle than in the other: they are valid with
-  /// the end of their frame. Behind fill().
-  void ride(PendingFrame& cyclic, Nanoseconds room);
+  /// When what goes in this cycle is short, it goes behind the commands of the last of the `cyclic` frames, and no
+  /// frame of its own is sent: that would take longer on the wire, and the host twice as long. What looks after process
+  /// data goes with these, or not at all. Neither where a slave has so little `room` for its outputs
+  /// (SyncEventWatch::room()) that they must not come later in one cycle than in the other by so many bytes: they are
+  /// valid with the end of their frame. Behind fill().
+  void ride(CyclicFrameSet& cyclic, Nanoseconds room);
   /// Of all its frames.
   [[nodiscard]] Nanoseconds wire_time() const;
   /// After the frames are back, or not: how many the next cycle can carry.
@@ -57,14 +60,15 @@ class AcyclicScheduler {
 
   /// Takes over what came back of requests and mailboxes. True when a slave has sent an emergency.
   bool take_mailboxes(Nanoseconds time, CycleSample& sample);
-  /// `read`: the cyclic frames have come back, so that the inputs were read.
-  void take_evidence(Nanoseconds time, bool read);
+  /// `regular`: no cycle was left out before this one.
+  void take_evidence(Nanoseconds time, bool regular);
 
  private:
   bool add(Datagram& datagram);
   [[nodiscard]] PendingFrame& bounded(std::size_t index);
   /// The frame in which what is in this one was sent; null when it was not.
   [[nodiscard]] const PendingFrame* sent(const PendingFrame& frame) const;
+  void ride_whole(PendingFrame& cyclic, Nanoseconds room);
   void add_request(Nanoseconds now);
   void add_waiting(std::span<Datagram* const> waiting);
   bool add_waiting_one(Datagram& request, std::size_t& frame);
@@ -75,6 +79,7 @@ class AcyclicScheduler {
   Sm2Reader sm2_;
   EvidenceReader evidence_;
   ProcessDataWatch process_data_;
+  std::optional<ProcessDataWatch::Wish> looked_after_;
   std::vector<PendingFrame> frames_;
   Nanoseconds left_ = 0;                   // on the wire for the frames of this cycle
   unsigned held_up_ = 0;                   // cycles in which nothing of what waits found room

@@ -40,6 +40,7 @@ CyclicFrameSet::CyclicFrameSet(const NetworkConfig& config) : data_offset_(confi
 /// By the ranges of the slaves in the process image: a slave that reads counts 1, one that writes 1, or 2 in an LRW.
 void CyclicFrameSet::share_counters(const NetworkConfig& config) {
   writers_.resize(config.slaves.size());
+  readers_.resize(config.slaves.size());
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const auto& command = *entries_[e].command;
     if (entries_[e].role != Role::kProcessData) continue;
@@ -50,7 +51,10 @@ void CyclicFrameSet::share_counters(const NetworkConfig& config) {
         wkc += command.command == Command::kLrw ? 2 : 1;
         writers_[i].push_back(static_cast<std::uint16_t>(e));
       }
-      if (reads_inputs(command, slave.receive, config.image)) ++wkc;
+      if (reads_inputs(command, slave.receive, config.image)) {
+        ++wkc;
+        readers_[i].push_back(static_cast<std::uint16_t>(e));
+      }
       if (wkc > 0) shares_.push_back({i, e, static_cast<std::uint16_t>(wkc)});
     }
   }
@@ -245,6 +249,17 @@ bool CyclicFrameSet::brought_outputs(std::size_t slave) const {
   return std::ranges::all_of(writers_[slave], [this](std::uint16_t entry) {
     return !entries_[entry].sent || entries_[entry].datagram.answered;
   });
+}
+
+PendingFrame* CyclicFrameSet::frame_with(bool outputs, std::size_t slave) {
+  std::optional<std::size_t> found;
+  for (const auto number : (outputs ? writers_ : readers_)[slave]) {
+    const auto& entry = entries_[number];
+    if (!entry.sent) continue;
+    if (found && *found != entry.frame) return nullptr;
+    found = entry.frame;
+  }
+  return found ? &frames_[*found] : nullptr;
 }
 
 CyclicFrameSet::Reading CyclicFrameSet::evaluate() {

@@ -68,6 +68,10 @@ class CyclicFrameSet {
   /// say which these are. Of a task that is not due nothing is asked for.
   [[nodiscard]] bool brought_outputs(std::size_t slave) const;
 
+  /// The one in this cycle with all outputs of the slave that go at all, or all its inputs; null where there is none,
+  /// or not one alone. After prepare().
+  [[nodiscard]] PendingFrame* frame_with(bool outputs, std::size_t slave);
+
   /// What the answers of this cycle say.
   struct Reading {
     std::uint16_t wkc_expected = 0, wkc_received = 0;       // process data
@@ -154,7 +158,7 @@ class CyclicFrameSet {
   std::vector<Task> tasks_;
   std::vector<Entry> entries_;
   std::vector<Share> shares_;
-  std::vector<std::vector<std::uint16_t>> writers_;  // by slave: entries that carry its outputs
+  std::vector<std::vector<std::uint16_t>> writers_, readers_;  // by slave: entries that carry its outputs, its inputs
   Leader leader_;
   std::vector<PendingFrame> frames_;
   std::vector<PendingFrame*> active_;

@@ -187,7 +187,7 @@ void CyclicTaskRunner::fill_acyclic(std::span<Datagram* const> requests, Nanosec
   slaves_.add_to(first, sync_.monitored() && !frames_.reads_deviation(), sync_.wants_readings());
   reference_.add_to(first);
   acyclic_.fill(requests, now);
-  if (!frames_.frames().empty()) acyclic_.ride(*frames_.frames().back(), sync_events_.room());
+  acyclic_.ride(frames_, sync_events_.room());
 }
 
 Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
@@ -313,7 +313,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   adjust_ = sync_.observe_cycle(observed, sample);
   reference_.watch(send_time_);
   const bool all_back = std::ranges::all_of(frames_.frames(), &PendingFrame::answered);
-  acyclic_.take_evidence(send_time_, all_back && sample.skipped_cycles == 0);
+  acyclic_.take_evidence(send_time_, sample.skipped_cycles == 0);
   sync_events_.observe(sample, {frames_, all_back, stamp_doubt_});
   const auto deviation = reading.deviation_ored ? reading.deviation_ored : all;
   sync_.observe_slaves(send_time_, slaves_.deviations_read(), deviation, sample);

@@ -63,9 +63,6 @@ void ProcessDataWatch::add_slave(std::size_t position) {
   Slave slave;
   slave.position = static_cast<std::uint16_t>(position);
   slave.has_sync0 = config.dc && config.dc->assign_activate != 0;
-  // What rides goes with the last frame, and one that runs by itself may be busy between two of them.
-  const bool alone = config_.cyclic.size() == 1 && config_.cyclic.front().frames.size() == 1;
-  if (!slave.has_sync0 && !alone) return;
   if (outputs) {
     const auto bit = kFirstManager + *manager;
     slave.address = static_cast<std::uint16_t>(reg::kAlEventRequest + bit / 8);
@@ -84,12 +81,12 @@ bool ProcessDataWatch::worth_reading(const Slave& slave) const {
 /// Not for ever: where nothing rides, or no two frames are far enough apart, nothing is known of anybody.
 void ProcessDataWatch::try_again() {
   constexpr std::uint8_t kTries = 8;
-  if (++tries_ >= kTries) return next();
+  if (++tries_ >= kTries) return go_on();
   first_.reset();
   pause_ = kForOthers;
 }
 
-void ProcessDataWatch::next() {
+void ProcessDataWatch::go_on() {
   first_.reset();
   tries_ = 0;
   current_ = (current_ + 1) % slaves_.size();
@@ -98,12 +95,12 @@ void ProcessDataWatch::next() {
   if (current_ == 0) pause_ = static_cast<std::uint8_t>(pause_ + shuffle_.next() % 4);
 }
 
-bool ProcessDataWatch::add_to(PendingFrame& frame) {
+std::optional<ProcessDataWatch::Wish> ProcessDataWatch::next() {
   asked_ = false;
-  if (slaves_.empty()) return false;
+  if (slaves_.empty()) return std::nullopt;
   if (pause_ > 0) {
     --pause_;
-    return false;
+    return std::nullopt;
   }
   constexpr int kTries = 16;  // nobody being in OP is no hang
   int tried = 0;
@@ -112,21 +109,19 @@ bool ProcessDataWatch::add_to(PendingFrame& frame) {
     slave.readings = 0;  // it begins anew when it comes back
     slave.regular = false;
     slave.stale_since.reset();
-    next();
+    go_on();
   }
-  if (tried > 0) return false;  // in the next cycles
+  if (tried > 0) return std::nullopt;  // in the next cycles
   const auto& slave = slaves_[current_];
   byte_.fill(0);
   datagram_ = {Command::kFprd, device_address(config_.slaves[slave.position].station_address, slave.address), byte_};
-  asked_ = frame.add(datagram_);
-  return asked_;
+  asked_ = true;
+  return Wish{&datagram_, slave.position, slave.event != 0};
 }
 
-/// Only what rides behind the process data. In a frame of its own it would see the outputs that came just in front of
-/// it; and inputs may have been renewed once before they were read and once behind, which ends where it began. What a
-/// slave does at SYNC0 is done before the next frame as long as the frames keep their distance from it.
-bool ProcessDataWatch::counts(const Slave& slave, Sent sent) const {
-  if (!sent.read || !sent.rode) return false;
+/// What a slave does at SYNC0 is done before the next frame as long as the frames keep their distance from it.
+bool ProcessDataWatch::counts(const Slave& slave, bool regular) const {
+  if (!datagram_.done() || !regular) return false;
   return slave.event == 0 || !slave.has_sync0 || master_in_sync(snapshot_.dcm).value_or(false);
 }
 
@@ -148,22 +143,22 @@ bool ProcessDataWatch::far_enough(const Slave& slave, Nanoseconds between) const
   return between + kNearly >= config_.cycle_time() && (slave.has_sync0 || spacing_.exceeded_by(between));
 }
 
-void ProcessDataWatch::take(Nanoseconds send_time, Sent sent) {
+void ProcessDataWatch::take(Nanoseconds send_time, bool regular) {
   const auto passed = send_time - std::exchange(last_send_, send_time);
   if (2 * std::abs(passed - config_.cycle_time()) < config_.cycle_time()) spacing_.note(passed);
   if (!std::exchange(asked_, false)) return;
   auto& slave = slaves_[current_];
-  if (!datagram_.done() || !counts(slave, sent)) return try_again();
+  if (!counts(slave, regular)) return try_again();
   const bool outputs = slave.event != 0;
   const auto buffer = static_cast<std::uint8_t>((byte_[0] >> kBufferShift) & 3U);
-  if (!outputs && buffer == kNoBuffer) return next();
+  if (!outputs && buffer == kNoBuffer) return go_on();
   if (!first_) {
     first_ = buffer;
     return;
   }
   if (!far_enough(slave, passed)) return try_again();
   note(slave, outputs ? (byte_[0] & slave.event) != 0 : *first_ == buffer, send_time);
-  next();
+  go_on();
 }
 
 void ProcessDataWatch::note(Slave& slave, bool stale, Nanoseconds time) {

@@ -21,7 +21,9 @@ struct Snapshot;
 /// that is being read. That outputs were written stands in the AL event request until the firmware reads them (0x0220,
 /// bit 8 + n; data sheet II, 2.12): a datagram behind those that bring the next ones still shows what became of the
 /// ones before, because an ESC raises the event at the end of the frame. One byte of one slave a cycle, in two cycles
-/// one behind the other, slave after slave.
+/// one behind the other, slave after slave; behind its process data, in the same frame. In another one it would see the
+/// outputs that came just in front of it, and inputs may have been renewed once before they were read and once behind,
+/// which ends where it began.
 ///
 /// A slave without SYNC0 may run by itself, with a cycle as long as the master's. Where its moment slides through that
 /// of the frames, those that come early and late by turns find nothing new in up to a quarter of the cycles, and twice
@@ -37,15 +39,16 @@ class ProcessDataWatch {
   ProcessDataWatch(const ProcessDataWatch&) = delete;
   ProcessDataWatch& operator=(const ProcessDataWatch&) = delete;
 
-  /// Whether it took this cycle for itself: it leaves at least one in three to others.
-  bool add_to(PendingFrame& frame);
-  /// What became of the cycle's frames: they have come back, so that inputs were read and outputs written; and the
-  /// byte was asked for in the same one, behind them.
-  struct Sent {
-    bool read = false, rode = false;
+  /// Behind whose outputs, or whose inputs, the datagram is to go.
+  struct Wish {
+    Datagram* datagram = nullptr;
+    std::size_t slave = 0;
+    bool outputs = false;
   };
-  /// Once a cycle, behind its frames.
-  void take(Nanoseconds send_time, Sent sent);
+  /// What it takes this cycle for: it leaves at least one in three to others.
+  [[nodiscard]] std::optional<Wish> next();
+  /// Once a cycle, behind its frames. `regular`: none were left out before it.
+  void take(Nanoseconds send_time, bool regular);
 
  private:
   struct Slave {
@@ -69,9 +72,9 @@ class ProcessDataWatch {
 
   void add_slave(std::size_t position);
   void try_again();
-  void next();
+  void go_on();
   /// Whether what was read tells of what was before it.
-  [[nodiscard]] bool counts(const Slave& slave, Sent sent) const;
+  [[nodiscard]] bool counts(const Slave& slave, bool regular) const;
   /// Whether whoever does it once a cycle has done so between two frames.
   [[nodiscard]] bool far_enough(const Slave& slave, Nanoseconds between) const;
   [[nodiscard]] bool worth_reading(const Slave& slave) const;

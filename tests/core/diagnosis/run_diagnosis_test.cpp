@@ -310,6 +310,23 @@ TEST(RunDiagnosis, FramesThatAStandstillOfTheHostHoldsAreHeldByIt) {
   EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHost, code::kHostStalled));
 }
 
+TEST(RunDiagnosis, OutputsTooLateWithAnEventMissedByAHeldFrameAreToldWithIt) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kFrameHeldUp, 2);
+  auto& missed = report.history.slaves[1].missed;
+  auto& late = report.slaves[1].evidence.outputs.shift_too_short;
+  missed.note(kStart + 5 * kSecond, 1);
+  missed.note(kStart + 15 * kSecond, 1);
+  late.total = 2;
+  EXPECT_THAT(codes(report), Contains(code::kShiftTooShort)) << "nobody knows when";
+  report.history.slaves[1].shift_too_short.note(kStart + 5'500 * kMillisecond, 1);
+  report.history.slaves[1].shift_too_short.note(kStart + 15'100 * kMillisecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHeldFrames));
+  late.total = 3;
+  report.history.slaves[1].shift_too_short.note(kStart + 20 * kSecond, 1);
+  EXPECT_THAT(codes(report), Contains(code::kShiftTooShort)) << "at another time, too";
+}
+
 TEST(RunDiagnosis, AnOutageExcusesNoFramesThatWereLostAtAnotherTime) {
   auto report = healthy();
   report.slaves[1].sync0_cycle = kMillisecond;

@@ -56,5 +56,29 @@ TEST(CyclicFrameSet, KnowsWhoseOutputsCameBack) {
   EXPECT_TRUE(set.brought_outputs(1));
 }
 
+/// Of three slaves with a frame each, the last of which goes with every second cycle.
+TEST(CyclicFrameSet, KnowsTheFrameOfASlave) {
+  test::SimulatedNetwork network;
+  for (int i = 0; i < 3; ++i) network.add(test::large_io());
+  auto& project = network.project;
+  project.master.tasks.push_back({.name = "slow", .multiple = 2});
+  project.master.sync_units.push_back({.name = "slow", .task = "slow"});
+  project.slaves[2].output_unit = project.slaves[2].input_unit = "slow";
+  project.slaves[2].dc.op_mode.clear();
+  const auto config = network.compiled();
+  CyclicFrameSet set(config);
+  set.select(AlState::kOp);
+  for (int slot = 0; slot < 4; ++slot) {
+    set.prepare(slot, true);
+    const auto frames = set.frames();
+    ASSERT_EQ(frames.size(), slot % 2 == 0 ? 3U : 2U);
+    for (const bool outputs : {true, false}) {
+      EXPECT_EQ(set.frame_with(outputs, 0), frames[0]);
+      EXPECT_EQ(set.frame_with(outputs, 1), frames[1]);
+      EXPECT_EQ(set.frame_with(outputs, 2), slot % 2 == 0 ? frames[2] : nullptr);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace syncline
