@@ -992,6 +992,14 @@
             <source>settling</source>
             <translation>schwingt ein</translation>
         </message>
+        <message>
+            <source>on the way to the external clock</source>
+            <translation>auf dem Weg zur externen Uhr</translation>
+        </message>
+        <message>
+            <source>away from the external clock</source>
+            <translation>nicht bei der externen Uhr</translation>
+        </message>
 </context>
 <context>
     <name>Link</name>
@@ -1763,6 +1771,14 @@
         <message>
             <source>Two thirds of the cycle, and later on long buses</source>
             <translation>Zwei Drittel des Zyklus, auf langen Bussen später</translation>
+        </message>
+        <message>
+            <source>External clock</source>
+            <translation>Externe Uhr</translation>
+        </message>
+        <message>
+            <source>Reference clock ahead of the external one &gt; 0, within half a cycle</source>
+            <translation>Referenzuhr der externen voraus &gt; 0, innerhalb eines halben Zyklus</translation>
         </message>
 </context>
     <context>

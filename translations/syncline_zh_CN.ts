@@ -990,6 +990,14 @@
             <source>settling</source>
             <translation>稳定中</translation>
         </message>
+        <message>
+            <source>on the way to the external clock</source>
+            <translation>正在趋近外部时钟</translation>
+        </message>
+        <message>
+            <source>away from the external clock</source>
+            <translation>偏离外部时钟</translation>
+        </message>
 </context>
 <context>
     <name>Link</name>
@@ -1760,6 +1768,14 @@
         <message>
             <source>Two thirds of the cycle, and later on long buses</source>
             <translation>周期的三分之二，总线较长时更晚</translation>
+        </message>
+        <message>
+            <source>External clock</source>
+            <translation>外部时钟</translation>
+        </message>
+        <message>
+            <source>Reference clock ahead of the external one &gt; 0, within half a cycle</source>
+            <translation>参考时钟领先于外部时钟 &gt; 0，在半个周期之内</translation>
         </message>
 </context>
     <context>

@@ -126,6 +126,7 @@ Json dcm_json(const RunReport& report) {
             {"rms", figure(rounded(dcm.error_rms_ns))},
             {"max", figure(dcm.error_max_ns)},
             {"mean_95", mean_interval(dcm.error_mean_ns, report.dcm_error)}}},
+          {"external_error_ns", or_null(dcm.external_error_ns)},
           {"frame_error_ns", {{"now", dcm.frame_error_ns}, {"max", figure(dcm.frame_error_max_ns)}}},
           {"late_allowed_ns", dcm.late_allowed_ns},
           {"late_sends", figure(dcm.late_sends)},
@@ -196,6 +197,7 @@ std::string to_text(const RunReport& report) {
                      dcm.late_allowed_ns);
     fmt::format_to(out, ", drift {:.3f} ppm{}", dcm.drift_ppm,
                    dcm.drift_half_width_ppm ? fmt::format(" ±{:.3f}", *dcm.drift_half_width_ppm) : "");
+    if (dcm.external_error_ns) fmt::format_to(out, ", {:+} ns off the external clock", *dcm.external_error_ns);
     if (dcm.state == SyncState::kOutOfSync) fmt::format_to(out, " ({})", dc::obstacle_text(dcm.obstacle));
   }
   if (dcm.control_off)

@@ -26,6 +26,7 @@ struct DcmStatus {
   std::uint64_t late_sends = 0;         // frames sent later than that
   dc::SyncObstacle obstacle = dc::SyncObstacle::kNone;  // why it is not in sync
   std::optional<double> in_sync_after_ms;               // from the first cyclic frame
+  std::optional<std::int32_t> external_error_ns;        // DCX: reference clock ahead of the external, in the cycle
   std::uint32_t error_code = 0;                         // EC-Master DCM codes, 0 = none
   std::int32_t set_value_ns = 0;
   Nanoseconds in_sync_limit = 0;       // by which it is judged now

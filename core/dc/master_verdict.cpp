@@ -14,8 +14,8 @@ void MasterVerdict::observe(const Input& input) {
   if (input.skipped_cycles > 0) skipped_ = input.time;
   if (too_late(input.frame_error)) late_ = input.time;
   obstacle_ = find(input);
-  schedule_in_sync_ = input.schedule_in_sync && input.led && input.time - read_ <= settings_.stale &&
-                      !within_settle(distrusted_, input.time);
+  schedule_in_sync_ = input.schedule_in_sync && input.external == SyncObstacle::kNone && input.led &&
+                      input.time - read_ <= settings_.stale && !within_settle(distrusted_, input.time);
 }
 
 SyncObstacle MasterVerdict::find(const Input& input) const {
@@ -24,6 +24,7 @@ SyncObstacle MasterVerdict::find(const Input& input) const {
   if (within_settle(stepped_, input.time)) return SyncObstacle::kClockStep;
   if (input.error_code != 0) return SyncObstacle::kErrorCode;
   if (!input.schedule_in_sync) return SyncObstacle::kControlError;
+  if (input.external != SyncObstacle::kNone) return input.external;
   if (within_settle(skipped_, input.time)) return SyncObstacle::kCyclesLeftOut;
   if (within_settle(late_, input.time)) return SyncObstacle::kLateFrames;
   if (within_settle(distrusted_, input.time)) return SyncObstacle::kSettling;

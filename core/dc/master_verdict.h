@@ -26,12 +26,13 @@ class MasterVerdict {
   struct Input {
     Nanoseconds time = 0;  // host clock
     bool led = true;
-    bool read = false;                // the reference clock's time came
-    bool schedule_in_sync = false;    // says the controller
-    bool clock_stepped = false;       // the reference clock, as this cycle made sure
-    std::uint32_t error_code = 0;     // of the controller
-    std::int64_t skipped_cycles = 0;  // just before this one
-    Nanoseconds frame_error = 0;      // schedule error plus how late the frame was sent
+    bool read = false;                            // the reference clock's time came
+    bool schedule_in_sync = false;                // says the controller
+    SyncObstacle external = SyncObstacle::kNone;  // DCX: what keeps the reference clock from the external one
+    bool clock_stepped = false;                   // the reference clock, as this cycle made sure
+    std::uint32_t error_code = 0;                 // of the controller
+    std::int64_t skipped_cycles = 0;              // just before this one
+    Nanoseconds frame_error = 0;                  // schedule error plus how late the frame was sent
   };
 
   MasterVerdict() = default;

@@ -97,6 +97,8 @@ constexpr std::string_view kPhrases[] = {
     "cycles were left out, the host came too late",
     "a frame was sent later than the set value allows",
     "settling behind an interruption",
+    "the reference clock is on its way to the external clock",
+    "the external clock is not where the reference clock is",
     "it follows this host's clock, which a time service may have moved",
     // fields of commands, in differences
     "data",

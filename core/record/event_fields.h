@@ -14,7 +14,7 @@ inline constexpr int kLargest<ErrorCode> = static_cast<int>(ErrorCode::kCatalogu
 template <>
 inline constexpr int kLargest<AlState> = 15;
 template <>
-inline constexpr int kLargest<dc::SyncObstacle> = static_cast<int>(dc::SyncObstacle::kSettling);
+inline constexpr int kLargest<dc::SyncObstacle> = static_cast<int>(dc::SyncObstacle::kExternalClock);
 template <>
 inline constexpr int kLargest<dc::DelayWarning> = static_cast<int>(dc::DelayWarning::kUntimedPort);
 template <>

@@ -18,7 +18,9 @@ struct MeaningOf {
   EventMeaning operator()(const events::SlaveLost&) const { return kFault; }
   EventMeaning operator()(const events::SlavesOutOfSync&) const { return kFault; }
   EventMeaning operator()(const events::SlavesSyncUnknown&) const { return kFault; }
-  EventMeaning operator()(const events::MasterOutOfSync&) const { return kFault; }
+  EventMeaning operator()(const events::MasterOutOfSync& e) const {
+    return e.obstacle == dc::SyncObstacle::kToExternalClock ? kNews : kFault;
+  }
   EventMeaning operator()(const events::DcmError&) const { return kFault; }
   EventMeaning operator()(const events::WkcError&) const { return kFault; }
   EventMeaning operator()(const events::FramesLost&) const { return kFault; }

@@ -22,7 +22,9 @@ void HeldSeries::measure(Nanoseconds time) {
   const auto before = std::exchange(seldom_, seldom ? time - heard_ : 0);
   if (!known_ && !seldom) return;
   interval_ = time - heard_;
-  longest_ = std::max(longest_, seldom ? std::min(before, interval_) : interval_);
+  // Of a time when everybody waited for one slow mailbox it is not read more seldom for ever.
+  constexpr Nanoseconds kForget = 16;
+  longest_ = std::max(longest_ - longest_ / kForget, seldom ? std::min(before, interval_) : interval_);
 }
 
 void HeldSeries::hear(std::span<const Nanoseconds> times, std::span<const float> values) {

@@ -27,7 +27,7 @@ class HeldSeries {
   bool change(Nanoseconds time, float value);
   /// From `time` on nothing is known, until it is heard again. A time before the last reading means just behind it.
   void lose(Nanoseconds time);
-  /// Lost where the last reading is old for how often it was read before: four times the longest interval, at least
+  /// Lost where the last reading is old for how often it was read lately: four times the longest interval, at least
   /// kPatience. What is read more seldom than that is known to be from its third reading on: two intervals that both
   /// were too long count, the shorter one; a single one is a pause.
   void expire(Nanoseconds now);

@@ -274,6 +274,10 @@ void HistoryRecorder::add(const Event& event) {
 }
 
 void HistoryRecorder::add(const Snapshot& snapshot) {
+  auto& losses = history_.master_losses;
+  const bool away = !losses.empty() && !losses.back().back && dc::is_of_external_clock(losses.back().obstacle);
+  if (away && std::abs(snapshot.dcm.external_error_ns.value_or(0)) > std::abs(losses.back().size))
+    losses.back().size = *snapshot.dcm.external_error_ns;
   // Also of a bus that was never operated, and where samples were lost.
   history_.end = std::max(history_.end, snapshot.time);
   // What was missed at its deadline and has come since is late, not lost.
@@ -287,6 +291,7 @@ void HistoryRecorder::add(const Snapshot& snapshot) {
   for (std::size_t i = 0; i < std::min(counts_.size(), snapshot.slaves.size()); ++i) {
     const auto& evidence = snapshot.slaves[i].evidence;
     auto& slave = history_.slaves[i];
+    if (evidence.pdi_silent) slave.pdi_silent.note(snapshot.time, 0);
     if (evidence.mailbox_silences > slave.mailbox_silences) {
       if (slave.mailbox_silences == 0) slave.silent_from = snapshot.time;
       slave.silent_to = snapshot.time;

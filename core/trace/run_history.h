@@ -84,6 +84,7 @@ struct RunHistory {
     std::array<Spells, 4> damage;                   // from the reading before, within which frames were damaged
     Spells unprocessed;                             // frames that its processing unit could not use (0x030C)
     Spells process_data_watchdog, pdi_watchdog;
+    Spells pdi_silent;  // the PDI watchdog's status said so, as long as it did; no counts
     Spells outputs_exceeded, inputs_exceeded;
     /// Times in which it did not renew its inputs, or take its outputs, as before; count 1 each, the last one may last.
     Spells late_inputs, late_outputs;

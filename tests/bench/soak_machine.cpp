@@ -60,6 +60,18 @@ void add_branch(test::SimulatedNetwork& network, Random& random) {
   }
 }
 
+/// At the end of all, to a network whose clock goes at a rate of its own: true where there is one.
+bool add_bridge(test::SimulatedNetwork& network, Random& random) {
+  if (random.next() % 4 > 0) return false;
+  const auto ppm = random.uniform(-20, 20);
+  network.add(test::bridge(), "sync-bridge");
+  network.sim.slaves.back().external_time = [ppm](Nanoseconds time) {
+    const auto passed = static_cast<double>(time - VirtualClock::kDefaultStart);
+    return std::optional(time + static_cast<Nanoseconds>(passed * ppm * 1e-6));
+  };
+  return true;
+}
+
 void draw_master(test::SimulatedNetwork& network, Random& random) {
   const std::array hosts{network.sim.host_jitter, JitterProfile::quiet(), JitterProfile::desktop()};
   network.sim.host_jitter = hosts[random.next() % hosts.size()];
@@ -81,7 +93,8 @@ void draw_slaves(test::SimulatedNetwork& network, Random& random) {
     slave.asymmetry_ns = random.uniform(-20, 20);
     slave.dc.latch_noise_ns = random.uniform(0, 12);
     slave.oscillator.wander_ppm = random.uniform(0, 0.05);
-    slave.dc.is_64bit = i == 0 || random.next() % 3 > 0;
+    slave.dc.is_64bit = i == 0 || random.next() % 3 > 0 || slave.behaviour == "sync-bridge";
+    if (slave.behaviour == "sync-bridge") continue;
     if (i >= kLine && random.next() % 4 == 0) network.project.slaves[i].dc.sync0.cycle_factor = 2;
     if (i < kLine - 1 || random.next() % 3 > 0) continue;
     slave.dc.system_time = slave.behaviour != "generic";
@@ -133,9 +146,9 @@ void draw_group(test::SimulatedNetwork& network, Random& random) {
   network.sim.slaves[kLine].alias = kGroupAlias;
 }
 
-void draw_modes(SoakMachine& machine, Random& random) {
+void draw_modes(SoakMachine& machine, bool bridge, Random& random) {
   constexpr std::array kBeside{DcmMode::kMasterShift, DcmMode::kLinkLayerRefClock, DcmMode::kMasterRefClock};
-  machine.modes[1] = kBeside[random.next() % kBeside.size()];
+  machine.modes[1] = bridge ? DcmMode::kDcx : kBeside[random.next() % kBeside.size()];
   // A desktop's tails shake a clock that is told the nominal time, which is told, and rightly.
   const auto& network = machine.network;
   const bool calm =
@@ -146,12 +159,13 @@ void draw_modes(SoakMachine& machine, Random& random) {
 void draw_machine(SoakMachine& machine, Random& random) {
   auto& network = machine.network;
   add_branch(network, random);
+  const bool bridge = add_bridge(network, random);
   draw_master(network, random);
   draw_slaves(network, random);
   machine.reference = draw_reference(network, random);
   draw_task(network, random);
   draw_group(network, random);
-  draw_modes(machine, random);
+  draw_modes(machine, bridge, random);
 }
 
 bool has_sync0(const SoakMachine& machine, int slave) {

@@ -6041,6 +6041,38 @@
         <translation>Einschwingen nach einer Unterbrechung</translation>
     </message>
     <message>
+        <source>The reference clock is not at the external clock</source>
+        <translation>Die Referenzuhr ist nicht bei der externen Uhr</translation>
+    </message>
+    <message>
+        <source>Wait until it is there; where it never comes there, look at the network behind the bridge device.</source>
+        <translation>Warten, bis sie dort ist; wenn sie nie hinkommt, das Netzwerk hinter dem Brückengerät prüfen.</translation>
+    </message>
+    <message>
+        <source>The reference clock is {external} away from the external clock. To go there takes some {left}.</source>
+        <translation>Die Referenzuhr ist {external} von der externen Uhr entfernt. Der Weg dorthin dauert etwa {left}.</translation>
+    </message>
+    <message>
+        <source>The external clock was elsewhere for a while</source>
+        <translation>Die externe Uhr war eine Zeit lang anderswo</translation>
+    </message>
+    <message>
+        <source>Look at the network behind the bridge device: its reference clock has stepped, or another one leads there now; or this computer's clock was slewed.</source>
+        <translation>Das Netzwerk hinter dem Brückengerät prüfen: Seine Referenzuhr ist gesprungen, oder dort führt jetzt eine andere; oder die Uhr dieses Rechners wurde nachgestellt.</translation>
+    </message>
+    <message>
+        <source>The external clock was not where the reference clock is {count}, first at {since}, and up to {external} away; the reference clock has found it again.</source>
+        <translation>Die externe Uhr war {count} nicht, wo die Referenzuhr ist, zuerst bei {since}, bis zu {external} entfernt; die Referenzuhr hat sie wiedergefunden.</translation>
+    </message>
+    <message>
+        <source>the reference clock is on its way to the external clock</source>
+        <translation>die Referenzuhr ist auf dem Weg zur externen Uhr</translation>
+    </message>
+    <message>
+        <source>the external clock is not where the reference clock is</source>
+        <translation>die externe Uhr ist nicht, wo die Referenzuhr ist</translation>
+    </message>
+    <message>
         <source>size of the inputs</source>
         <translation>Größe der Eingänge</translation>
     </message>

@@ -6041,6 +6041,38 @@
         <translation>中断之后正在稳定</translation>
     </message>
     <message>
+        <source>The reference clock is not at the external clock</source>
+        <translation>参考时钟未对准外部时钟</translation>
+    </message>
+    <message>
+        <source>Wait until it is there; where it never comes there, look at the network behind the bridge device.</source>
+        <translation>等待其对准；若始终无法对准，请检查桥接设备另一侧的网络。</translation>
+    </message>
+    <message>
+        <source>The reference clock is {external} away from the external clock. To go there takes some {left}.</source>
+        <translation>参考时钟与外部时钟相差 {external}。对准约需 {left}。</translation>
+    </message>
+    <message>
+        <source>The external clock was elsewhere for a while</source>
+        <translation>外部时钟曾一度偏离</translation>
+    </message>
+    <message>
+        <source>Look at the network behind the bridge device: its reference clock has stepped, or another one leads there now; or this computer's clock was slewed.</source>
+        <translation>检查桥接设备另一侧的网络：其参考时钟发生了跳变，或那里现在由另一个时钟主导；或本机时钟被调快或调慢。</translation>
+    </message>
+    <message>
+        <source>The external clock was not where the reference clock is {count}, first at {since}, and up to {external} away; the reference clock has found it again.</source>
+        <translation>外部时钟 {count}不在参考时钟的位置，首次在 {since}，最多相差 {external}；参考时钟已重新对准。</translation>
+    </message>
+    <message>
+        <source>the reference clock is on its way to the external clock</source>
+        <translation>参考时钟正在趋近外部时钟</translation>
+    </message>
+    <message>
+        <source>the external clock is not where the reference clock is</source>
+        <translation>外部时钟不在参考时钟的位置</translation>
+    </message>
+    <message>
         <source>size of the inputs</source>
         <translation>输入的大小</translation>
     </message>

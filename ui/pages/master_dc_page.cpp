@@ -109,6 +109,10 @@ void MasterDcPage::buildLive(Card& slaves, Card& master) {
                          "which a frame meets SYNC0"));
   drift_ = master.addValue("dcmDrift", tr("Drift"),
                            tr("Reference clock's rate against the host's; the ceiling is about 600 ppm"));
+  external_ = master.addValue("dcmExternal", tr("External clock"),
+                              tr("Reference clock ahead of the external one > 0, within half a cycle"));
+  master_ = &master;
+  master_->form()->setRowVisible(external_, false);
   locked_after_ = master.addValue("dcmInSyncAfter", tr("In sync after"), tr("From the first cyclic frame"));
 }
 
@@ -158,6 +162,9 @@ void MasterDcPage::showLive(const Snapshot& snapshot) {
       counted ? tr("%1 / %2").arg(timeText(snapshot.dcm.frame_error_max_ns), timeText(snapshot.dcm.late_allowed_ns))
               : none);
   drift_->setText(dcm ? withSpreadPpmText(snapshot.dcm.drift_ppm, snapshot.dcm.drift_half_width_ppm) : none);
+  // Nobody else has one.
+  master_->form()->setRowVisible(external_, dcm && snapshot.dcm.mode == DcmMode::kDcx);
+  external_->setText(snapshot.dcm.external_error_ns ? signedTimeText(*snapshot.dcm.external_error_ns) : none);
   locked_after_->setText(dcm ? afterText(snapshot.dcm.in_sync_after_ms) : none);
 }
 

@@ -45,7 +45,8 @@ class MasterDcPage final : public Page {
   std::unique_ptr<SyncWindowFields> window_;
   Pill *dc_state_, *dcm_state_;
   QLabel *deviation_, *reading_, *settled_, *leader_;
-  QLabel *error_, *error_statistics_, *frame_error_, *drift_, *locked_after_;
+  QLabel *error_, *error_statistics_, *frame_error_, *drift_, *external_, *locked_after_;
+  Card* master_;  // live
 };
 
 }  // namespace syncline::ui

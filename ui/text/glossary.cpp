@@ -64,6 +64,10 @@ QString obstacleText(dc::SyncObstacle obstacle) {
       return QCoreApplication::translate("Glossary", "frames later than the set value allows");
     case dc::SyncObstacle::kSettling:
       return QCoreApplication::translate("Glossary", "settling");
+    case dc::SyncObstacle::kToExternalClock:
+      return QCoreApplication::translate("Glossary", "on the way to the external clock");
+    case dc::SyncObstacle::kExternalClock:
+      return QCoreApplication::translate("Glossary", "away from the external clock");
   }
   return {};
 }

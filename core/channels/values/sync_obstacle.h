@@ -16,6 +16,13 @@ enum class SyncObstacle : std::uint8_t {
   kCyclesLeftOut,     // within the settle time
   kLateFrames,        // later than the set value allows, within the settle time
   kSettling,          // what was in the way is gone for less than the settle time
+  kToExternalClock,   // DCX: the reference clock goes to where it has not met the external clock yet
+  kExternalClock,     // DCX: they had met, and are apart
 };
+
+/// Not of the host's schedule, but of what it follows.
+[[nodiscard]] constexpr bool is_of_external_clock(SyncObstacle obstacle) {
+  return obstacle == SyncObstacle::kToExternalClock || obstacle == SyncObstacle::kExternalClock;
+}
 
 }  // namespace syncline::dc

@@ -23,6 +23,10 @@ std::string_view obstacle_text(SyncObstacle obstacle) {
       return "a frame was sent later than the set value allows";
     case SyncObstacle::kSettling:
       return "settling behind an interruption";
+    case SyncObstacle::kToExternalClock:
+      return "the reference clock is on its way to the external clock";
+    case SyncObstacle::kExternalClock:
+      return "the external clock is not where the reference clock is";
   }
   return {};
 }

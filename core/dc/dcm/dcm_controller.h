@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "channels/values/sync_obstacle.h"
 #include "support/types.h"
 
 namespace syncline {
@@ -54,7 +55,13 @@ struct DcmState {
   std::optional<Nanoseconds> clock_step;      // the reference clock stepped by so much, as this cycle made sure
   std::uint32_t error_code = 0;               // DCM_E_...
   std::optional<Nanoseconds> external_error;  // DCX: the reference clock ahead of the external one, within half a cycle
+  SyncObstacle external = SyncObstacle::kNone;  // the same beyond the limit: kToExternalClock or kExternalClock
 };
+
+/// In DCX the reference clock goes faster and slower than the external one by no more than this: slaves follow one that
+/// changes its rate about 8 ms behind, so that they stay within a window of 127 ns. Who is half a millisecond away
+/// needs a minute.
+inline constexpr double kDcxFastestPpm = 8;
 
 class DcmController {
  public:

@@ -11,13 +11,19 @@
 namespace syncline::dc {
 namespace {
 
-constexpr double kShare = 0.2;
+/// ns in which what is left is gone: the way ends slowly.
+constexpr double kApproach = 0.6e9;
+/// ns that are written for each ppm of another rate. An ESC takes some 60 ns for one at once, and what is written for
+/// long it makes its own rate: without the rate in the loop it would come by as fast as it could get.
+constexpr double kPushPerPpm = 120;
+constexpr double kRateFilter = 0.1e9;       // ns
+constexpr double kMostPpm = 200;            // a reading that moved more has stepped, and says nothing of the rate
+constexpr double kNear = 3'000;             // ns: only what stays there is learned
 constexpr double kDcxIntegralTime = 2.5e9;  // ns
 constexpr double kDcxMaxIntegral = 5'000;   // ns
-/// ns: moves an ESC by some 10 ppm. Slaves follow one that moves about 8 ms behind, so that they stay within a window
-/// of 127 ns; who is half a millisecond away needs a minute.
-constexpr double kDcxMaxCorrection = 600;
-constexpr std::uint32_t kLeastGain = 20;  // ppt: the clock that the host follows is being moved
+constexpr double kPushChange = 2e-6;        // ns a ns: a rate that changes at once takes slaves out of their window
+constexpr double kDcxMaxCorrection = 600;   // ns: moves an ESC by some 10 ppm at once
+constexpr std::uint32_t kLeastGain = 20;    // ppt: the clock that the host follows is being moved
 constexpr Nanoseconds kPatience = kSecond;
 
 DcmSettings for_host(DcmSettings settings) {
@@ -38,16 +44,44 @@ void Dcx::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds 
   host_.start(base, first_reference_time, first_send_time);
   state_ = {};
   forecast_.start();
-  behind_.reset();
+  forget();
   missing_since_.reset();
   integral_ = 0;
+}
+
+void Dcx::forget() {
+  behind_.reset();
+  closing_ = push_ = 0;
+  met_ = false;
+}
+
+/// For the rate that it takes to come nearer.
+void Dcx::steer(Nanoseconds passed) {
+  const double wanted = std::clamp(*behind_ / kApproach * 1e6, -kDcxFastestPpm, kDcxFastestPpm);
+  const double push = std::clamp(kPushPerPpm * (wanted - closing_), -kDcxMaxCorrection, kDcxMaxCorrection);
+  const double most = kPushChange * static_cast<double>(passed);
+  push_ += std::clamp(push - push_, -most, most);
+}
+
+void Dcx::note_closing(double moved, Nanoseconds passed) {
+  if (passed <= 0) return;
+  const auto time = static_cast<double>(passed);
+  const double ppm = moved / time * 1e6;
+  if (std::abs(ppm) < kMostPpm) closing_ += (ppm - closing_) * time / (kRateFilter + time);
+}
+
+SyncObstacle Dcx::external() {
+  if (!behind_) return SyncObstacle::kNone;
+  if (std::abs(*behind_) > static_cast<double>(limit_))
+    return met_ ? SyncObstacle::kExternalClock : SyncObstacle::kToExternalClock;
+  met_ = true;
+  return SyncObstacle::kNone;
 }
 
 std::optional<Nanoseconds> Dcx::reference_write(Nanoseconds send_time, Nanoseconds) {
   const auto forecast = forecast_.at(send_time, host_.state().drift_ppm);
   if (control_off_ || !behind_ || !forecast) return std::nullopt;
-  const double push = std::clamp(kShare * *behind_, -kDcxMaxCorrection, kDcxMaxCorrection) + integral_;
-  return *forecast + std::llround(push);
+  return *forecast + std::llround(push_ + integral_);
 }
 
 DcmAction Dcx::observe(const DcmObservation& observation) {
@@ -64,7 +98,8 @@ DcmAction Dcx::observe(const DcmObservation& observation) {
   state_.external_error = behind_ ? std::optional(std::llround(-*behind_)) : std::nullopt;
   const bool missing = missing_since_ && observation.send_time - *missing_since_ >= kPatience;
   if (missing) state_.error_code = kDcxErrorNoExternalClock;
-  if (missing || (behind_ && std::abs(*behind_) > static_cast<double>(limit_))) state_.in_sync = false;
+  state_.in_sync = state_.in_sync && !missing;
+  state_.external = external();
   return action;
 }
 
@@ -78,13 +113,23 @@ void Dcx::take(const DcmObservation& observation) {
   if (!observation.external_difference) {
     if (observation.external_expected && !missing_since_) missing_since_ = observation.send_time;
     if (!observation.external_expected) missing_since_.reset();
+    // One that is missed in a cycle or two has not gone away.
+    if (!missing_since_ || observation.send_time - *missing_since_ >= kPatience) forget();
     behind_.reset();
     return;
   }
   missing_since_.reset();
-  behind_ = static_cast<double>(wrap_to_half(*observation.external_difference, cycle_));
+  const auto behind = wrap_to_half(*observation.external_difference, cycle_);
+  if (behind_) {
+    const auto moved = wrap_to_half(std::llround(*behind_) - behind, cycle_);
+    note_closing(static_cast<double>(moved), observation.send_time - seen_);
+  }
+  const auto passed = behind_ ? observation.send_time - seen_ : cycle_;
+  behind_ = static_cast<double>(behind);
+  seen_ = observation.send_time;
+  steer(passed);
   // What is further away is a distance to go, and no rate to learn.
-  if (kShare * std::abs(*behind_) > kDcxMaxCorrection) return;
+  if (std::abs(*behind_) > kNear) return;
   integral_ = std::clamp(integral_ + static_cast<double>(cycle_) / kDcxIntegralTime * *behind_, -kDcxMaxIntegral,
                          kDcxMaxIntegral);
 }

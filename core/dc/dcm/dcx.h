@@ -24,6 +24,10 @@ class Dcx final : public DcmController {
 
  private:
   void take(const DcmObservation& observation);
+  void forget();
+  void note_closing(double moved, Nanoseconds passed);
+  void steer(Nanoseconds passed);
+  [[nodiscard]] SyncObstacle external();
 
   bool control_off_;
   Nanoseconds cycle_, limit_;
@@ -32,6 +36,10 @@ class Dcx final : public DcmController {
   WriteForecast forecast_;
   Nanoseconds expected_lead_ = 0;  // of the reference clock before the host's clock, this cycle's noise left out
   std::optional<double> behind_;   // the reference clock behind the external one, within half a cycle
+  double closing_ = 0;             // ppm by which it comes nearer to where the external one is ahead, filtered
+  Nanoseconds seen_ = 0;           // host clock of behind_
+  double push_ = 0;                // written beyond the forecast, ns, without integral_
+  bool met_ = false;               // since the external clock is known: was within the limit
   std::optional<Nanoseconds> missing_since_;  // the external clock
   double integral_ = 0;
 };

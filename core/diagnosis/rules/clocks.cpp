@@ -9,6 +9,7 @@
 
 #include "channels/values/sync_obstacle_text.h"
 #include "config/dcm_settings.h"
+#include "dc/dcm/dcm_controller.h"
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/rules.h"
 #include "findings/run_codes.h"
@@ -243,6 +244,37 @@ void find_changed_ways(const RunReport& report, Findings& findings) {
   }
 }
 
+void find_external_not_met(const RunReport& report, Findings& findings) {
+  const auto away = std::abs(Nanoseconds{report.dcm.external_error_ns.value_or(0)});
+  const auto left = static_cast<double>(away) / dc::kDcxFastestPpm * 1e6;
+  findings.push_back({code::kExternalClockNotMet,
+                      Severity::kError,
+                      -1,
+                      0,
+                      0,
+                      {time_figure("external", away), time_figure("left", std::llround(left))}});
+}
+
+/// The way to it at the beginning, or when the bridge is back, is none that it left.
+void find_external_left(const RunReport& report, Findings& findings) {
+  std::size_t count = 0;
+  Nanoseconds since = 0, back = 0, largest = 0;
+  for (const auto& loss : report.history.master_losses) {
+    if (loss.obstacle != dc::SyncObstacle::kExternalClock) continue;
+    if (count++ == 0) since = loss.time;
+    back = loss.back.value_or(report.history.end);
+    largest = std::max(largest, std::abs(Nanoseconds{loss.size}));
+  }
+  if (count == 0) return;
+  findings.push_back(
+      {code::kExternalClockLeft,
+       Severity::kWarning,
+       -1,
+       since,
+       back,
+       {times_figure("count", count), moment_figure(report, "since", since), time_figure("external", largest)}});
+}
+
 }  // namespace
 
 void find_clocks(const RunReport& report, Findings& findings) {
@@ -263,7 +295,8 @@ void find_master_sync(const RunReport& report, Findings& findings) {
     const bool told = loss.back && was_written_late(report, loss.time);
     // Where nobody controls, the schedule leaves its place as a matter of course; what steps is told all the same.
     const bool wanders = !is_controlled(report) && (!loss.back || loss.obstacle == dc::SyncObstacle::kControlError);
-    return !told && !wanders && !leader_was_away(report, loss) && !without_adapter(report, loss);
+    return !told && !wanders && !dc::is_of_external_clock(loss.obstacle) && !leader_was_away(report, loss) &&
+           !without_adapter(report, loss);
   });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
   if (std::abs(dcm.drift_ppm) > dc::kMostDriftPpm) {
@@ -277,6 +310,8 @@ void find_master_sync(const RunReport& report, Findings& findings) {
                         {{"code", Unit::kHex32, dcm.error_code},
                          phrase_figure("meaning", dc::dcm_error_text(dcm.error_code)),
                          drift}});
+  } else if (dcm.state != SyncState::kInSync && dc::is_of_external_clock(dcm.obstacle)) {
+    find_external_not_met(report, findings);
   } else if (dcm.state != SyncState::kInSync && !dcm.control_off) {
     // Not since the loss that it has not come back from: never.
     const bool was = !losses.empty() && !losses.back().back;
@@ -295,6 +330,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
                         {times_figure("count", losses.size()), moment_figure(report, "since", losses.front().time),
                          obstacle_figure(losses.front().obstacle)}});
   }
+  if (dcm.state == SyncState::kInSync) find_external_left(report, findings);
 }
 
 }  // namespace syncline::diagnosis

@@ -82,6 +82,14 @@ bool was_passed_over(const RunReport& report, std::uint64_t missed) {
   return missed <= cycles;
 }
 
+/// Its firmware stood still, and found when it went on what it had not seen meanwhile: told as that.
+bool had_stood_still(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& history = report.history.slaves[slave.position];
+  return !history.missed.empty() && std::ranges::all_of(history.missed.list(), [&](const Spell& spell) {
+    return history.pdi_watchdog.near(spell, kReadLater) || history.pdi_silent.near(spell, kReadLater);
+  });
+}
+
 /// Frames were lost, too, when the slave and the adapter were there: an outage does not excuse those.
 bool lost_while_there(const RunReport& report, int slave) {
   const auto& absences = report.history.slaves[static_cast<std::size_t>(slave)].absences;
@@ -158,6 +166,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
                             (cause == dc::MissCause::kFrameLost && !lost_while_there(report, slave.position));
     if (by_absence && was_cut_off(report, slave, status.missed)) continue;
     if (cause == dc::MissCause::kUnknown && was_passed_over(report, status.missed)) continue;
+    if (cause == dc::MissCause::kUnknown && had_stood_still(report, slave)) continue;
     if (cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate) {
       if (const auto moved = sync0_had_moved(report, slave, report.history.slaves[slave.position].missed)) {
         findings.push_back(

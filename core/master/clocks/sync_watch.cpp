@@ -198,6 +198,8 @@ void SyncWatch::update_dcm(const dc::DcmObservation& observation, std::int64_t s
   // In the grid: a clock that has stepped by whole cycles makes no frame late.
   dcm.frame_error_ns = to_32(dc::wrap_to_half(schedule_error, config_.cycle_time()) +
                              (observation.send_time - observation.scheduled_time) - state.usual_lateness);
+  dcm.external_error_ns.reset();
+  if (state.external_error) dcm.external_error_ns = to_32(*state.external_error);
   if (dcm.mode == DcmMode::kOff) return;
   if (state.error_code != dcm.error_code) {
     dcm.error_code = state.error_code;
@@ -217,6 +219,7 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
                     .led = led_,
                     .read = observation.reference_time.has_value(),
                     .schedule_in_sync = state.in_sync,
+                    .external = state.external,
                     .clock_stepped = state.clock_step.has_value(),
                     .error_code = state.error_code,
                     .skipped_cycles = skipped,
@@ -233,6 +236,7 @@ void SyncWatch::judge_master(const dc::DcmObservation& observation, std::int64_t
   // A step is told also where its first readings have looked like something else.
   if (in_sync == was_in_sync && !state.clock_step) return;
   auto error = Nanoseconds{dcm.obstacle == dc::SyncObstacle::kLateFrames ? dcm.frame_error_ns : dcm.error_ns};
+  if (dc::is_of_external_clock(dcm.obstacle)) error = dcm.external_error_ns.value_or(0);
   // A step by whole cycles leaves no error in the grid.
   if (state.clock_step) error = *state.clock_step;
   if (in_sync) return teller_.tell(observation.send_time, -1, events::MasterInSync{error});

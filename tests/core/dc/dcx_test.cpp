@@ -65,13 +65,19 @@ TEST(Dcx, WritesNothingWithTheControlOff) {
   EXPECT_EQ(bridge.state().external_error, -5'000) << "it looks on";
 }
 
-/// A fifth of the way a cycle, at most 600 ns, towards the external clock.
+/// A fifth of the way a cycle, at most 600 ns, towards the external clock; 2 ns more a cycle, so that slaves follow.
 TEST(Dcx, PushesTheReferenceClockTowardsTheExternalOne) {
   EXPECT_EQ(Bridged().push(0), 0);
-  EXPECT_NEAR(static_cast<double>(Bridged().push(1'000)), 200, 1);
-  EXPECT_NEAR(static_cast<double>(Bridged().push(-1'000)), -200, 1);
-  EXPECT_NEAR(static_cast<double>(Bridged().push(100'000)), 600, 1);
-  EXPECT_NEAR(static_cast<double>(Bridged().push(-100'000)), -600, 1);
+  for (const int sign : {1, -1}) {
+    Bridged bridge;
+    EXPECT_NEAR(static_cast<double>(sign * bridge.push(sign * 100'000)), 2, 3);
+    bridge.cycles(98, sign * 100'000);
+    EXPECT_NEAR(static_cast<double>(sign * bridge.push(sign * 100'000)), 200, 5);
+    bridge.cycles(300, sign * 100'000);
+    EXPECT_NEAR(static_cast<double>(sign * bridge.push(sign * 100'000)), 600, 1);
+    bridge.cycles(300, sign * 1'000);
+    EXPECT_NEAR(static_cast<double>(sign * bridge.push(sign * 1'000)), 200 + 120, 5) << "what has stayed is learned";
+  }
 }
 
 /// What stays is learned: 1 us behind for a second is 0.4 us more.
@@ -81,6 +87,7 @@ TEST(Dcx, LearnsWhatStays) {
   EXPECT_NEAR(static_cast<double>(bridge.push(1'000)), 200 + 400, 4);
   Bridged far;
   far.cycles(1'000, 100'000);
+  far.cycles(400, 0);
   EXPECT_NEAR(static_cast<double>(far.push(0)), 0, 1) << "a way to go is no rate";
 }
 
@@ -102,10 +109,49 @@ TEST(Dcx, IsInSyncWhereBothClocksAre) {
   EXPECT_EQ(bridge.state().error_code, 0U);
   (void)bridge.cycle(4'000);
   EXPECT_TRUE(bridge.state().in_sync) << "the limit itself";
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
   (void)bridge.cycle(-4'001);
-  EXPECT_FALSE(bridge.state().in_sync) << "the external clock is too far away";
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kExternalClock) << "too far away";
   (void)bridge.cycle(0);
-  EXPECT_TRUE(bridge.state().in_sync);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
+}
+
+/// On the way to it for the first time, and again when nobody has told it for a while.
+TEST(Dcx, TellsTheWayToTheExternalClockFromOneThatLeft) {
+  Bridged bridge;
+  (void)bridge.cycle(5'000);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kToExternalClock);
+  (void)bridge.cycle(3'000);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
+  bridge.cycles(3, std::nullopt);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
+  (void)bridge.cycle(5'000);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kExternalClock) << "it was gone for some cycles only";
+  bridge.cycles(2'000, std::nullopt);
+  (void)bridge.cycle(5'000);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kToExternalClock);
+  bridge.cycles(2, std::nullopt, false);
+  (void)bridge.cycle(3'000);
+  (void)bridge.cycle(5'000);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kExternalClock);
+}
+
+/// What comes nearer by 8 us a second is not pushed any more, and what comes faster is held back.
+TEST(Dcx, GoesNoFasterThanSlavesFollow) {
+  Bridged bridge;
+  Nanoseconds ahead = 300'000;
+  for (int i = 0; i < 1'000; ++i) (void)bridge.cycle(ahead -= 8);
+  EXPECT_NEAR(static_cast<double>(bridge.push(ahead - 8)), 0, 20);
+  for (int i = 0; i < 1'000; ++i) (void)bridge.cycle(ahead -= 20);
+  EXPECT_NEAR(static_cast<double>(bridge.push(ahead - 20)), -600, 1);
+}
+
+/// A step of the external clock is a new distance, and no speed.
+TEST(Dcx, TakesAStepForNoRate) {
+  Bridged bridge;
+  bridge.cycles(1'000, 1'000);
+  bridge.cycles(400, 101'000);
+  EXPECT_NEAR(static_cast<double>(bridge.push(101'000)), 600 + 400, 10);
 }
 
 /// A second of patience, from the first cycle without it.

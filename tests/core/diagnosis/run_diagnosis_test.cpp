@@ -310,6 +310,47 @@ TEST(RunDiagnosis, FramesThatAStandstillOfTheHostHoldsAreHeldByIt) {
   EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHost, code::kHostStalled));
 }
 
+TEST(RunDiagnosis, WhatFirmwareFindsWhenItGoesOnAgainIsToldWithItsStandstill) {
+  auto report = healthy();
+  auto& slave = report.history.slaves[1];
+  miss(report, 1, dc::MissCause::kUnknown, 1);
+  slave.missed.note(kStart + 8 * kSecond, 1);
+  slave.pdi_watchdog.note(kStart + 5 * kSecond, 1);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained)) << "seconds later";
+  slave.pdi_silent.note(kStart + 7'500 * kMillisecond, 0, 0, kStart + 5 * kSecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kFirmwareHung));
+  slave.missed.note(kStart + 20 * kSecond, 1);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained)) << "and once more without it";
+}
+
+/// The way to the external clock is none that anybody left; what leaves it is no matter of the host's schedule.
+TEST(RunDiagnosis, TheExternalClockIsToldApartFromTheSchedule) {
+  auto report = healthy();
+  report.dcm.mode = DcmMode::kDcx;
+  auto& losses = report.history.master_losses;
+  const auto apart = [](int second, Nanoseconds size, dc::SyncObstacle why) {
+    return RunHistory::SyncLoss{kStart + second * kSecond, -1, size, why, kStart + (second + 1) * kSecond};
+  };
+  losses.push_back(apart(1, 300'000, dc::SyncObstacle::kToExternalClock));
+  EXPECT_THAT(codes(report), ElementsAre());
+  losses.push_back(apart(5, -20'000, dc::SyncObstacle::kExternalClock));
+  losses.push_back(apart(9, 9'000, dc::SyncObstacle::kExternalClock));
+  const auto left = diagnose(report);
+  ASSERT_THAT(codes(report), ElementsAre(code::kExternalClockLeft));
+  EXPECT_EQ(left[0].from, kStart + 5 * kSecond);
+  EXPECT_EQ(left[0].to, kStart + 10 * kSecond);
+  EXPECT_THAT(describe(left[0]), HasSubstr("is 2 times, first at"));
+  EXPECT_THAT(describe(left[0]), HasSubstr("up to 20 us away"));
+  losses.pop_back();
+  losses.back().back.reset();
+  report.dcm.state = SyncState::kOutOfSync;
+  report.dcm.obstacle = dc::SyncObstacle::kExternalClock;
+  report.dcm.external_error_ns = -16'000;
+  const auto away = diagnose(report);
+  ASSERT_THAT(codes(report), ElementsAre(code::kExternalClockNotMet));
+  EXPECT_THAT(describe(away[0]), HasSubstr("is 16 us away from the external clock. To go there takes some 2 s."));
+}
+
 TEST(RunDiagnosis, OutputsTooLateWithAnEventMissedByAHeldFrameAreToldWithIt) {
   auto report = healthy();
   miss(report, 1, dc::MissCause::kFrameHeldUp, 2);

@@ -204,7 +204,7 @@ TEST_F(DcmDcx, TwoSegmentsKeepTheSameTimeThroughABridge) {
   };
   go_online();
   ASSERT_FALSE(error()) << error()->detail.text();
-  run(20 * kSecond);
+  run(30 * kSecond);
   EXPECT_EQ(dcm_status(snapshot).error_code, 0U);
   EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
   for (int i = 0; i < 500; ++i) {
@@ -212,6 +212,36 @@ TEST_F(DcmDcx, TwoSegmentsKeepTheSameTimeThroughABridge) {
     other->advance_to(clock.now());
     bus->advance_to(clock.now());
     ASSERT_LT(std::abs(apart()), 1'000) << i;
+  }
+}
+
+/// Both ways, and whatever the quartzes: the way ends at the external clock and not behind it, no slave leaves a window
+/// of 127 ns on it, and nothing but the way is told.
+TEST_F(DcmDcx, TheWayToTheExternalClockEndsThere) {
+  dcm().in_sync_limit = 4'000;
+  network.project.master.dc.sync_window.enabled = true;
+  for (const Nanoseconds away : {170 * kMicrosecond, -170 * kMicrosecond}) {
+    SCOPED_TRACE(away);
+    Nanoseconds phase = 0;
+    network.sim.slaves.back().external_time = [&phase, away, this](Nanoseconds time) {
+      if (phase == 0) phase = static_cast<Nanoseconds>(bus->system_time(0)) + away - time;
+      return std::optional(time + phase);
+    };
+    go_online();
+    ASSERT_FALSE(error()) << error()->detail.text();
+    run(2 * kSecond);
+    ASSERT_TRUE(snapshot.dcm.external_error_ns);
+    EXPECT_EQ(snapshot.dcm.obstacle, dc::SyncObstacle::kToExternalClock);
+    Nanoseconds farthest = 0;
+    for (int i = 0; i < 350; ++i) {
+      run(100 * kMillisecond);
+      const Nanoseconds ahead = snapshot.dcm.external_error_ns.value_or(0);
+      farthest = std::max(farthest, away > 0 ? ahead : -ahead);
+      ASSERT_EQ(snapshot.dc.state, SyncState::kInSync) << i;
+    }
+    EXPECT_LT(farthest, 4'000) << "it does not go past it";
+    EXPECT_NEAR(static_cast<double>(*snapshot.dcm.external_error_ns), 0, 100);
+    EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
   }
 }
 

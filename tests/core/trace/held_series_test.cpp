@@ -56,6 +56,17 @@ TEST(HeldSeries, APauseMakesNobodyMorePatient) {
 }
 
 /// Who was away tells nothing of how often he is read.
+/// While the mailbox of another slave was slow it was read every four seconds, and long since as often as before.
+TEST(HeldSeries, ATimeOfSeldomReadingsIsForgotten) {
+  HeldSeries held(1024);
+  auto time = kHeldFrom;
+  for (const auto every : {kSecond, 4 * kSecond, kSecond}) {
+    for (int reading = 0; reading < 40; ++reading) held.hear(time += every, 0);
+  }
+  EXPECT_TRUE(known_throughout(held, time, time + 5 * kSecond));
+  EXPECT_FALSE(known_throughout(held, time, time + 6 * kSecond)) << "nothing has come for five seconds";
+}
+
 TEST(HeldSeries, AnAbsenceIsNoInterval) {
   HeldSeries held(1024);
   auto time = kHeldFrom;

@@ -211,6 +211,38 @@ TEST_F(RunHistoryTest, CountsSyncLossesInOpAlone) {
   EXPECT_EQ(recorder.history().slave_losses[1].obstacle, dc::SyncObstacle::kClockStep) << "what they all follow moved";
 }
 
+TEST_F(RunHistoryTest, HowFarTheExternalClockWasAwayIsTheMostOfIt) {
+  add(sample(kSecond));
+  recorder.add(Event{2 * kSecond, -1, events::MasterOutOfSync{4'100, dc::SyncObstacle::kExternalClock}});
+  Snapshot snapshot;
+  for (const std::int32_t away : {5'000, -90'000, 20'000}) {
+    snapshot.dcm.external_error_ns = away;
+    recorder.add(snapshot);
+  }
+  recorder.add(Event{3 * kSecond, -1, events::MasterInSync{}});
+  snapshot.dcm.external_error_ns = 100'000;
+  recorder.add(snapshot);
+  ASSERT_EQ(recorder.history().master_losses.size(), 1U);
+  EXPECT_EQ(recorder.history().master_losses[0].size, -90'000);
+}
+
+TEST_F(RunHistoryTest, KnowsFromWhenToWhenFirmwareWasSilent) {
+  Snapshot snapshot;
+  snapshot.slaves.resize(3);
+  snapshot.slaves[2].evidence.pdi_silent = true;
+  for (int i = 0; i <= 20; ++i) {
+    snapshot.time = 5 * kSecond + i * 100 * kMillisecond;
+    recorder.add(snapshot);
+  }
+  snapshot.slaves[2].evidence.pdi_silent = false;
+  snapshot.time = 8 * kSecond;
+  recorder.add(snapshot);
+  EXPECT_TRUE(recorder.history().slaves[1].pdi_silent.empty());
+  ASSERT_EQ(recorder.history().slaves[2].pdi_silent.list().size(), 1U);
+  EXPECT_EQ(recorder.history().slaves[2].pdi_silent.first(), 5 * kSecond);
+  EXPECT_EQ(recorder.history().slaves[2].pdi_silent.last(), 7 * kSecond);
+}
+
 TEST_F(RunHistoryTest, FramesThatCameLateAreNotLost) {
   auto missed = sample(kSecond);
   missed.flags |= CycleSample::kFrameLost;

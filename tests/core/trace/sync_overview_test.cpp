@@ -314,6 +314,8 @@ TEST(FaultLog, WhatIsOverIsAReturnToOrder) {
   const auto meaning = [](auto what) { return meaning_of(Event{at(0), 1, std::move(what)}); };
   EXPECT_EQ(meaning(events::CableChanged{.healed = true}), EventMeaning::kReturnToOrder);
   EXPECT_EQ(meaning(events::CableChanged{.healed = false}), EventMeaning::kFault);
+  EXPECT_EQ(meaning(events::MasterOutOfSync{300'000, dc::SyncObstacle::kToExternalClock}), EventMeaning::kNews);
+  EXPECT_EQ(meaning(events::MasterOutOfSync{300'000, dc::SyncObstacle::kExternalClock}), EventMeaning::kFault);
   EXPECT_EQ(meaning(events::LongCycles{.begun = false}), EventMeaning::kReturnToOrder);
   EXPECT_EQ(meaning(events::RecoveryStep{events::RecoveryStep::Stage::kDone, 1}), EventMeaning::kReturnToOrder);
   EXPECT_EQ(meaning(events::SlaveFound{}), EventMeaning::kReturnToOrder);
