@@ -16,14 +16,16 @@ constexpr double kApproach = 0.6e9;
 /// ns that are written for each ppm of another rate. An ESC takes some 60 ns for one at once, and what is written for
 /// long it makes its own rate: without the rate in the loop it would come by as fast as it could get.
 constexpr double kPushPerPpm = 120;
-constexpr double kRateFilter = 0.1e9;       // ns
-constexpr double kMostPpm = 200;            // a reading that moved more has stepped, and says nothing of the rate
-constexpr double kNear = 3'000;             // ns: only what stays there is learned
-constexpr double kDcxIntegralTime = 2.5e9;  // ns
-constexpr double kDcxMaxIntegral = 5'000;   // ns
-constexpr double kPushChange = 2e-6;        // ns a ns: a rate that changes at once takes slaves out of their window
-constexpr double kDcxMaxCorrection = 600;   // ns: moves an ESC by some 10 ppm at once
-constexpr std::uint32_t kLeastGain = 20;    // ppt: the clock that the host follows is being moved
+constexpr double kRateFilter = 0.1e9;  // ns
+constexpr double kMostPpm = 200;       // a reading that moved more has stepped, and says nothing of the rate
+constexpr double kTogetherPpm = 2;
+constexpr Nanoseconds kMeasured = 500 * kMillisecond;  // the rate is known by then
+constexpr double kNear = 3'000;                        // ns: only what stays there is learned
+constexpr double kDcxIntegralTime = 2.5e9;             // ns
+constexpr double kDcxMaxIntegral = 5'000;              // ns
+constexpr double kPushChange = 2e-6;       // ns a ns: a rate that changes at once takes slaves out of their window
+constexpr double kDcxMaxCorrection = 600;  // ns: moves an ESC by some 10 ppm at once
+constexpr std::uint32_t kLeastGain = 20;   // ppt: the clock that the host follows is being moved
 constexpr Nanoseconds kPatience = kSecond;
 
 DcmSettings for_host(DcmSettings settings) {
@@ -51,6 +53,7 @@ void Dcx::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds 
 
 void Dcx::forget() {
   behind_.reset();
+  known_since_.reset();
   closing_ = push_ = 0;
   met_ = false;
 }
@@ -70,12 +73,14 @@ void Dcx::note_closing(double moved, Nanoseconds passed) {
   if (std::abs(ppm) < kMostPpm) closing_ += (ppm - closing_) * time / (kRateFilter + time);
 }
 
+/// Who only comes by at the rate of his quartz has not met anybody.
 SyncObstacle Dcx::external() {
   if (!behind_) return SyncObstacle::kNone;
-  if (std::abs(*behind_) > static_cast<double>(limit_))
-    return met_ ? SyncObstacle::kExternalClock : SyncObstacle::kToExternalClock;
-  met_ = true;
-  return SyncObstacle::kNone;
+  const bool near = std::abs(*behind_) <= static_cast<double>(limit_);
+  const bool measured = seen_ - known_since_.value_or(seen_) > kMeasured;
+  met_ = met_ || (near && measured && std::abs(closing_) < kTogetherPpm);
+  if (!met_) return SyncObstacle::kToExternalClock;
+  return near ? SyncObstacle::kNone : SyncObstacle::kExternalClock;
 }
 
 std::optional<Nanoseconds> Dcx::reference_write(Nanoseconds send_time, Nanoseconds) {
@@ -127,6 +132,7 @@ void Dcx::take(const DcmObservation& observation) {
   const auto passed = behind_ ? observation.send_time - seen_ : cycle_;
   behind_ = static_cast<double>(behind);
   seen_ = observation.send_time;
+  if (!known_since_) known_since_ = seen_;
   steer(passed);
   // What is further away is a distance to go, and no rate to learn.
   if (std::abs(*behind_) > kNear) return;

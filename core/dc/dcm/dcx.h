@@ -38,8 +38,9 @@ class Dcx final : public DcmController {
   std::optional<double> behind_;   // the reference clock behind the external one, within half a cycle
   double closing_ = 0;             // ppm by which it comes nearer to where the external one is ahead, filtered
   Nanoseconds seen_ = 0;           // host clock of behind_
-  double push_ = 0;                // written beyond the forecast, ns, without integral_
-  bool met_ = false;               // since the external clock is known: was within the limit
+  std::optional<Nanoseconds> known_since_;
+  double push_ = 0;                           // written beyond the forecast, ns, without integral_
+  bool met_ = false;                          // since the external clock is known: was within the limit
   std::optional<Nanoseconds> missing_since_;  // the external clock
   double integral_ = 0;
 };

@@ -122,6 +122,8 @@ TEST(Dcx, TellsTheWayToTheExternalClockFromOneThatLeft) {
   (void)bridge.cycle(5'000);
   EXPECT_EQ(bridge.state().external, SyncObstacle::kToExternalClock);
   (void)bridge.cycle(3'000);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kToExternalClock) << "which may only come by";
+  bridge.cycles(501, 3'000);
   EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
   bridge.cycles(3, std::nullopt);
   EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
@@ -131,7 +133,7 @@ TEST(Dcx, TellsTheWayToTheExternalClockFromOneThatLeft) {
   (void)bridge.cycle(5'000);
   EXPECT_EQ(bridge.state().external, SyncObstacle::kToExternalClock);
   bridge.cycles(2, std::nullopt, false);
-  (void)bridge.cycle(3'000);
+  bridge.cycles(502, 3'000);
   (void)bridge.cycle(5'000);
   EXPECT_EQ(bridge.state().external, SyncObstacle::kExternalClock);
 }
@@ -144,6 +146,14 @@ TEST(Dcx, GoesNoFasterThanSlavesFollow) {
   EXPECT_NEAR(static_cast<double>(bridge.push(ahead - 8)), 0, 20);
   for (int i = 0; i < 1'000; ++i) (void)bridge.cycle(ahead -= 20);
   EXPECT_NEAR(static_cast<double>(bridge.push(ahead - 20)), -600, 1);
+}
+
+TEST(Dcx, HasNotMetAClockThatComesBy) {
+  Bridged bridge;
+  for (Nanoseconds ahead = -30'000; ahead < 30'000; ahead += 30) {
+    (void)bridge.cycle(ahead);
+    ASSERT_EQ(bridge.state().external, SyncObstacle::kToExternalClock) << ahead;
+  }
 }
 
 /// A step of the external clock is a new distance, and no speed.
