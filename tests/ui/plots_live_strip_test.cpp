@@ -26,6 +26,7 @@
 #include <memory>
 #include <utility>
 
+#include "channels/cycle_sample.h"
 #include "ui/plots/limit_band_item.h"
 
 namespace syncline::ui {
