@@ -130,7 +130,8 @@ std::vector<SoakFaultKind> host_kinds() {
        .ppm = 50,
        .events = {kind_of<events::DcmError>, kind_of<events::MasterOutOfSync>},
        .findings = {code::kMasterLostLock, code::kDcmError, code::kWindowLeft},
-       .also = {code::kSlaveLeftWindow, code::kJitterReachesClock, code::kExternalClockLeft},
+       .also = {code::kSlaveLeftWindow, code::kJitterReachesClock, code::kExternalClockLeft,
+                code::kExternalClockNotMet},
        .shows = std::vector{Signal::kDcmErrorFiltered} + kDeviations},
       {.name = "host warms up",
        .kind = FaultKind::kTemperatureRamp,
@@ -174,7 +175,7 @@ std::vector<SoakFaultKind> clock_kinds() {
                   kind_of<events::MasterOutOfSync>},
        .findings = {code::kWindowLeft},
        .also = {code::kMissedByMovedClock, code::kMasterLostLock, code::kShiftTooShort, code::kSlaveFellByMisses,
-                code::kSlaveFellByMovedClock},
+                code::kSlaveFellByMovedClock, code::kExternalClockLeft, code::kExternalClockNotMet},
        .shows = kDeviations,
        .may_show = kWithoutOutputs + kDeviations +
                    std::vector{Signal::kOutputsShiftTooShort, Signal::kOutputsExceeded, Signal::kDcmErrorFiltered,
@@ -316,7 +317,7 @@ std::vector<SoakFaultKind> firmware_kinds() {
        .findings = {code::kFirmwareHung},
        .also = {code::kMailboxSilent, code::kSlaveFellByHang},
        .shows = {Signal::kPdiWatchdog},
-       .may_show = {Signal::kAlState}},
+       .may_show = {Signal::kAlState, Signal::kSm2Missed}},
   };
 }
 

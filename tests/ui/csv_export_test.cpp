@@ -12,6 +12,7 @@
 
 #include "support/ui_test_support.h"
 #include "support/whole_file.h"
+#include "trace/min_max_series.h"
 
 namespace syncline::ui {
 namespace {

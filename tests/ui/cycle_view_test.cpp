@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 
+#include "channels/cycle_sample.h"
 #include "trace/arrival_bathtub.h"
 #include "ui/panels/distribution_view.h"
 #include "ui/panels/live_strip.h"

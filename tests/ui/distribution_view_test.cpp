@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <memory>
 
+#include "channels/cycle_sample.h"
 #include "ui/panels/live_strip.h"
 #include "ui/plots/histogram_plot.h"
 

@@ -9,6 +9,7 @@
 #include "support/project_window.h"
 #include "support/ui_test_support.h"
 #include "ui/editors/number_edit.h"
+#include "ui/editors/page.h"
 #include "ui/pages/device_editor.h"
 #include "ui/session/window_memory.h"
 

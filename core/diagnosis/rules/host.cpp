@@ -24,8 +24,10 @@ void find_lateness(const RunReport& report, Findings& findings) {
   const auto& lateness = report.lateness_histogram;
   const auto p999 = lateness.percentile(0.999);
   const bool too_late = margin && p999 > *margin;
-  const bool unlocked = report.dc.enabled && report.dcm.mode != DcmMode::kOff && !report.dcm.control_off &&
-                        report.dcm.state != SyncState::kInSync && p999 > report.cycle_time / 10;
+  // What keeps the reference clock from the external one is not the host.
+  const bool by_host = report.dcm.state != SyncState::kInSync && !dc::is_of_external_clock(report.dcm.obstacle);
+  const bool unlocked = report.dc.enabled && report.dcm.mode != DcmMode::kOff && !report.dcm.control_off && by_host &&
+                        p999 > report.cycle_time / 10;
   if (!too_late && !unlocked) return;
   findings.push_back({code::kHostLate,
                       Severity::kWarning,

@@ -346,6 +346,7 @@ TEST(RunDiagnosis, TheExternalClockIsToldApartFromTheSchedule) {
   report.dcm.state = SyncState::kOutOfSync;
   report.dcm.obstacle = dc::SyncObstacle::kExternalClock;
   report.dcm.external_error_ns = -16'000;
+  for (int i = 0; i < 100; ++i) report.lateness_histogram.add(report.cycle_time / 8);
   const auto away = diagnose(report);
   ASSERT_THAT(codes(report), ElementsAre(code::kExternalClockNotMet));
   EXPECT_THAT(describe(away[0]), HasSubstr("is 16 us away from the external clock. To go there takes some 2 s."));
