@@ -37,14 +37,15 @@ std::optional<ExternalClockPlace> find_external_clock(const NetworkConfig& confi
   return std::nullopt;
 }
 
-std::optional<Nanoseconds> external_difference(const ExternalClockPlace& place, std::span<const std::uint8_t> inputs) {
+std::optional<ExternalClockTimes> external_clock_times(const ExternalClockPlace& place,
+                                                       std::span<const std::uint8_t> inputs) {
   const auto time_at = [&](std::size_t byte) -> std::uint64_t {
     if (byte > inputs.size() || inputs.size() - byte < kTimeBytes) return 0;
     return load_le<std::uint64_t>(inputs.subspan(byte, kTimeBytes));
   };
   const auto internal = time_at(place.internal_byte), external = time_at(place.external_byte);
   if (internal == 0 || external == 0) return std::nullopt;
-  return static_cast<Nanoseconds>(external - internal);
+  return ExternalClockTimes{internal, external};
 }
 
 }  // namespace syncline

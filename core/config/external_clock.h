@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -19,8 +20,13 @@ struct ExternalClockPlace {
 };
 [[nodiscard]] std::optional<ExternalClockPlace> find_external_clock(const NetworkConfig& config);
 
-/// External less internal time, both of the same moment; nothing while the bridge shows none (zero).
-[[nodiscard]] std::optional<Nanoseconds> external_difference(const ExternalClockPlace& place,
-                                                             std::span<const std::uint8_t> inputs);
+/// Both of the same moment, ns since 2000 as far as either network knows it.
+struct ExternalClockTimes {
+  std::uint64_t internal = 0, external = 0;
+  [[nodiscard]] Nanoseconds difference() const { return static_cast<Nanoseconds>(external - internal); }
+};
+/// Nothing while the bridge shows none (zero).
+[[nodiscard]] std::optional<ExternalClockTimes> external_clock_times(const ExternalClockPlace& place,
+                                                                     std::span<const std::uint8_t> inputs);
 
 }  // namespace syncline

@@ -54,7 +54,9 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
     frames_.correct_by_link();
     amendment_.correct_by_link();
   }
-  if (run.config().dc.dcm.mode == DcmMode::kDcx) external_clock_ = find_external_clock(run.config());
+  if (run.config().dc.dcm.mode == DcmMode::kDcx) {
+    if (const auto place = find_external_clock(run.config())) external_clock_.emplace(*place);
+  }
 }
 
 void CyclicTaskRunner::start(Nanoseconds first_cycle) {
@@ -281,14 +283,14 @@ std::optional<Nanoseconds> CyclicTaskRunner::reference_time(const CyclicFrameSet
   return sync_.extend(static_cast<std::uint32_t>(*reading.reference_time), send_time_);
 }
 
-dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& reading) const {
+dc::DcmObservation CyclicTaskRunner::observation(const CyclicFrameSet::Reading& reading) {
   dc::DcmObservation result{send_time_, scheduled_, reference_time(reading)};
   if (first_stamp_) result.way_out = send_time_ - *first_stamp_;
   result.stamp_doubt = stamp_doubt_;
   if (external_clock_) {
-    const auto& bridge = run_.snapshot.slaves[external_clock_->slave];
+    const auto& bridge = run_.snapshot.slaves[external_clock_->slave()];
     result.external_expected = bridge.present && al_state_of(bridge.al_status) == AlState::kOp;
-    if (result.external_expected) result.external_difference = external_difference(*external_clock_, frames_.inputs());
+    if (result.external_expected) result.external_difference = external_clock_->read(frames_.inputs(), send_time_);
   }
   return result;
 }

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "channels/image_contents.h"
-#include "config/external_clock.h"
 #include "master/clocks/clock_amendment.h"
 #include "master/clocks/clock_feed.h"
 #include "master/clocks/told_time.h"
 #include "master/cyclic/acyclic_scheduler.h"
 #include "master/cyclic/bus_health.h"
 #include "master/cyclic/cyclic_frame_set.h"
+#include "master/cyclic/external_clock_reader.h"
 #include "master/cyclic/mailbox_bits.h"
 #include "master/cyclic/output_forces.h"
 #include "master/cyclic/reference_clock.h"
@@ -79,7 +79,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   void evaluate(CycleSample& sample);
   void after_sweep();
   Status amend_clock();
-  [[nodiscard]] dc::DcmObservation observation(const CyclicFrameSet::Reading& reading) const;
+  [[nodiscard]] dc::DcmObservation observation(const CyclicFrameSet::Reading& reading);
   [[nodiscard]] std::optional<Nanoseconds> reference_time(const CyclicFrameSet::Reading& reading) const;
   void finish_sample(CycleSample& sample);
 
@@ -122,7 +122,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   bool steering_ = false;
   Nanoseconds last_published_ = 0;
   Nanoseconds adjust_ = 0;
-  std::optional<ExternalClockPlace> external_clock_;
+  std::optional<ExternalClockReader> external_clock_;
 };
 
 }  // namespace syncline

@@ -70,12 +70,12 @@ TEST(ExternalClock, TheDifferenceIsExternalTimeMinusInternalTime) {
   std::vector<std::uint8_t> inputs(20);
   store_le(std::span(inputs).subspan(2, 8), std::uint64_t{5'000});
   store_le(std::span(inputs).subspan(12, 8), std::uint64_t{4'000});
-  EXPECT_EQ(external_difference({0, 2, 12}, inputs), -1'000);
-  EXPECT_EQ(external_difference({0, 12, 2}, inputs), 1'000);
-  EXPECT_FALSE(external_difference({0, 2, 13}, inputs)) << "beyond the inputs";
-  EXPECT_FALSE(external_difference({0, 30, 2}, inputs));
+  EXPECT_EQ(external_clock_times({0, 2, 12}, inputs).value_or(ExternalClockTimes{}).difference(), -1'000);
+  EXPECT_EQ(external_clock_times({0, 12, 2}, inputs).value_or(ExternalClockTimes{}).difference(), 1'000);
+  EXPECT_FALSE(external_clock_times({0, 2, 13}, inputs)) << "beyond the inputs";
+  EXPECT_FALSE(external_clock_times({0, 30, 2}, inputs));
   store_le(std::span(inputs).subspan(12, 8), std::uint64_t{0});
-  EXPECT_FALSE(external_difference({0, 2, 12}, inputs)) << "nobody gives the time";
+  EXPECT_FALSE(external_clock_times({0, 2, 12}, inputs)) << "nobody gives the time";
 }
 
 }  // namespace

@@ -245,6 +245,28 @@ TEST_F(DcmDcx, TheWayToTheExternalClockEndsThere) {
   }
 }
 
+/// Its cable to the other network is unplugged: it shows the last time of it.
+TEST_F(DcmDcx, ATimeThatStandsStillIsNoExternalClock) {
+  Nanoseconds last = INT64_MAX;
+  network.sim.slaves.back().external_time = [&last, this](Nanoseconds time) {
+    other->advance_to(time);
+    return std::optional(std::min(static_cast<Nanoseconds>(other->system_time(0)), last));
+  };
+  go_online();
+  ASSERT_FALSE(error()) << error()->detail.text();
+  run(30 * kSecond);
+  EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
+  last = static_cast<Nanoseconds>(other->system_time(0));
+  run(2 * kSecond);
+  EXPECT_EQ(dcm_status(snapshot).error_code, dc::kDcxErrorNoExternalClock);
+  EXPECT_FALSE(snapshot.dcm.external_error_ns);
+  EXPECT_LT(std::abs(snapshot.dcm.error_ns), 4'000) << "the host stays with the reference clock";
+  last = INT64_MAX;
+  run(5 * kSecond);
+  EXPECT_EQ(dcm_status(snapshot).error_code, 0U);
+  EXPECT_TRUE(snapshot.dcm.external_error_ns);
+}
+
 TEST_F(DcmDcx, ABridgeWithNobodyBehindItIsNoExternalClock) {
   go_online();
   ASSERT_FALSE(error()) << error()->detail.text();
