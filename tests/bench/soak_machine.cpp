@@ -151,7 +151,7 @@ void draw_modes(SoakMachine& machine, bool bridge, Random& random) {
   // The way to the external clock takes slaves a little further from it the longer their cycles are.
   auto& master = machine.network.project.master;
   if (bridge && master.cycle_time > kMillisecond)
-    master.dc.sync_window.exponent = std::max<std::uint8_t>(master.dc.sync_window.exponent, 8);
+    master.dc.sync_window.exponent = std::max<std::uint8_t>(master.dc.sync_window.exponent, 9);
   machine.modes[1] = bridge ? DcmMode::kDcx : kBeside[random.next() % kBeside.size()];
   // A desktop's tails shake a clock that is told the nominal time, which is told, and rightly.
   const auto& network = machine.network;

@@ -232,6 +232,23 @@ TEST_F(SlowTerminal, IsNamedWhereSync0IsCloseBehindTheFrames) {
   expect_it_alone_is_named();
 }
 
+/// Each is read in turn, and two seconds are few turns.
+TEST(SlowFirmware, IsNamedOnAMachineOfManySlavesToo) {
+  test::DiagnosedRun machine;
+  machine.jitter = JitterProfile::desktop();
+  machine.network.project.master.cycle_time = 2 * kMillisecond;
+  for (int i = 0; i < 40; ++i) {
+    machine.network.add(test::io8());
+    machine.network.project.slaves.back().dc.op_mode.clear();
+  }
+  auto& fault = machine.fault(FaultKind::kSlowApplication, 40 * kSecond, 30);
+  fault.value_ns = 5 * kMillisecond;
+  fault.until = 44 * kSecond;
+  machine.run(48 * kSecond);
+  EXPECT_TRUE(machine.found(code::kInputsLate, 30)) << machine.said();
+  EXPECT_FALSE(machine.found(code::kInputsLate, 29) || machine.found(code::kInputsLate, 31)) << machine.said();
+}
+
 /// By the frame that brings its own process data, whichever of several that is.
 TEST(SlowFirmware, IsNamedOfTheSlavesOfEachFrame) {
   for (const int slow : {0, 1}) {

@@ -89,10 +89,16 @@ void ProcessDataWatch::try_again() {
 void ProcessDataWatch::go_on() {
   first_.reset();
   tries_ = 0;
-  current_ = (current_ + 1) % slaves_.size();
+  const bool stays = looked_into_ > 0;
+  if (stays) {
+    --looked_into_;
+  } else {
+    current_ = (current_ + 1) % slaves_.size();
+  }
   pause_ = kForOthers;
   // Slow firmware has a rhythm of its own; to look in the same rhythm would be to see always the same of it.
-  if (current_ == 0) pause_ = static_cast<std::uint8_t>(pause_ + shuffle_.next() % 4);
+  if (stays || current_ == 0) pause_ = static_cast<std::uint8_t>(pause_ + shuffle_.next() % 4);
+  if (!stays && current_ == 0) may_look_into_another_ = true;
 }
 
 std::optional<ProcessDataWatch::Wish> ProcessDataWatch::next() {
@@ -109,6 +115,7 @@ std::optional<ProcessDataWatch::Wish> ProcessDataWatch::next() {
     slave.readings = 0;  // it begins anew when it comes back
     slave.regular = false;
     slave.stale_since.reset();
+    looked_into_ = 0;
     go_on();
   }
   if (tried > 0) return std::nullopt;  // in the next cycles
@@ -164,7 +171,10 @@ void ProcessDataWatch::take(Nanoseconds send_time, bool regular) {
 void ProcessDataWatch::note(Slave& slave, bool stale, Nanoseconds time) {
   slave.stale = slave.stale << 1U | (stale ? 1U : 0U);
   slave.readings = static_cast<std::uint8_t>(std::min<int>(slave.readings + 1, kInputLearning));
-  if (slave.regular) return judge(slave, time);
+  if (slave.regular) {
+    if (stale && !slave.told && std::exchange(may_look_into_another_, false)) looked_into_ = kWindow;
+    return judge(slave, time);
+  }
   if (slave.readings < kInputLearning) return;
   slave.regular = std::popcount(slave.stale) <= kFew;
 }

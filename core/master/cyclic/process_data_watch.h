@@ -31,8 +31,9 @@ struct Snapshot;
 /// count that are further apart than usual.
 ///
 /// Many devices do either seldom, and rightly so: only one that did it in every cycle for its first readings in OP is
-/// held to it. Then StaleProcessData tells when it has stopped to, and when it does it again. Firmware that hangs is
-/// the PDI watchdog's. Allocates nothing; the cyclic thread.
+/// held to it. Then StaleProcessData tells when it has stopped to, and when it does it again. One reading that says so
+/// is looked into at once: the next ones are of the same slave, once in each turn of all, so that it does not take
+/// longer on a machine of many. Firmware that hangs is the PDI watchdog's. Allocates nothing; the cyclic thread.
 class ProcessDataWatch {
  public:
   ProcessDataWatch(const NetworkConfig& config, const Snapshot& snapshot, EventTeller& teller);
@@ -92,6 +93,8 @@ class ProcessDataWatch {
   Datagram datagram_;
   bool asked_ = false;
   std::uint8_t pause_ = 0;
+  std::uint8_t looked_into_ = 0;       // readings of the current one that are still to come
+  bool may_look_into_another_ = true;  // in this turn
   Random shuffle_{1};
   Nanoseconds last_send_ = 0;
   Spacing spacing_;
