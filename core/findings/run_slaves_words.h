@@ -284,8 +284,7 @@ inline constexpr FindingWords kRunSlaves[] = {
      "The external clock was elsewhere for a while",
      "",
      "Look at the network behind the bridge device: its reference clock has stepped, or another one leads there now; "
-     "or "
-     "this computer's clock was slewed.",
+     "or this computer's clock was slewed.",
      "",
      {{"",
        "The external clock was not where the reference clock is {count}, first at {since}, and up to {external} away; "

@@ -59,8 +59,8 @@ struct DcmState {
 };
 
 /// In DCX the reference clock goes faster and slower than the external one by no more than this: slaves follow one that
-/// changes its rate about 8 ms behind, so that they stay within a window of 127 ns. Who is half a millisecond away
-/// needs a minute.
+/// changes its rate about 8 ms behind in cycles of 1 ms, so that they stay within a window of 127 ns. Who is half a
+/// millisecond away needs a minute.
 inline constexpr double kDcxFastestPpm = 8;
 
 class DcmController {

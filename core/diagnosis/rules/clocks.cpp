@@ -310,7 +310,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
                         {{"code", Unit::kHex32, dcm.error_code},
                          phrase_figure("meaning", dc::dcm_error_text(dcm.error_code)),
                          drift}});
-  } else if (dcm.state != SyncState::kInSync && dc::is_of_external_clock(dcm.obstacle)) {
+  } else if (dcm.state != SyncState::kInSync && !dcm.control_off && dc::is_of_external_clock(dcm.obstacle)) {
     find_external_not_met(report, findings);
   } else if (dcm.state != SyncState::kInSync && !dcm.control_off) {
     // Not since the loss that it has not come back from: never.
