@@ -16,6 +16,7 @@
 #include "master/mailbox/foe_client.h"
 #include "master/mailbox/mailbox_client.h"
 #include "master/mailbox/sdo_info_client.h"
+#include "protocol/coe.h"
 #include "protocol/emergency.h"
 #include "protocol/registers.h"
 #include "sim/sim_bus.h"

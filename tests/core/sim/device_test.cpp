@@ -8,6 +8,7 @@
 #include "protocol/mailbox.h"
 #include "sim/device/device_objects.h"
 #include "sim/mailbox/complete_access.h"
+#include "sim/objects/object_dictionary.h"
 #include "tests/core/sim/sim_probe.h"
 
 namespace syncline::test {
