@@ -33,7 +33,7 @@ namespace syncline::bench {
 namespace {
 
 /// Long enough for every machine to be in OP and in sync; a reference clock that is led to an external one goes half a
-/// cycle at 10 ppm.
+/// cycle at 8 ppm.
 Nanoseconds bring_up(DcmMode mode) { return mode == DcmMode::kDcx ? 150 * kSecond : 30 * kSecond; }
 
 /// Without what the allocator keeps for later: the store of a segment comes and goes.

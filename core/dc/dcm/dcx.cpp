@@ -74,13 +74,16 @@ void Dcx::note_closing(double moved, Nanoseconds passed) {
 }
 
 /// Who only comes by at the rate of his quartz has not met anybody.
-SyncObstacle Dcx::external() {
-  if (!behind_) return SyncObstacle::kNone;
+void Dcx::judge_external() {
+  if (!behind_) return;
   const bool near = std::abs(*behind_) <= static_cast<double>(limit_);
   const bool measured = seen_ - known_since_.value_or(seen_) > kMeasured;
   met_ = met_ || (near && measured && std::abs(closing_) < kTogetherPpm);
-  if (!met_) return SyncObstacle::kToExternalClock;
-  return near ? SyncObstacle::kNone : SyncObstacle::kExternalClock;
+  if (!met_) {
+    state_.external = SyncObstacle::kToExternalClock;
+  } else if (!near) {
+    state_.external = SyncObstacle::kExternalClock;
+  }
 }
 
 std::optional<Nanoseconds> Dcx::reference_write(Nanoseconds send_time, Nanoseconds) {
@@ -104,7 +107,7 @@ DcmAction Dcx::observe(const DcmObservation& observation) {
   const bool missing = missing_since_ && observation.send_time - *missing_since_ >= kPatience;
   if (missing) state_.error_code = kDcxErrorNoExternalClock;
   state_.in_sync = state_.in_sync && !missing;
-  state_.external = external();
+  judge_external();
   return action;
 }
 

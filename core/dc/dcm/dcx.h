@@ -27,7 +27,7 @@ class Dcx final : public DcmController {
   void forget();
   void note_closing(double moved, Nanoseconds passed);
   void steer(Nanoseconds passed);
-  [[nodiscard]] SyncObstacle external();
+  void judge_external();
 
   bool control_off_;
   Nanoseconds cycle_, limit_;
@@ -38,9 +38,9 @@ class Dcx final : public DcmController {
   std::optional<double> behind_;   // the reference clock behind the external one, within half a cycle
   double closing_ = 0;             // ppm by which it comes nearer to where the external one is ahead, filtered
   Nanoseconds seen_ = 0;           // host clock of behind_
-  std::optional<Nanoseconds> known_since_;
+  std::optional<Nanoseconds> known_since_;    // host clock; the external one
   double push_ = 0;                           // written beyond the forecast, ns, without integral_
-  bool met_ = false;                          // since the external clock is known: was within the limit
+  bool met_ = false;                          // since the external clock is known: was within the limit, and stayed
   std::optional<Nanoseconds> missing_since_;  // the external clock
   double integral_ = 0;
 };

@@ -215,8 +215,8 @@ TEST_F(DcmDcx, TwoSegmentsKeepTheSameTimeThroughABridge) {
   }
 }
 
-/// Both ways, and whatever the quartzes: the way ends at the external clock and not behind it, no slave leaves a window
-/// of 127 ns on it, and nothing but the way is told.
+/// Both ways: it ends at the external clock and not behind it, no slave leaves a window of 127 ns on it, and it is told
+/// as the way.
 TEST_F(DcmDcx, TheWayToTheExternalClockEndsThere) {
   dcm().in_sync_limit = 4'000;
   network.project.master.dc.sync_window.enabled = true;
