@@ -8928,6 +8928,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
             <translation>jeder Balken %1 breit</translation>
         </message>
         <message>
+            <source>Reference clock against external clock</source>
+            <translation>Referenzuhr gegen externe Uhr</translation>
+        </message>
+        <message>
             <source>Doubt of the send stamp</source>
             <translation>Unsicherheit des Sendestempels</translation>
         </message>
@@ -12049,6 +12053,10 @@ Eine Revision: #x00120000, oder rev 18, wie sie auf dem Gerät steht; mehrere: r
         <message>
             <source>DCM error</source>
             <translation>DCM-Fehler</translation>
+        </message>
+        <message>
+            <source>External clock</source>
+            <translation>Externe Uhr</translation>
         </message>
         <message>
             <source>Adjustment and drift</source>

@@ -8888,6 +8888,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
             <translation>每个柱宽 %1</translation>
         </message>
         <message>
+            <source>Reference clock against external clock</source>
+            <translation>参考时钟与外部时钟之差</translation>
+        </message>
+        <message>
             <source>Doubt of the send stamp</source>
             <translation>发送时间戳的不确定度</translation>
         </message>
@@ -11987,6 +11991,10 @@ A revision: #x00120000, or rev 18 as it is printed on the device; several: rev 1
         <message>
             <source>DCM error</source>
             <translation>DCM 误差</translation>
+        </message>
+        <message>
+            <source>External clock</source>
+            <translation>外部时钟</translation>
         </message>
         <message>
             <source>Adjustment and drift</source>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "channels/values/stamp_source.h"
 #include "channels/values/sync_state.h"
@@ -27,11 +28,13 @@ struct CycleSample {
   float dcm_output_sum_ns = 0;           // what the controller has learned, ns a cycle
   std::int64_t dcm_output_total_ns = 0;  // all adjustments since it was started
   std::uint32_t dcm_error_code = 0;      // DCM_E_..., 0 = none
-  std::uint32_t deviation_ored_ns = 0;   // magnitude of the wire-ored 0x092C of all clocks
-  std::uint32_t deviation_ns = 0;        // of the slaves that follow the reference clock: the or-ed value where it ors
-                                         // only them, else the largest of their latest readings
-  std::int32_t slave_deviation_ns = 0;   // signed 0x092C of slave_position
-  std::uint32_t slave_sm2_missed = 0;    // of sm2_position, see Sm2MissedStatus::total
+  static constexpr std::int32_t kNoExternalClock = std::numeric_limits<std::int32_t>::min();
+  std::int32_t external_error_ns = kNoExternalClock;  // DCX: as DcmStatus::external_error_ns
+  std::uint32_t deviation_ored_ns = 0;                // magnitude of the wire-ored 0x092C of all clocks
+  std::uint32_t deviation_ns = 0;       // of the slaves that follow the reference clock: the or-ed value where it ors
+                                        // only them, else the largest of their latest readings
+  std::int32_t slave_deviation_ns = 0;  // signed 0x092C of slave_position
+  std::uint32_t slave_sm2_missed = 0;   // of sm2_position, see Sm2MissedStatus::total
   std::uint32_t slave_sm2_integrator = 0;  // see Sm2MissedStatus::integrator
   std::int16_t slave_position = -1;        // round robin, -1 = none in this cycle
   std::int16_t sm2_position = -1;

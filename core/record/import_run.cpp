@@ -237,6 +237,7 @@ constexpr std::array kTableColumns{
                 }},
     cell<&CycleSample::sync_base, Flag::kSyncBaseValid>(Signal::kSyncBase),
     cell<&CycleSample::stamp_doubt_ns>(Signal::kStampDoubt),
+    cell<&CycleSample::external_error_ns>(Signal::kExternalError),
 };
 
 template <class Take>

@@ -92,6 +92,7 @@ constexpr std::array kSampleColumns{
     whole<&CycleSample::watch_list>(Signal::kWatchList),
     whole<&CycleSample::stamp_doubt_ns>(Signal::kStampDoubt),
     stamped_by(),
+    whole<&CycleSample::external_error_ns>(Signal::kExternalError),
 };
 
 constexpr auto kColumns = [] {

@@ -195,6 +195,11 @@ constexpr std::array kBusRows{
          [](const CycleSample& s) {
            return whole_when(s.stamped_by != StampSource::kUntold, static_cast<int>(s.stamped_by));
          }),
+    every_cycle(Signal::kExternalError, "external_error_ns", "Reference clock against external clock", "ns",
+                "time stamps in the PDO of the bridge device (DCX)", Scale::kSignedLog, Clock::kNone,
+                [](const CycleSample& s) {
+                  return whole_when(s.external_error_ns != CycleSample::kNoExternalClock, s.external_error_ns);
+                }),
     total(Signal::kLostFrames, "lost_frames_total", "Lost frames", "not back at their deadline, and not come since",
           [](const Snapshot& s) { return std::optional(static_cast<double>(s.lost_frames)); }),
     total(Signal::kLateFrames, "late_frames_total", "Late frames", "back after their deadline",

@@ -42,7 +42,8 @@ constexpr std::array kCsvColumns{Signal::kCycle,
                                  Signal::kDeviation,
                                  Signal::kSlaveFollows,
                                  Signal::kSyncBase,
-                                 Signal::kStampDoubt};
+                                 Signal::kStampDoubt,
+                                 Signal::kExternalError};
 
 }  // namespace
 

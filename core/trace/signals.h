@@ -90,12 +90,13 @@ enum class Signal : std::uint8_t {
   kStampDoubt,  // of the bus, in every cycle
   kStampedBy,
   kCountsAtLeast,  // of each slave
+  kExternalError,  // of the bus, in every cycle
 };
 enum class PortSignal : std::uint8_t { kInvalidFrames, kReceiveErrors, kForwardedErrors, kLostLinks };
 inline constexpr std::size_t kPorts = 4, kPortSignals = 4;
 static_assert(static_cast<std::size_t>(Signal::kSyncBase) ==
               static_cast<std::size_t>(Signal::kPortErrors) + kPorts * kPortSignals);
-inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kCountsAtLeast) + 1;
+inline constexpr std::size_t kSignalCount = static_cast<std::size_t>(Signal::kExternalError) + 1;
 [[nodiscard]] constexpr Signal port_signal(std::size_t port, PortSignal kind) {
   return static_cast<Signal>(static_cast<std::size_t>(Signal::kPortErrors) + port * kPortSignals +
                              static_cast<std::size_t>(kind));

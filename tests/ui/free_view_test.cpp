@@ -194,6 +194,25 @@ TEST_F(FreeViewTest, EachUsualViewShowsSomething) {
   }
 }
 
+TEST_F(FreeViewTest, TheExternalClockHasAPlotWhereThereIsOne) {
+  const auto titles = [this] {
+    free().chooseUsual(0);
+    settle();
+    std::vector<std::string> all;
+    for (const auto& one : free().current().plots) all.push_back(one.title);
+    return all;
+  };
+  EXPECT_EQ(titles(), (std::vector<std::string>{"DCM error", "Adjustment and drift"}));
+  std::vector<CycleSample> samples(100);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].cycle = 10'000 + i;
+    samples[i].send_time = kBegin + static_cast<Nanoseconds>(samples[i].cycle) * kMillisecond;
+    samples[i].external_error_ns = -16'000;
+  }
+  record->add(samples);
+  EXPECT_EQ(titles(), (std::vector<std::string>{"DCM error", "External clock", "Adjustment and drift"}));
+}
+
 TEST_F(FreeViewTest, StatesAreBandsWithTheirNames) {
   showView(viewWith({ofSlave(1001, "al_status"), ofSlave(1002, "al_status")}));
   ASSERT_EQ(plot(0).plot()->bands().size(), 2U);

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QString>
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -27,10 +28,21 @@ ViewPlot plotOf(const RunRecord& record, std::initializer_list<Signal> left, std
   return plot;
 }
 
+/// Of a machine that has one: a table from somewhere may have its values without the settings.
+bool hasExternalClock(const RunRecord& record) {
+  const auto& dc = record.config().dc;
+  return (dc.enabled && dc.dcm.mode == DcmMode::kDcx) ||
+         record.samples().series(Signal::kExternalError).extent(INT64_MIN, INT64_MAX);
+}
+
 MonitorView dcmView(const RunRecord& record) {
   MonitorView view{words(QT_TRANSLATE_NOOP("FreeView", "DCM: error, adjustment, drift")), {}};
   view.plots.push_back(plotOf(record, {Signal::kDcmError, Signal::kDcmErrorFiltered}));
   view.plots.back().title = words(QT_TRANSLATE_NOOP("FreeView", "DCM error"));
+  if (hasExternalClock(record)) {
+    view.plots.push_back(plotOf(record, {Signal::kExternalError}));
+    view.plots.back().title = words(QT_TRANSLATE_NOOP("FreeView", "External clock"));
+  }
   view.plots.push_back(plotOf(record, {Signal::kDcmAdjust}, {Signal::kDrift}));
   view.plots.back().title = words(QT_TRANSLATE_NOOP("FreeView", "Adjustment and drift"));
   return view;

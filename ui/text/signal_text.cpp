@@ -66,6 +66,8 @@ QString signalText(Signal signal) {
       return QCoreApplication::translate("DistributionView", "Frame late by");
     case Signal::kStampDoubt:
       return QCoreApplication::translate("DistributionView", "Doubt of the send stamp");
+    case Signal::kExternalError:
+      return QCoreApplication::translate("DistributionView", "Reference clock against external clock");
     case Signal::kSlaveDeviation:
       return QCoreApplication::translate("DistributionView", "Deviation");
     case Signal::kArrivalPhase:

@@ -162,6 +162,8 @@ Nanoseconds SyncWatch::observe_cycle(const dc::DcmObservation& observation, Cycl
   sample.dcm_output_sum_ns = static_cast<float>(state.output_sum);
   sample.dcm_output_total_ns = state.output_total;
   sample.dcm_error_code = state.error_code;
+  // An external clock is looked at beside the reference clock: without a reading of that one there is nothing to say.
+  if (observation.reference_time && dcm.external_error_ns) sample.external_error_ns = *dcm.external_error_ns;
   if (dcm.mode != DcmMode::kOff) sample.flags |= CycleSample::kDcmActive;
   sample.master_sync = dcm.state;
   return period_adjust(action.period_adjust);

@@ -126,6 +126,7 @@ TEST_F(DcmRun, TheStatusIsResetAndParametersChangeWhileItRuns) {
   run(2 * kSecond);
   ASSERT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
   EXPECT_GT(dcm_status(snapshot).difference_max_ns, 0);
+  EXPECT_EQ(samples.back().external_error_ns, CycleSample::kNoExternalClock);
   EXPECT_FALSE(dcm_adjust(snapshot)) << "the controller has the timer";
 
   auto change = dcm();
@@ -209,6 +210,7 @@ TEST_F(DcmDcx, TwoSegmentsKeepTheSameTimeThroughABridge) {
   EXPECT_EQ(dcm_status(snapshot).state, SyncState::kInSync);
   for (int i = 0; i < 500; ++i) {
     run(10 * kMillisecond);
+    ASSERT_EQ(samples.back().external_error_ns, snapshot.dcm.external_error_ns) << i;
     other->advance_to(clock.now());
     bus->advance_to(clock.now());
     ASSERT_LT(std::abs(apart()), 1'000) << i;

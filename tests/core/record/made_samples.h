@@ -57,6 +57,7 @@ class MadeSamples {
     s.reference_time = s.send_time + 333'333 + about(400);
     s.dcm_error_ns = static_cast<std::int32_t>(about(900));
     s.dcm_error_filtered_ns = s.dcm_error_ns / 4;
+    if (s.cycle % 7 != 0) s.external_error_ns = -s.dcm_error_ns;
     s.drift_ppm = 12.5F + static_cast<float>(about(100)) / 1024;
     s.deviation_ored_ns = static_cast<std::uint32_t>(random_.next() % 64);
     s.deviation_ns = static_cast<std::uint32_t>(random_.next() % 40);

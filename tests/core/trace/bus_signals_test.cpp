@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <optional>
+
 #include "channels/cycle_sample.h"
 #include "trace/signals.h"
 
@@ -26,6 +29,17 @@ TEST(BusSignals, ReadingsOfASlaveAreThoseOfThatCycle) {
       EXPECT_EQ(there(signal, misses), position >= 0) << position;
       EXPECT_FALSE(there(signal, deviation));
     }
+  }
+}
+
+/// Zero is a distance, too.
+TEST(BusSignals, TheExternalClockHasAValueWhereThereIsOne) {
+  const auto& external = info(Signal::kExternalError);
+  CycleSample sample;
+  EXPECT_EQ(external.of_cycle(sample), std::nullopt);
+  for (const std::int32_t apart : {0, -16'000}) {
+    sample.external_error_ns = apart;
+    EXPECT_EQ(external.of_cycle(sample), std::optional(SignalNumber(std::int64_t{apart})));
   }
 }
 

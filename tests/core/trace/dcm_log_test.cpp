@@ -108,7 +108,7 @@ TEST(ClockDifferences, AreInTheSampleTableUnderTheirNames) {
   text.clear();
   const CycleSample without_clocks;
   append_sample_csv(text, std::span(&without_clocks, 1));
-  EXPECT_THAT(text, HasSubstr(",0,0,0,,0,,,,\n"));
+  EXPECT_THAT(text, HasSubstr(",0,0,0,,0,,,,,\n"));
   auto unheard = logged(1);  // a controller runs, but the reference clock did not answer in this cycle
   unheard.flags = CycleSample::kDcmActive;
   EXPECT_FALSE(info(Signal::kMasterToNetwork).of_cycle(unheard));
