@@ -76,6 +76,9 @@ TEST(TwoMasters, AreTold) {
   EXPECT_EQ(first.count<events::LeftUnasked>(), 0U) << "what it does itself it has asked for";
   second.run_for(100 * kMillisecond);
   EXPECT_EQ(second.count<events::BusWasRunning>(), 1U);
+  EXPECT_TRUE(std::ranges::none_of(second.events, [](const Event& e) {
+    return e.is<events::BusWasRunning>() && e.slave >= 0;
+  })) << "of nobody alone";
   for (int i = 0; i < 10; ++i) first.run_for(100 * kMillisecond);
   EXPECT_EQ(first.count<events::LeftUnasked>(), 3U);
   const auto found = first.findings();

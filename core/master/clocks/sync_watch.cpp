@@ -98,9 +98,8 @@ Nanoseconds SyncWatch::first_cycle(const DcNetwork& network, Nanoseconds earlies
   if (config.dc.start_time_grid <= 0) return earliest;
   const auto reference = network.reference_time + (earliest - network.host_time);
   const auto cycle = config.cycle_time();
-  auto phase = (reference + set_value()) % cycle;
-  if (phase < 0) phase += cycle;
-  return earliest + (phase == 0 ? 0 : cycle - phase);
+  const auto phase = (reference + set_value()) % cycle;
+  return earliest + (phase > 0 ? cycle - phase : -phase);
 }
 
 void SyncWatch::start(const DcNetwork& network, Nanoseconds first_cycle) {

@@ -134,10 +134,10 @@ Status CyclicTaskRunner::note_link(Status status) {
 void CyclicTaskRunner::wait_for_slot() {
   standstill_.before_wait();
   spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
-  const auto behind = clock_.now() - scheduled_ - cycle_time_ / 2;
+  const auto late = clock_.now() - scheduled_, behind = late - cycle_time_ / 2;
   skipped_ = behind > 0 ? behind / cycle_time_ + 1 : 0;
   if (skipped_ == 0) return;
-  standstill_.note(behind + cycle_time_ / 2);
+  standstill_.note(late);
   scheduled_ += skipped_ * cycle_time_;
   spin_.observe(clock_.sleep_until(scheduled_, spin_.amount()));
 }

@@ -14,8 +14,8 @@ std::int64_t whole(std::int64_t value, std::int64_t unit) { return value / unit 
 std::int64_t TaskSlots::next(std::int64_t left_out, std::optional<Nanoseconds> since_base) {
   number_ += 1 + left_out;
   // Where nobody keeps the frames at the grid they slide through it: they change their number once, not to and fro.
-  const auto off = since_base ? *since_base - number_ * cycle_time_ : 0;
-  if (std::abs(off) > cycle_time_ * 3 / 4) number_ = whole(*since_base + cycle_time_ / 2, cycle_time_);
+  if (since_base && std::abs(*since_base - number_ * cycle_time_) > cycle_time_ * 3 / 4)
+    number_ = whole(*since_base + cycle_time_ / 2, cycle_time_);
   return number_;
 }
 

@@ -19,12 +19,11 @@ std::uint64_t bits_at(std::span<const std::uint8_t> image, std::uint32_t offset,
   const std::size_t end = (std::size_t{offset} + size + 7) / 8;
   const unsigned shift = offset % 8;
   std::uint64_t value = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(end - first, 8); ++i) {
-    value |= std::uint64_t{image[first + i]} << (8 * i);
-  }
+  const auto bytes = image.subspan(first, end - first);
+  for (std::size_t i = std::min<std::size_t>(bytes.size(), 8); i-- > 0;) value = value << 8 | bytes[i];
   value >>= shift;
   // The ninth byte of one that begins within a byte.
-  if (end - first == 9) value |= std::uint64_t{image[first + 8]} << (64 - shift);
+  if (bytes.size() == 9) value |= std::uint64_t{bytes[8]} << (64 - shift);
   return value & low_bits(size);
 }
 

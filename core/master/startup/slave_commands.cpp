@@ -187,6 +187,9 @@ Status SlaveCommands::finish(SlaveList& slaves, std::span<SlaveWork* const> work
   leave_out_lost(good, losses_of_good);
   slaves = std::move(good);
   if (failed.empty()) return {};
+  for (const auto& each : failed) {
+    if (each.slave == watched_ && !kept_) kept_ = each.error;
+  }
   if (auto status = report(failed); !status) return status;
   const auto first = std::ranges::find_if(failed, [this](const Failed& f) { return !was_lost(f); });
   return first == failed.end() ? Status{} : fail(std::move(first->error));

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "protocol/al_state.h"
@@ -51,6 +53,17 @@ class SlaveCommands {
   /// Acknowledges the error of those that report one; waits until they took it, at most a second.
   Status acknowledge(std::span<const std::size_t> slaves);
 
+  /// The first thing that goes wrong with this slave from here on is kept until it is taken: an error that it reported
+  /// is acknowledged, and its AL status says nothing of it any more.
+  void keep_failure_of(std::size_t slave) {
+    watched_ = slave;
+    kept_.reset();
+  }
+  [[nodiscard]] std::optional<Error> take_failure() {
+    watched_.reset();
+    return std::exchange(kept_, std::nullopt);
+  }
+
   /// Where slave number `slave` really is, when others in front of it are missing.
   void set_position(std::size_t slave, std::uint16_t position) { positions_[slave] = position; }
   [[nodiscard]] std::uint16_t position(std::size_t slave) const { return positions_[slave]; }
@@ -76,6 +89,8 @@ class SlaveCommands {
   RunState& run_;
   const SyncWatch& sync_;
   std::vector<std::uint16_t> positions_;
+  std::optional<std::size_t> watched_;
+  std::optional<Error> kept_;
 };
 
 /// Errors after which going on with the other slaves makes no sense.

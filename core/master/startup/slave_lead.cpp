@@ -51,7 +51,12 @@ Status Esm::lead(std::size_t slave, AlState target) {
   if (auto status = check_cyclic(slave); !status) return status;
   // Whoever goes on its own account is missed by nobody.
   task_.working_counter().set_joining(true);
+  commands_.keep_failure_of(slave);
   auto status = lead_alone(slave, target);
+  // The step that failed says more than where that has left the slave.
+  auto reason = commands_.take_failure();
+  if (!status && reason && run_.snapshot.slaves[slave].present && !ends_everything(status.error()))
+    status = fail(std::move(*reason));
   task_.working_counter().set_joining(false);
   task_.slaves().refresh_al_status();
   if (task_.working_counter().judging()) task_.expect_present();

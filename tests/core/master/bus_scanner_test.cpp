@@ -61,6 +61,8 @@ TEST_F(BusScannerTest, FindsWhoIsThere) {
   EXPECT_EQ(link->get<std::uint16_t>(1, reg::kStationAddress), 1002);
   EXPECT_EQ(found->slaves[1].alias, 77);
   EXPECT_EQ(found->slaves[0].esc_type, 0x11);
+  EXPECT_EQ(found->slaves[0].fmmu_count, link->get<std::uint8_t>(0, reg::kFmmuCount));
+  EXPECT_EQ(found->slaves[0].sync_manager_count, link->get<std::uint8_t>(0, reg::kSyncManagerCount));
   EXPECT_EQ(found->slaves[1].esc_type, 0x04);
   EXPECT_EQ(found->slaves[0].dc, DcCapability::kSystemTime64);
   EXPECT_EQ(found->slaves[1].dc, DcCapability::kSystemTime32);

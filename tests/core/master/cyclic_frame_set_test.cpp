@@ -34,6 +34,36 @@ TEST(CyclicFrameSet, LatchesNoReceiveTimesByItself) {
   EXPECT_GE(seen, commands.size());
 }
 
+/// An ENI's image may begin with bytes that no command has.
+TEST(CyclicFrameSet, MarksWhatIsKnownWhereItStandsInTheImage) {
+  test::SimulatedNetwork network;
+  for (int i = 0; i < 2; ++i) network.add(test::io8());
+  auto config = network.compiled();
+  constexpr std::uint32_t kOffset = 16;
+  const auto inputs = config.image.input_bytes;
+  config.image.command_data_offset = kOffset;
+  config.image.input_bytes += kOffset;
+  config.image.output_bytes += kOffset;
+  CyclicFrameSet set(config);
+  set.select(AlState::kOp);
+  set.prepare(0, true);
+  std::vector<std::uint8_t> known(set.inputs().size());
+  set.mark_known_inputs(known);
+  EXPECT_EQ(std::ranges::count(known, 0), static_cast<std::ptrdiff_t>(known.size()));
+  for (auto* frame : set.frames()) {
+    for (auto* datagram : frame->datagrams()) {
+      datagram->answered = true;
+      datagram->wkc = 3 * 2;
+    }
+  }
+  set.expect_without({false, false});
+  (void)set.evaluate();
+  set.mark_known_inputs(known);
+  const auto begin = std::ranges::find(known, 0xFF);
+  EXPECT_EQ(begin - known.begin(), static_cast<std::ptrdiff_t>(kOffset));
+  EXPECT_GT(inputs, 0U);
+}
+
 /// Of two slaves with a frame each; and where an ENI's offsets lead to no command it may be any of them.
 TEST(CyclicFrameSet, KnowsWhoseOutputsCameBack) {
   test::SimulatedNetwork network;

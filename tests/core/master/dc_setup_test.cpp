@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 
+#include "findings/error_text.h"
 #include "protocol/delay_difference.h"
 #include "sim/sim_bus.h"
 #include "support/random.h"
@@ -244,6 +245,18 @@ TEST(DcSetup, BurstSendsWhatItIsToldWhenItMayNotEndEarly) {
   EXPECT_EQ(clocks->burst_frames, 1000U);
   EXPECT_GE(bed.clock.now() - begin, 1000 / 7 * kMillisecond);
   EXPECT_LT(bed.clock.now() - begin, 1000 / 6 * kMillisecond);
+}
+
+TEST(DcSetup, WithoutABurstTheReferenceClockIsAskedAllTheSame) {
+  auto network = random_tree(5, 5, false);
+  network.project.master.dc.burst_total = 0;
+  network.project.master.dc.burst_ends_early = false;
+  ClockBed bed(network);
+  const auto clocks = bed.set_up();
+  ASSERT_TRUE(clocks) << describe(clocks.error());
+  EXPECT_EQ(clocks->burst_frames, 1U);
+  EXPECT_FALSE(clocks->settled);
+  EXPECT_NE(clocks->reference_time, 0);
 }
 
 TEST(DcSetup, LoopsGetTheStartValuesThatAreSet) {

@@ -100,6 +100,21 @@ TEST_F(EvidenceReaderTest, CountsFromWhatItFindsAndTellsWhatComesOnTop) {
   EXPECT_EQ(events[1].as<events::PortErrors>()->lost_links, 1U);
 }
 
+/// An invalid frame has receive errors in it; a receive error alone lies between two frames.
+TEST_F(EvidenceReaderTest, DamagedFramesAreThoseOfThePortThatSawThem) {
+  for (std::uint16_t port = 0; port < 4; ++port) {
+    SCOPED_TRACE(port);
+    sweep();
+    (void)channels.events.drain();
+    registers[{1001, static_cast<std::uint16_t>(0x0301 + 2 * port)}] = static_cast<std::uint8_t>(3 + port);
+    sweep();
+    const auto told = channels.events.drain();
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0].as<events::PortErrors>()->port, port);
+    EXPECT_EQ(told[0].as<events::PortErrors>()->damaged_frames, 3U + port);
+  }
+}
+
 TEST_F(EvidenceReaderTest, SaysAtLeastWhereACounterStandsStill) {
   sweep();
   registers[{1001, 0x0302}] = 0xFF;

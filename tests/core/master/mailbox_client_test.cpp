@@ -10,6 +10,7 @@
 
 #include "master/mailbox/coe_client.h"
 #include "master/mailbox/foe_client.h"
+#include "master/mailbox/mailbox_transfer.h"
 #include "master/mailbox/sdo_info_client.h"
 #include "protocol/foe.h"
 #include "support/random.h"
@@ -169,6 +170,24 @@ TEST(MailboxClient, AsksASlaveAnewThatCannotRepeatWhatWasLost) {
     EXPECT_GT(bed.slave->requests, kTransfers + 3U) << "some were asked for twice";
     EXPECT_LT(bed.elapsed(), 10 * kSecond) << "without waiting for the slave's time-out";
   }
+}
+
+TEST(MailboxTransfer, KnowsNothingOfTheSlaveBefore) {
+  MailboxBed bed;
+  bed.slave->handler = Server{};
+  MailboxTransfer transfer(bed.mailbox);
+  transfer.ask(MailboxType::kCoe, coe::encode(coe::UploadRequest{{0x1018, 1}, false}), bed.clock.now());
+  while (!transfer.over()) {
+    if (auto* datagram = transfer.next(bed.clock.now())) {
+      ASSERT_TRUE(bed.bus->transact(*datagram));
+    } else {
+      ASSERT_TRUE(bed.bus->wait_a_little());
+    }
+    transfer.take(bed.clock.now());
+  }
+  ASSERT_FALSE(transfer.data().empty());
+  transfer.use(bed.mailbox);
+  EXPECT_TRUE(transfer.data().empty());
 }
 
 TEST(MailboxClient, NamesAMailboxErrorInWords) {

@@ -32,6 +32,16 @@ TEST_F(OperationTest, ReachesOpAndStaysThere) {
   EXPECT_EQ(std::ranges::count(requests, AlState::kSafeop), 1);
 }
 
+TEST_F(OperationTest, TheFirstSlaveMayLead) {
+  network.sim.slaves[0].dc.system_time = true;
+  network.project.slaves[0].dc.op_mode.clear();
+  network.project.master.dc.reference_clock = 0;
+  go_online();
+  ASSERT_EQ(snapshot.state, AlState::kOp);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(snapshot.slaves[i].is_reference_clock, i == 0) << i;
+  EXPECT_TRUE(snapshot.slaves[0].dc_enabled);
+}
+
 TEST_F(OperationTest, TellsTheStartUpInTheOrderOfTheDocument) {
   network.project.master.dc.sync_window.enabled = true;
   go_online();
@@ -247,6 +257,24 @@ TEST_F(OperationTest, GoesOfflineInInit) {
   EXPECT_FALSE(snapshot.online);
   EXPECT_EQ(count(kind_of<events::Offline>), 1U);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(al_status(i), 1);
+}
+
+TEST_F(OperationTest, WhoDoesNotComeToInitIsNamedWithItsState) {
+  fault(FaultKind::kStopApplication, 2).until = kLater + 60 * kSecond;
+  go_online();
+  run_until(kLater + kMillisecond);
+  events.clear();
+  go_offline();
+  std::vector<Error> told;
+  for (const auto& event : events) {
+    if (const auto* failure = event.as<events::Failure>()) told.push_back(failure->error);
+  }
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back().code, ErrorCode::kAlTimeout);
+  EXPECT_THAT(told.back().subject, testing::HasSubstr("slave 2"));
+  EXPECT_EQ(told.back().expected, static_cast<std::int64_t>(AlState::kInit));
+  EXPECT_EQ(told.back().received, al_status(2));
+  EXPECT_NE(al_state_of(al_status(2)), AlState::kInit);
 }
 
 TEST_F(OperationTest, CancelEndsABringUpAndTakesTheBusDown) {

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "channels/event_queue.h"
 #include "channels/snapshot.h"
 #include "master/exchange/event_teller.h"
+#include "protocol/registers.h"
 #include "support/random.h"
 #include "tests/support/simulated_network.h"
 
@@ -112,7 +115,33 @@ TEST_F(WatchedTerminal, IsNotJudgedByTheFirstFrameBehindAStandstill) {
 class WatchedOutputs : public WatchedTerminal {
  protected:
   WatchedOutputs() : WatchedTerminal(false) {}
+  /// What the slave says of its SyncManagers: those whose buffer its firmware has not read.
+  void say(std::uint8_t events, int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      const auto wish = watch_.next();
+      if (wish) {
+        addresses.insert(static_cast<std::uint16_t>(wish->datagram->address >> 16));
+        wish->datagram->data[0] = events;
+        wish->datagram->answered = true;
+        wish->datagram->wkc = 1;
+      }
+      now_ += config_.cycle_time();
+      watch_.take(now_, true);
+    }
+  }
+  std::set<std::uint16_t> addresses;
 };
+
+/// Its outputs are those of SyncManager 0, whatever is new in the others.
+TEST_F(WatchedOutputs, OnlyTheEventOfTheirSyncManagerCounts) {
+  constexpr std::uint8_t kOutputs = 1U << 0;
+  say(0, kLearning);
+  say(static_cast<std::uint8_t>(~kOutputs), 4'000);
+  EXPECT_EQ(told(), std::vector<bool>{});
+  say(kOutputs, 4'000);
+  EXPECT_EQ(told(), std::vector<bool>{true});
+  EXPECT_EQ(addresses, (std::set<std::uint16_t>{reg::kAlEventRequest + 1}));
+}
 
 /// Nobody rides in a cycle that has no room for it.
 TEST_F(WatchedOutputs, LeaveCyclesToOthersWhereNothingComesOfIt) {

@@ -111,11 +111,29 @@ TEST_F(RunningBusTest, AStandstillOfTheHostIsCyclesLeftOut) {
   EXPECT_NEAR(static_cast<double>(snapshot.skipped_cycles), 20, 1);
   EXPECT_EQ(snapshot.overruns, 1U);
   EXPECT_EQ(sum<events::CyclesLeftOut>(), static_cast<std::int64_t>(snapshot.skipped_cycles));
+  const auto told = std::ranges::find_if(events, [](const Event& e) { return e.is<events::CyclesLeftOut>(); });
+  ASSERT_NE(told, events.end());
+  EXPECT_NEAR(told->as<events::CyclesLeftOut>()->standstill, 20'300'000, kMillisecond);
   ASSERT_FALSE(samples.empty());
   EXPECT_EQ(samples.front().skipped_cycles, snapshot.skipped_cycles);
   EXPECT_LT(samples.front().wake_lateness_ns, 500'000);
   // No two frames in one cycle afterwards.
   for (std::size_t i = 1; i < samples.size(); ++i) EXPECT_GT(samples[i].send_time - samples[i - 1].send_time, 499'000);
+}
+
+/// Its substitute leads meanwhile; it is in front of that one, or behind it.
+TEST_F(RunningBusTest, TheReferenceClockLeadsAgainWhenItIsBack) {
+  network.project.master.dc.dcm.mode = DcmMode::kMasterShift;
+  network.project.master.dc.sync_window.enabled = true;
+  fault(FaultKind::kSlaveOff, 1).until = kLater + kSecond;
+  go_online();
+  run_until(kLater + 500 * kMillisecond);
+  ASSERT_FALSE(snapshot.slaves[1].present);
+  run_until(kLater + 6 * kSecond);
+  EXPECT_EQ(snapshot.state, AlState::kOp);
+  EXPECT_EQ(snapshot.dc.reference_clock, 1);
+  EXPECT_TRUE(snapshot.slaves[1].is_reference_clock);
+  EXPECT_EQ(snapshot.dc.state, SyncState::kInSync);
 }
 
 TEST_F(RunningBusTest, DoesNotWaitForASlaveThatIsGone) {

@@ -6,6 +6,7 @@
 
 #include "link/fault_link.h"
 #include "master/exchange/slave_address.h"
+#include "master/sii/sii_work.h"
 #include "protocol/sii.h"
 #include "sim/device/sii_from_device.h"
 #include "support/random.h"
@@ -124,6 +125,19 @@ TEST_F(SiiWriterTest, WhatWillBeWrittenIsTellableBeforeTheFirstWord) {
   EXPECT_EQ(told_before, before);
   EXPECT_EQ(told_after, image);
   EXPECT_EQ(content(), before);
+}
+
+/// Nobody answers any more: nothing is asked for again.
+TEST_F(SiiWriterTest, WhatIsGivenUpIsOver) {
+  SiiWork work;
+  std::vector<std::uint8_t> into;
+  work.read(slave, 0, 64, into);
+  ASSERT_NE(work.next(clock.now()), nullptr);
+  work.give_up({.code = ErrorCode::kNoResponse});
+  EXPECT_TRUE(work.over());
+  EXPECT_EQ(work.next(clock.now()), nullptr);
+  ASSERT_FALSE(work.result());
+  EXPECT_EQ(work.result().error().code, ErrorCode::kNoResponse);
 }
 
 TEST_F(SiiWriterTest, AWordThatCannotBeStoredTakesTheOthersBack) {

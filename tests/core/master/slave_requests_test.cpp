@@ -15,6 +15,7 @@
 #include "channels/slave_request.h"
 #include "channels/snapshot.h"
 #include "cycle_hooks.h"
+#include "findings/error_text.h"
 #include "master/master_service.h"
 #include "protocol/registers.h"
 #include "protocol/sii.h"
@@ -227,6 +228,37 @@ TEST_F(SlaveRequests, OneSlaveIsLedToAnotherStateAndBack) {
   EXPECT_EQ(told(ask(StateChange{kServo, AlState::kOp})), "");
   look();
   EXPECT_EQ(snapshot.state, AlState::kOp);
+}
+
+/// Whoever asked is told the slave's own reason, whichever step it was.
+TEST_F(SlaveRequests, ARefusedStateIsAnsweredWithTheCode) {
+  for (const auto state : {AlState::kPreop, AlState::kSafeop, AlState::kOp, AlState::kBoot}) {
+    SCOPED_TRACE(al_state_name(state));
+    auto network = test::two_axes();
+    network.project.master.recovery.automatic = false;
+    auto& refusal = network.sim.faults.emplace_back();
+    refusal.kind = FaultKind::kRefuseState;
+    refusal.slave = kServo;
+    refusal.at = 6 * kSecond;
+    refusal.until = 600 * kSecond;
+    refusal.state = state;
+    refusal.code = 0x0013;
+    go_online(AlState::kOp, network);
+    service->run_for(2 * kSecond);
+    if (state != AlState::kBoot) {
+      EXPECT_EQ(told(ask(StateChange{kServo, AlState::kInit})), "");
+    }
+    const auto refused = ask(StateChange{kServo, state == AlState::kBoot ? state : AlState::kOp});
+    ASSERT_TRUE(refused.error);
+    EXPECT_EQ(refused.error->code, ErrorCode::kAlState) << describe(*refused.error);
+    EXPECT_EQ(refused.error->extra, 0x0013);
+    look();
+    EXPECT_NE(al_state_of(snapshot.slaves[kServo].al_status), state);
+    EXPECT_EQ(told(ask(StateChange{kOther, AlState::kBoot})), "");
+    look();
+    EXPECT_EQ(al_state_of(snapshot.slaves[kOther].al_status), AlState::kBoot);
+    EXPECT_EQ(told(ask(StateChange{kOther, AlState::kOp})), "");
+  }
 }
 
 TEST_F(SlaveRequests, AnErrorIsAcknowledged) {
