@@ -32,7 +32,6 @@ Status Esm::acknowledge(std::size_t slave) {
   const SlaveList one{slave};
   if (auto status = commands_.read_al_status(one); !status) return status;
   if (auto status = commands_.acknowledge(one); !status) return status;
-  task_.slaves().refresh_al_status();
   return judge(slave, state_of(slave));
 }
 

@@ -136,6 +136,32 @@ TEST_F(RunningBusTest, TheReferenceClockLeadsAgainWhenItIsBack) {
   EXPECT_EQ(snapshot.dc.state, SyncState::kInSync);
 }
 
+/// Before it is asked for PREOP. The reference clock, which is not told its time in each frame, takes the longer one.
+TEST_F(RunningBusTest, AClockThatIsBackLearnsAsLongAsItMust) {
+  const auto learns = [this](int away) {
+    network.sim.faults.clear();
+    fault(FaultKind::kSlaveOff, away).until = kLater + kSecond;
+    service.reset();
+    go_online();
+    run_until(kLater);
+    events.clear();
+    run_until(kLater + 6 * kSecond);
+    Nanoseconds found = 0, preop = 0;
+    for (const auto& event : events) {
+      if (event.slave != away) continue;
+      if (event.is<events::SlaveFound>()) found = event.time;
+      if (test::with(&events::StateChanged::to, AlState::kPreop)(event)) preop = event.time;
+    }
+    EXPECT_EQ(snapshot.state, AlState::kOp);
+    return preop - found;
+  };
+  const auto follower = learns(2), home = learns(1);
+  EXPECT_GT(follower, 60 * kMillisecond);
+  EXPECT_LT(follower, 200 * kMillisecond);
+  EXPECT_GT(home, 400 * kMillisecond);
+  EXPECT_LT(home, kSecond);
+}
+
 TEST_F(RunningBusTest, DoesNotWaitForASlaveThatIsGone) {
   fault(FaultKind::kSlaveOff, 2);
   go_online();

@@ -307,6 +307,14 @@ class OneIsAway : public ::testing::Test {
   Nanoseconds now = 0;
 };
 
+TEST_F(OneIsAway, WithoutAReadingNothingHasAnAge) {
+  cycles(3);
+  EXPECT_EQ(line.run.snapshot.dc.newest_age_ns, -1);
+  cycles(1, 2);
+  cycles(5);
+  EXPECT_EQ(line.run.snapshot.dc.newest_age_ns, 5 * kCycle);
+}
+
 TEST_F(OneIsAway, TheOthersAreNotLookedAtInEachCycleForIt) {
   cycles(200);
   EXPECT_TRUE(line.slaves_sync.settled());
