@@ -45,6 +45,26 @@ TEST_P(HeldFrames, AreTheCauseOfWhatTheyDo) {
   }
 }
 
+/// What is late alike in many frames one behind the other is no clock that has stepped, and nobody runs after it.
+TEST_P(HeldFrames, ManyInARowAccuseNoClock) {
+  for (const int frames : {2, 4, 8, 20, 50}) {
+    for (const int us : {100, 300, 600}) {
+      auto run = machine;
+      run.held_up.push_back({5 * kSecond, 5 * kSecond + frames * kMillisecond, us * kMicrosecond});
+      run.run(12 * kSecond);
+      SCOPED_TRACE(std::to_string(frames) + " frames, " + std::to_string(us) + " us:\n" + run.said());
+      EXPECT_FALSE(run.found(code::kMasterLostLock));
+      EXPECT_FALSE(run.found(code::kWindowLeft));
+      for (const int axis : {1, 2}) {
+        EXPECT_FALSE(run.found(code::kMissedByMovedClock, axis));
+        EXPECT_EQ(run.found(code::kMissedByHeldFrames, axis), us == 600);
+      }
+      // In bus shift an old time moves the clock that it is written to.
+      EXPECT_EQ(run.found(code::kReferenceWrittenLate), us > 100 && GetParam() == DcmMode::kBusShift);
+    }
+  }
+}
+
 /// Nothing came back for longer than slaves may be silent, and then all of it: nobody was away, no plug is loose.
 TEST_P(HeldFrames, OfAllSlavesAreNoAbsence) {
   for (const bool coming_back : {false, true}) {

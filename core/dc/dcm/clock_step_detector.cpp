@@ -19,46 +19,46 @@ constexpr int kLost = 20;  // strange readings in a row that do not agree: the l
 
 }  // namespace
 
-std::optional<Nanoseconds> ClockStepDetector::observe(Nanoseconds host_time, Nanoseconds reference_time,
+ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nanoseconds reference_time,
                                                       Nanoseconds doubt) {
   if (!started_) {
     started_ = true;
     host_ = host_time;
     reference_ = reference_time;
-    return std::nullopt;
+    return {};
   }
   const auto passed = host_time - host_;
-  if (passed <= 0) return std::nullopt;
+  if (passed <= 0) return {};
   const double surprise =
       static_cast<double>(reference_time - reference_ - passed) - rate_ * static_cast<double>(passed) - fraction_;
   const double gate = std::max(limit_, kStepScatters * scatter_);
   if (readings_ >= kLearning && std::abs(surprise) > gate) {
-    if (surprise > 0 && surprise - static_cast<double>(doubt) <= gate) return std::nullopt;  // perhaps the stamp alone
+    if (surprise > 0 && surprise - static_cast<double>(doubt) <= gate) return {{}, true};
     const auto step = sure_step({host_time, surprise}, gate);
-    if (!step && strange_ < kLost) return std::nullopt;
+    if (!step && strange_ < kLost) return {};
     const auto size = step ? std::optional(static_cast<Nanoseconds>(std::llround(*step))) : std::nullopt;
     const auto keep = *this;
     start();
     started_ = true;
     host_ = host_time;
     reference_ = reference_time;
-    if (!size) return std::nullopt;
+    if (!size) return {};
     // The clock is another one, its rate and the host's stamps are not.
     rate_ = keep.rate_;
     scatter_ = keep.scatter_;
     readings_ = kLearning;
-    return size;
+    return {size, false};
   }
   strange_ = 0;
   // Frames that wait for those of others on the wire, one after the other, do not take the line with them: it would be
   // found in the wrong place when they no longer do.
   const double unremarkable = gate / 4;
   const bool explained = surprise > unremarkable && surprise - static_cast<double>(doubt) <= unremarkable;
-  if (readings_ >= kLearning && explained) return std::nullopt;
+  if (readings_ >= kLearning && explained) return {};
   readings_ = std::min(readings_ + 1, kLearning);
   scatter_ += std::max(kStepMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
   follow(surprise, static_cast<double>(passed));
-  return std::nullopt;
+  return {};
 }
 
 /// Begins as a line through all readings.

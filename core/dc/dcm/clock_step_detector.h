@@ -19,9 +19,12 @@ class ClockStepDetector {
  public:
   explicit ClockStepDetector(Nanoseconds limit) : limit_(static_cast<double>(limit)) {}
   void start() { *this = ClockStepDetector(static_cast<Nanoseconds>(limit_)); }
-  /// One reading; `doubt`: so much later than `host_time` it may have been taken, at least 0. By how much the reference
-  /// clock has stepped forward, when that is now sure, ns.
-  std::optional<Nanoseconds> observe(Nanoseconds host_time, Nanoseconds reference_time, Nanoseconds doubt = 0);
+  struct Reading {
+    std::optional<Nanoseconds> step;  // by how much the reference clock has stepped forward, when that is now sure, ns
+    bool doubtful = false;            // it says nothing: perhaps the stamp alone is wrong
+  };
+  /// One reading; `doubt`: so much later than `host_time` it may have been taken, at least 0.
+  Reading observe(Nanoseconds host_time, Nanoseconds reference_time, Nanoseconds doubt = 0);
 
  private:
   static constexpr int kSure = 3;

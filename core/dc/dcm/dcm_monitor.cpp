@@ -33,7 +33,7 @@ void DcmMonitor::start(Nanoseconds time) {
   bus_cycle_.start();
   start_ = time;
   error_ = 0;
-  filtered_ = 0;
+  filtered_ = doubt_ = 0;
   running_away_ = drift_too_high_ = false;
   step_.reset();
   after_.reset();
@@ -46,7 +46,7 @@ bool DcmMonitor::observe(const DcmObservation& observation, Nanoseconds error) {
   bool new_drift = false;
   if (observation.reference_time) {
     read(observation, error);
-    new_drift = drift_.observe(observation.send_time, *observation.reference_time);
+    if (doubt_ == 0) new_drift = drift_.observe(observation.send_time, *observation.reference_time);
   } else {
     judge_.observe_silence(observation.send_time);
   }
@@ -57,13 +57,21 @@ bool DcmMonitor::observe(const DcmObservation& observation, Nanoseconds error) {
 
 void DcmMonitor::read(const DcmObservation& observation, Nanoseconds error) {
   error_ = error;
-  filtered_ += std::min(1.0, static_cast<double>(cycle_) / kShownFilterTime) * (static_cast<double>(error) - filtered_);
+  const auto reading = steps_.observe(observation.send_time, *observation.reference_time, observation.stamp_doubt);
+  doubt_ = reading.doubtful ? static_cast<double>(observation.stamp_doubt) : 0;
+  const double seen = without_doubt(filtered_, error);
+  filtered_ += std::min(1.0, static_cast<double>(cycle_) / kShownFilterTime) * (seen - filtered_);
   judge_.observe(observation.send_time, static_cast<Nanoseconds>(std::llround(filtered_)));
-  const auto step = steps_.observe(observation.send_time, *observation.reference_time, observation.stamp_doubt);
   // A clock that is still being led to its place changes its rate as it goes.
-  if (!step || !judge_.in_sync()) return;
-  step_ = step;
+  if (!reading.step || !judge_.in_sync()) return;
+  step_ = reading.step;
   judge_.lose();
+}
+
+double DcmMonitor::without_doubt(double expected, Nanoseconds error) const {
+  auto most = static_cast<double>(error);
+  if (doubt_ > 0 && most < expected) most += static_cast<double>(cycle_);  // in the grid it looks early
+  return std::clamp(expected, most - doubt_, most);
 }
 
 std::uint32_t DcmMonitor::error_code() {

@@ -31,6 +31,9 @@ class DcmMonitor {
   void lead_back();
   void report(DcmState& state) const;
 
+  /// Behind observe(), the error of that reading as it agrees best with what was `expected`, ns: a frame that was held
+  /// up on its way makes it look larger than it is, by no more than it came back later.
+  [[nodiscard]] double without_doubt(double expected, Nanoseconds error) const;
   /// Error without the noise of single stamps (20 ms), ns.
   [[nodiscard]] double filtered() const { return filtered_; }
   [[nodiscard]] bool in_sync() const { return judge_.in_sync() && error_code_ == 0; }
@@ -55,6 +58,7 @@ class DcmMonitor {
   BusCycleCheck bus_cycle_;
   Nanoseconds start_ = 0, error_ = 0;
   double filtered_ = 0;
+  double doubt_ = 0;  // ns, of the last reading, where that says nothing by itself
   bool running_away_ = false, drift_too_high_ = false;
   std::optional<Nanoseconds> step_, after_;
   std::uint32_t error_code_ = 0;

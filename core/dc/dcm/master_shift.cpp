@@ -49,7 +49,7 @@ DcmAction MasterShift::observe(const DcmObservation& observation) {
   follow(observation);
   if (monitor_.step()) tracker_.forget_phase();
   // Without a valid reading it coasts: the drift is known, and the phase as far as it was.
-  if (observation.reference_time) tracker_.update(static_cast<double>(error));
+  if (observation.reference_time) tracker_.update(monitor_.without_doubt(tracker_.phase(), error));
   const auto cycle = static_cast<double>(target_.cycle);
   const double wanted = -(tracker_.drift() + kPull * tracker_.phase());
   const double adjust = std::clamp(wanted, -kMaxStep * cycle, kMaxStep * cycle);

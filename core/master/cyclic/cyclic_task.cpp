@@ -209,7 +209,8 @@ Nanoseconds CyclicTaskRunner::deadline() {
 void CyclicTaskRunner::learn_travel(const PendingFrame& frame) {
   const auto travel = frame.arrival_time() - frame.send_time() - wire_time_ns(frame.size() + kFrameOverhead);
   stamp_doubt_ = travel_ == 0 ? 0 : std::max<Nanoseconds>(travel - travel_, 0);
-  travel_ = travel_ == 0 || travel < travel_ ? std::max<Nanoseconds>(travel, 0) : travel_ + (travel - travel_) / 64;
+  travel_ = travel_ == 0 || travel < travel_ ? std::max<Nanoseconds>(travel, 0)
+                                             : travel_ + std::min((travel - travel_) / 64, cycle_time_ / 50'000);
 }
 
 Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {

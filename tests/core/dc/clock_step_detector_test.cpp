@@ -22,7 +22,9 @@ class Readings {
     time_ += kMillisecond;
     const auto drift = static_cast<Nanoseconds>(std::llround(static_cast<double>(time_) * ppm_ * 1e-6));
     const auto wrong = static_cast<Nanoseconds>(std::llround(noise_ * std::abs(random_.normal())));
-    return detector_.observe(time_, time_ + drift + stepped_ + wrong + stamp_error, doubt);
+    const auto reading = detector_.observe(time_, time_ + drift + stepped_ + wrong + stamp_error, doubt);
+    doubtful += reading.doubtful ? 1 : 0;
+    return reading.step;
   }
   void run(int cycles) {
     for (int i = 0; i < cycles; ++i) {
@@ -31,6 +33,7 @@ class Readings {
   }
   void step(Nanoseconds by) { stepped_ += by; }
   std::vector<Nanoseconds> steps;
+  int doubtful = 0;
 
  private:
   ClockStepDetector detector_{kLimit};
@@ -73,7 +76,9 @@ TEST(ClockStepDetector, WrongStampsThatAgreeAreNoStepWhereTheirFramesCameBackLat
   Readings readings(30, 300);
   readings.run(500);
   for (const Nanoseconds late : {9'800, 7'900, 8'800, 9'100, 8'600, 9'000}) EXPECT_FALSE(readings.read(late, late));
+  EXPECT_EQ(readings.doubtful, 6);
   readings.run(2'000);
+  EXPECT_EQ(readings.doubtful, 6);
   EXPECT_TRUE(readings.steps.empty());
 }
 
