@@ -83,6 +83,7 @@ void HistoryRecorder::add(const CycleSample& sample) {
     history_.lost_frames.note(sample.send_time, std::max<std::uint16_t>(1, sample.frames_lost));
   }
   if ((sample.flags & CycleSample::kFrameLate) != 0) history_.late_frames.note(sample.send_time, 1, sample.late_by_ns);
+  held_frames_.note(sample.send_time, sample.stamp_doubt_ns);
   if (sample.skipped_cycles > 0) {
     const auto standstill = before ? sample.send_time - *before : 0;
     history_.stalls.note(sample.send_time, sample.skipped_cycles, standstill, before.value_or(sample.send_time));
@@ -128,7 +129,11 @@ void HistoryRecorder::add_arrival(const CycleSample& sample) {
 // ---- events and snapshots -----------------------------------------------------------------------
 
 void HistoryRecorder::add_loss(std::vector<RunHistory::SyncLoss>& losses, const RunHistory::SyncLoss& loss) const {
-  if (history_.operated && losses.size() < kMostLosses) losses.push_back(loss);
+  if (!history_.operated || losses.size() >= kMostLosses) return;
+  // The slaves are read in turn, and the controller has patience.
+  constexpr Nanoseconds kBefore = 400 * kMillisecond;
+  losses.push_back(loss);
+  losses.back().held = held_frames_.sum(loss.time - kBefore, loss.time);
 }
 
 RunHistory::Slave* HistoryRecorder::slave_at(int position) {

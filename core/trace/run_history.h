@@ -12,6 +12,7 @@
 #include "channels/values/sync_obstacle.h"
 #include "protocol/al_state.h"
 #include "support/types.h"
+#include "trace/held_frames.h"
 #include "trace/histogram.h"
 
 /// When what happened in a run: spells of disturbances, and what each slave went through. Host times.
@@ -50,6 +51,17 @@ class Spells {
   std::vector<Spell> spells_;
   std::uint64_t count_ = 0;
   std::int64_t largest_ = 0;
+};
+
+/// Somebody left a sync window and, perhaps, came back.
+struct SyncLoss {
+  Nanoseconds time = 0;
+  int slave = -1;
+  std::int64_t size = 0;
+  dc::SyncObstacle obstacle =
+      dc::SyncObstacle::kNone;  // of the master's losses; kClockStep of the slaves': all at once and to the same side
+  std::optional<Nanoseconds> back;
+  Nanoseconds held = 0;  // frames in the 0.4 s before were held up on their way by so much, all together
 };
 
 struct RunHistory {
@@ -95,15 +107,7 @@ struct RunHistory {
     std::int32_t first_off_ns = 0;  // the first of these, signed
     bool was_near = false;
   };
-  /// Somebody left a sync window and, perhaps, came back.
-  struct SyncLoss {
-    Nanoseconds time = 0;
-    int slave = -1;
-    std::int64_t size = 0;
-    dc::SyncObstacle obstacle =
-        dc::SyncObstacle::kNone;  // of the master's losses; kClockStep of the slaves': all at once and to the same side
-    std::optional<Nanoseconds> back;
-  };
+  using SyncLoss = syncline::SyncLoss;
 
   Nanoseconds begin = 0, end = 0;  // first event, newest sample or snapshot
   Spells link_outages;             // of the master's own adapter; count 1 each, size in ns; the last one may last
@@ -155,6 +159,7 @@ class HistoryRecorder {
   std::vector<std::uint32_t> missed_;                 // SM2 events, as told last
   std::optional<Nanoseconds> last_send_;
   std::uint64_t late_frames_ = 0;  // seen last
+  HeldFrames held_frames_;
 };
 
 }  // namespace syncline

@@ -122,6 +122,18 @@ std::vector<SoakFaultKind> host_kinds() {
        .shows = {Signal::kLeftOutCycles},
        .may_show =
            kWithoutOutputs + std::vector{Signal::kLateSends, Signal::kOutputsShiftTooShort, Signal::kOutputsExceeded}},
+      {.name = "held frames",
+       .victims = {},
+       .least = 15 * kMicrosecond,
+       .most = 900 * kMicrosecond,
+       .in_cycles = true,
+       .most_count = 60,
+       .harmless = true,
+       .held_up = true,
+       .also = {code::kMissedByHeldFrames, code::kMissedByLateFrames, code::kReferenceWrittenLate, code::kFramesLate,
+                code::kSlaveFellByMisses, code::kExceededByHost},
+       .may_show = kWithoutOutputs + kDeviations +
+                   std::vector{Signal::kLateFrames, Signal::kLateSends, Signal::kDcmErrorFiltered}},
       {.name = "clock slew",
        .kind = FaultKind::kClockSlew,
        .victims = {},

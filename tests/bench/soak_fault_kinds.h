@@ -15,7 +15,7 @@ namespace syncline::bench {
 /// A kind of fault, how it is thrown in, and by what it must be told.
 struct SoakFaultKind {
   const char* name;
-  FaultKind kind;
+  FaultKind kind{};
   std::vector<int> victims;               // of the line's six; empty: the line or the host, or
   bool of_reference = false;              // whoever leads,
   bool of_clock = false;                  // who follows it,
@@ -34,6 +34,7 @@ struct SoakFaultKind {
   bool while_down = false;                   // before the machine is brought up, until it is down again
   bool switched_on_anew = false;             // its victim, just before
   bool harmless = false;                     // nothing must be told
+  bool held_up = false;                      // no fault of the bus: `count` cycles' frames come `value` later
   std::vector<EventKind> events{};           // any of them tells it,
   std::vector<std::string_view> findings{};  // or any of these, of the victim where it names a slave
   std::vector<std::string_view> also{};      // what it brings with it, of anybody

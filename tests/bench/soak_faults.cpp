@@ -28,6 +28,7 @@
 #include "link/simulated_host.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/holding_link.h"
 
 namespace syncline::bench {
 namespace {
@@ -87,8 +88,9 @@ class Soak {
     for (int i = 0; i < faults; ++i) add_segment(way == Way::kPairs);
     const auto host = set_up_host(clock_, network_.sim);
     auto bus = sim::SimBus::create(network_.sim, begin_);
+    auto link = bus ? make_simulated_link("sim", std::move(*bus), clock_, host) : nullptr;
     service_ = std::make_unique<MasterService>(
-        bus ? make_simulated_link("sim", std::move(*bus), clock_, host) : nullptr, clock_);
+        std::make_unique<test::HoldingLink>(std::move(link), clock_, std::move(held_)), clock_);
   }
 
   int run(bool loud) {
@@ -156,7 +158,12 @@ class Soak {
                                      .at = fault.at - kSecond / 2,
                                      .until = fault.at + kSecond / 2});
     }
-    network_.sim.faults.push_back(fault);
+    if (kind.held_up) {
+      const auto lasts = fault.count * network_.project.master.cycle_time;
+      held_.push_back({fault.at, fault.at + lasts, fault.value_ns, random_.next() % 4 == 0});
+    } else {
+      network_.sim.faults.push_back(fault);
+    }
     auto& thrown = segments_.back().thrown;
     if (!thrown.empty()) thrown.back().next = fault.at;
     thrown.push_back({fault, &kind});
@@ -357,6 +364,7 @@ class Soak {
   std::vector<const SoakFaultKind*> kinds_;
   test::SimulatedNetwork& network_ = machine_.network;
   std::vector<Segment> segments_;
+  std::vector<test::HeldSpan> held_;  // frames; since the beginning
   Nanoseconds length_, begin_ = 0;
   std::unique_ptr<MasterService> service_;
   std::vector<CycleSample> samples_;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/small_machines.h"
@@ -48,7 +49,7 @@ TEST_P(HeldFrames, AreTheCauseOfWhatTheyDo) {
 /// What is late alike in many frames one behind the other is no clock that has stepped, and nobody runs after it.
 TEST_P(HeldFrames, ManyInARowAccuseNoClock) {
   for (const int frames : {2, 4, 8, 20, 50}) {
-    for (const int us : {100, 300, 600}) {
+    for (const int us : {30, 100, 300, 600}) {
       auto run = machine;
       run.held_up.push_back({5 * kSecond, 5 * kSecond + frames * kMillisecond, us * kMicrosecond});
       run.run(12 * kSecond);
@@ -102,6 +103,40 @@ TEST(HeldFramesUnmonitored, AccuseNoClock) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, HeldFrames, ::testing::Values(DcmMode::kBusShift, DcmMode::kMasterShift));
+
+/// In every cycle and in the modes that move the host, or the reference clock with or without its error in mind.
+class HeldSeries : public ::testing::TestWithParam<std::tuple<DcmMode, Nanoseconds>> {};
+
+TEST_P(HeldSeries, IsTheCauseOfWhatItDoesToTheClocks) {
+  const auto [mode, cycle] = GetParam();
+  for (const bool coming_back : {false, true}) {
+    for (const int frames : {1, 3, 10, 200}) {
+      for (const int us : {30, 200, 450}) {
+        // Of a cycle of 500 us all come too late, for a tenth of a second: then nobody knows where the clock is.
+        if (cycle == 500 * kMicrosecond && us == 450 && frames == 200) continue;
+        test::DiagnosedRun run;
+        test::add_two_axes(run.network);
+        auto& master = run.network.project.master;
+        master.cycle_time = cycle;
+        master.dc.dcm.mode = mode;
+        master.dc.sync_window.enabled = true;
+        run.held_up.push_back({5 * kSecond, 5 * kSecond + frames * cycle, us * kMicrosecond, coming_back});
+        run.run(12 * kSecond);
+        SCOPED_TRACE(std::to_string(frames) + " frames, " + std::to_string(us) + " us, " +
+                     (coming_back ? "coming back:\n" : "on their way out:\n") + run.said());
+        EXPECT_TRUE(run.report.dcm.state == SyncState::kInSync && run.report.dc.state == SyncState::kInSync);
+        for (const auto code : {code::kMasterLostLock, code::kWindowLeft, code::kMissedByMovedClock, code::kDcmError})
+          EXPECT_FALSE(run.found(code)) << code;
+        EXPECT_FALSE((coming_back || mode == DcmMode::kMasterShift) && run.found(code::kReferenceWrittenLate));
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, HeldSeries,
+                         ::testing::Combine(::testing::Values(DcmMode::kBusShift, DcmMode::kMasterShift,
+                                                              DcmMode::kMasterRefClock),
+                                            ::testing::Values(500 * kMicrosecond, kMillisecond, 4 * kMillisecond)));
 
 }  // namespace
 }  // namespace syncline

@@ -28,10 +28,22 @@ class HoldingLink final : public Link {
 
   Status send(std::span<const std::uint8_t> frame) override {
     if (auto passed_on = pass_on(); !passed_on) return passed_on;
-    const auto longer = held_now(false);
-    if (longer == 0 && held_.empty()) return inner_->send(frame);
-    hold(held_, clock_.now() + longer, frame);
+    holds_ = holds_next();
+    if (!holds_) return inner_->send(frame);
+    hold(held_, clock_.now() + held_now(false), frame);
     return {};
+  }
+
+  /// Whatever holds it up does so behind who puts the time into it.
+  Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override {
+    if (auto passed_on = pass_on(); !passed_on) return tl::unexpected(passed_on.error());
+    holds_ = holds_next();
+    if (!holds_) return inner_->send_corrected(frame, field);
+    hold(held_, clock_.now() + held_now(false), frame);
+    return clock_.now();
+  }
+  [[nodiscard]] std::optional<Nanoseconds> sent_at() const override {
+    return holds_ ? std::nullopt : inner_->sent_at();
   }
 
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
@@ -66,6 +78,7 @@ class HoldingLink final : public Link {
     Nanoseconds due = 0;
     std::vector<std::uint8_t> bytes;
   };
+  [[nodiscard]] bool holds_next() const { return held_now(false) > 0 || !held_.empty(); }
   [[nodiscard]] Nanoseconds held_now(bool coming_back) const {
     const auto now = clock_.now() - begin_;
     const auto span = std::ranges::find_if(
@@ -85,6 +98,7 @@ class HoldingLink final : public Link {
   Clock& clock_;
   std::vector<HeldSpan> spans_;
   Nanoseconds begin_;
+  bool holds_ = false;  // the frame that was sent last
   std::deque<Held> held_{}, returning_{};
 };
 

@@ -16,6 +16,7 @@ constexpr double kSharePerPpt = 0.1;
 constexpr double kFilterTime = 20e6;
 constexpr double kIntegralTime = 7.5e9;    // divided by the drift error gain
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
+constexpr Nanoseconds kStandstill = kSecond / 2;
 constexpr int kBlocksAway = 10;
 constexpr int kKnown = 100;  // readings before an outlier can be told
 constexpr double kAwayPpm = 3;
@@ -36,7 +37,7 @@ void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanosec
   state_ = {};
   filtered_ = integral_ = 0;
   blocks_away_ = 0;
-  working_off_ = false;
+  working_off_.reset();
   known_ = 0;
   lag_ = 0;
   forecast_.start();
@@ -78,7 +79,7 @@ OutlierGate::Verdict BusShift::take(const DcmObservation& observation, Nanosecon
   // While the clock is on its way to its place there is no telling an outlier.
   const bool settled = monitor_.in_sync() || (known_ >= kKnown && std::abs(filtered_) < static_cast<double>(limit_));
   const auto verdict = forecast_.take(observation, static_cast<double>(lag) - filtered_, settled);
-  lag_ = verdict == OutlierGate::Verdict::kOutlier ? filtered_ : static_cast<double>(lag);
+  lag_ = verdict == OutlierGate::Verdict::kOutlier ? filtered_ : monitor_.without_doubt(filtered_, lag);
   known_ = std::min(known_ + 1, kKnown);
   integrate(lag_);
   return verdict;
@@ -98,17 +99,30 @@ Nanoseconds BusShift::begin_anew(const DcmObservation& observation) {
   forecast_.forget();
   const auto lag = *observation.reference_time - wanted_at(observation.send_time);
   filtered_ = static_cast<double>(lag);
-  working_off_ = true;
+  working_off_ = WorkingOff{std::abs(filtered_), 0};
   return lag;
 }
 
 void BusShift::integrate(double lag) {
   const auto cycle = static_cast<double>(target_.cycle);
   filtered_ += std::min(1.0, cycle / kFilterTime) * (lag - filtered_);
-  // A step has taught nothing about the drift.
-  working_off_ = working_off_ && std::abs(filtered_) > static_cast<double>(limit_);
-  if (working_off_) return;
+  if (works_off_step()) return;
   integral_ = std::clamp(integral_ + cycle / integral_time_ * filtered_, -kMaxCorrection, kMaxCorrection);
+}
+
+/// A step has taught nothing about the drift. What no longer gets smaller is not the step: then it is the integral that
+/// holds the clock where it is, and must go on.
+bool BusShift::works_off_step() {
+  constexpr double kSmaller = 0.98;
+  const double left = std::abs(filtered_);
+  if (!working_off_ || left <= static_cast<double>(limit_)) {
+    working_off_.reset();
+    return false;
+  }
+  if (left <= kSmaller * working_off_->left) working_off_ = WorkingOff{left, 0};
+  working_off_->stands_for += target_.cycle;
+  if (working_off_->stands_for > kStandstill) working_off_.reset();
+  return working_off_.has_value();
 }
 
 /// An ESC at the end stop of its speed counter (763 ppm) falls behind for good, however slowly.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
@@ -31,10 +33,16 @@ class BusShift final : public DcmController {
   struct Reading {
     Nanoseconds host_time = 0, reference_time = 0;
   };
+  /// A step of the clock.
+  struct WorkingOff {
+    double left = 0;  // of the error, ns
+    Nanoseconds stands_for = 0;
+  };
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const;
   [[nodiscard]] Nanoseconds begin_anew(const DcmObservation& observation);
   OutlierGate::Verdict take(const DcmObservation& observation, Nanoseconds lag);
   void integrate(double lag);
+  [[nodiscard]] bool works_off_step();
   void watch_runaway();
 
   PhaseTarget target_;
@@ -48,7 +56,7 @@ class BusShift final : public DcmController {
   double integral_time_;  // ns
   double filtered_ = 0, integral_ = 0;
   int blocks_away_ = 0, known_ = 0;
-  bool working_off_ = false;  // a step of the clock
+  std::optional<WorkingOff> working_off_;
 };
 
 }  // namespace syncline::dc

@@ -33,7 +33,8 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
       static_cast<double>(reference_time - reference_ - passed) - rate_ * static_cast<double>(passed) - fraction_;
   const double gate = std::max(limit_, kStepScatters * scatter_);
   if (readings_ >= kLearning && std::abs(surprise) > gate) {
-    if (surprise > 0 && surprise - static_cast<double>(doubt) <= gate) return {{}, true};
+    if (is_held(surprise, static_cast<double>(doubt), gate))
+      return {{}, std::max(surprise, static_cast<double>(doubt))};
     const auto step = sure_step({host_time, surprise}, gate);
     if (!step && strange_ < kLost) return {};
     const auto size = step ? std::optional(static_cast<Nanoseconds>(std::llround(*step))) : std::nullopt;
@@ -47,9 +48,10 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
     rate_ = keep.rate_;
     scatter_ = keep.scatter_;
     readings_ = kLearning;
-    return {size, false};
+    return {size, 0};
   }
   strange_ = 0;
+  held_.reset();
   // Frames that wait for those of others on the wire, one after the other, do not take the line with them: it would be
   // found in the wrong place when they no longer do.
   const double unremarkable = gate / 4;
@@ -59,6 +61,19 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
   scatter_ += std::max(kStepMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
   follow(surprise, static_cast<double>(passed));
   return {};
+}
+
+/// Whoever measures how much later frames come back gets used to it in time; so what has begun as a held frame stays
+/// one while it is as late as before and still comes back later.
+bool ClockStepDetector::is_held(double surprise, double doubt, double gate) {
+  const bool explained = surprise > 0 && surprise - doubt <= gate;
+  const bool as_before = held_ && std::abs(surprise - *held_) <= gate / 2 && surprise <= 2 * doubt;
+  if (!explained && !as_before) {
+    held_.reset();
+    return false;
+  }
+  held_ = surprise;
+  return true;
 }
 
 /// Begins as a line through all readings.

@@ -21,7 +21,7 @@ class ClockStepDetector {
   void start() { *this = ClockStepDetector(static_cast<Nanoseconds>(limit_)); }
   struct Reading {
     std::optional<Nanoseconds> step;  // by how much the reference clock has stepped forward, when that is now sure, ns
-    bool doubtful = false;            // it says nothing: perhaps the stamp alone is wrong
+    double doubt = 0;                 // so much of it, ns, may be its stamp's alone, which then is all that is strange
   };
   /// One reading; `doubt`: so much later than `host_time` it may have been taken, at least 0.
   Reading observe(Nanoseconds host_time, Nanoseconds reference_time, Nanoseconds doubt = 0);
@@ -32,6 +32,7 @@ class ClockStepDetector {
     Nanoseconds host_time = 0;
     double surprise = 0;  // ns
   };
+  [[nodiscard]] bool is_held(double surprise, double doubt, double gate);
   void follow(double surprise, double passed);
   [[nodiscard]] std::optional<double> sure_step(const Strange& reading, double gate);
 
@@ -43,6 +44,7 @@ class ClockStepDetector {
   double scatter_ = 0;                    // mean of |surprise|, ns
   int readings_ = 0, strange_ = 0;
   std::array<Strange, kSure> last_strange_{};
+  std::optional<double> held_;  // surprise of the last reading, where its frame was held up
 };
 
 }  // namespace syncline::dc

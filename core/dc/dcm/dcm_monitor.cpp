@@ -58,7 +58,7 @@ bool DcmMonitor::observe(const DcmObservation& observation, Nanoseconds error) {
 void DcmMonitor::read(const DcmObservation& observation, Nanoseconds error) {
   error_ = error;
   const auto reading = steps_.observe(observation.send_time, *observation.reference_time, observation.stamp_doubt);
-  doubt_ = reading.doubtful ? static_cast<double>(observation.stamp_doubt) : 0;
+  doubt_ = reading.doubt;
   const double seen = without_doubt(filtered_, error);
   filtered_ += std::min(1.0, static_cast<double>(cycle_) / kShownFilterTime) * (seen - filtered_);
   judge_.observe(observation.send_time, static_cast<Nanoseconds>(std::llround(filtered_)));

@@ -199,7 +199,7 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
   std::ranges::copy_if(all, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
     const bool lasts = culprit && !loss.back && &loss == &all.back();
     const bool told =
-        lasts || (loss.slave >= 0 && loss.slave == culprit) || (loss.back && was_written_late(report, loss.time));
+        lasts || (loss.slave >= 0 && loss.slave == culprit) || was_written_late(report, loss, Left::kSlaves);
     return !told && !came_back(report, loss) && !without_adapter(report, loss) && !without_time(report, loss);
   });
   if (losses.empty()) return;
@@ -292,7 +292,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
   if (!report.dc.enabled || dcm.mode == DcmMode::kOff || has_other_master(report)) return;
   std::vector<RunHistory::SyncLoss> losses;
   std::ranges::copy_if(report.history.master_losses, std::back_inserter(losses), [&](const RunHistory::SyncLoss& loss) {
-    const bool told = loss.back && was_written_late(report, loss.time);
+    const bool told = was_written_late(report, loss, Left::kMaster);
     // Where nobody controls, the schedule leaves its place as a matter of course; what steps is told all the same.
     const bool wanders = !is_controlled(report) && (!loss.back || loss.obstacle == dc::SyncObstacle::kControlError);
     return !told && !wanders && !dc::is_of_external_clock(loss.obstacle) && !leader_was_away(report, loss) &&

@@ -11,8 +11,8 @@
 namespace syncline::diagnosis {
 namespace {
 
-/// Readings in turn, and the controller, show it so much later at most.
-constexpr Nanoseconds kShownAfter = 100 * kMillisecond;
+/// Readings in turn show it so much later at most, and a controller whose error must last.
+constexpr Nanoseconds kShownAfter = 100 * kMillisecond, kEndured = 400 * kMillisecond;
 
 struct Effect {
   std::optional<Nanoseconds> first;
@@ -25,19 +25,32 @@ struct Effect {
   }
 };
 
-}  // namespace
-
-bool was_written_late(const RunReport& report, Nanoseconds loss) {
-  const Spell before{loss - kShownAfter, loss, 0, 0};
+bool was_written_late(const RunReport& report, Nanoseconds loss, Nanoseconds shown_after) {
+  const Spell before{loss - shown_after, loss, 0, 0};
   // What was under way when the adapter went is late, too, and by that.
   return steers_reference_clock(report.dcm.mode) && report.history.late_frames.near(before, kTogether) &&
          !adapter_was_away(report, before);
 }
 
+}  // namespace
+
+bool was_written_late(const RunReport& report, Nanoseconds loss) { return was_written_late(report, loss, kShownAfter); }
+
+bool was_written_late(const RunReport& report, const SyncLoss& loss, Left who) {
+  // An ESC follows a single wrong time by a sixteenth and less, and slaves are a hundred and sixtieth behind it: so
+  // much is explained, and no more.
+  const std::int64_t share = who == Left::kMaster ? 12 : 100;
+  if (!loss.back || !steers_reference_clock(report.dcm.mode)) return false;
+  using enum dc::SyncObstacle;
+  const bool endured = loss.obstacle == kErrorCode || loss.obstacle == kControlError;
+  const bool explained = loss.held > 0 && loss.held >= share * std::abs(loss.size);
+  return explained || was_written_late(report, loss.time, endured ? kEndured : kShownAfter);
+}
+
 void find_late_writes(const RunReport& report, Findings& findings) {
   Effect effect;
   for (const auto& loss : report.history.slave_losses) {
-    if (loss.back && was_written_late(report, loss.time)) effect.add(loss.time, *loss.back, loss.size);
+    if (was_written_late(report, loss, Left::kSlaves)) effect.add(loss.time, *loss.back, loss.size);
   }
   for (const auto& slave : report.slaves) {
     if (report.dc.monitored || slave.position == report.dc.reference_clock) continue;
@@ -46,7 +59,7 @@ void find_late_writes(const RunReport& report, Findings& findings) {
     }
   }
   for (const auto& loss : report.history.master_losses) {
-    if (loss.back && was_written_late(report, loss.time)) effect.add(loss.time, *loss.back, 0);
+    if (was_written_late(report, loss, Left::kMaster)) effect.add(loss.time, *loss.back, 0);
   }
   if (!effect.first) return;
   Finding finding{code::kReferenceWrittenLate, Severity::kWarning, report.dc.reference_clock, *effect.first,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "findings/finding.h"
@@ -9,6 +10,7 @@ namespace syncline {
 struct DamagedPort;
 struct RunReport;
 struct Spell;
+struct SyncLoss;
 }  // namespace syncline
 
 /// The rules of the diagnosis, a family of causes a file. Each looks at the report alone and adds what it finds; what
@@ -69,6 +71,9 @@ void find_short_cycle(const RunReport& report, Findings& findings);
 /// Who left a sync window at `loss` did so behind a reference clock that a frame which had been held up on its way had
 /// brought an old time.
 [[nodiscard]] bool was_written_late(const RunReport& report, Nanoseconds loss);
+/// The same of a loss that has ended, also where the frame came back within its cycle. `who`: whose it is.
+enum class Left : std::uint8_t { kSlaves, kMaster };
+[[nodiscard]] bool was_written_late(const RunReport& report, const SyncLoss& loss, Left who);
 /// Where frames were damaged first in the spell, as far as the readings of the ports tell; nobody: slave -1.
 [[nodiscard]] DamagedPort noisy_port(const RunReport& report, const Spell& spell);
 /// All slaves were silent at once in the spell, and the first one did not lose its link.

@@ -205,12 +205,15 @@ Nanoseconds CyclicTaskRunner::deadline() {
   return scheduled_ + std::clamp(needed, cycle_time_ * 8 / 10, latest_return(cycle_time_));
 }
 
-/// The shortest counts, and is forgotten slowly: what else a frame waits for is the host's.
+/// The shortest counts, and is forgotten slowly, however much longer the others are: what else a frame waits for is the
+/// host's, and may last for many cycles.
 void CyclicTaskRunner::learn_travel(const PendingFrame& frame) {
+  constexpr Nanoseconds kMost = 40;  // a cycle
   const auto travel = frame.arrival_time() - frame.send_time() - wire_time_ns(frame.size() + kFrameOverhead);
   stamp_doubt_ = travel_ == 0 ? 0 : std::max<Nanoseconds>(travel - travel_, 0);
-  travel_ = travel_ == 0 || travel < travel_ ? std::max<Nanoseconds>(travel, 0)
-                                             : travel_ + std::min((travel - travel_) / 64, cycle_time_ / 50'000);
+  travel_ = travel_ == 0 || travel < travel_
+                ? std::max<Nanoseconds>(travel, 0)
+                : travel_ + std::min({(travel - travel_) / 64, cycle_time_ / 50'000, kMost});
 }
 
 Status CyclicTaskRunner::exchange_frames(Nanoseconds deadline) {

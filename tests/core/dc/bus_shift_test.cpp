@@ -252,6 +252,23 @@ TEST(BusShift, SecondWritesThatAreAlwaysQuickerThanTheFirstAreGivenUp) {
   EXPECT_LT(wanted, 100);
 }
 
+/// Behind a step nothing is learned of the drift while the clock comes back to its place; one that stays beyond the
+/// limit is held there by what was learned before.
+TEST(BusShift, AnErrorThatNoLongerGetsSmallerIsNotThatOfTheStep) {
+  Settled bus;
+  bus.shown += 30'000;
+  for (int i = 0; i < 10; ++i) bus.cycle(0);
+  ASSERT_FALSE(bus.controller.state().in_sync);
+  const auto learned = bus.controller.state().output_sum;
+  for (int i = 0; i < 1'000; ++i) {
+    bus.shown -= 25;
+    bus.cycle(0);
+  }
+  EXPECT_EQ(bus.controller.state().output_sum, learned) << "it comes back";
+  for (int i = 0; i < 2'000; ++i) bus.cycle(0);
+  EXPECT_LT(bus.controller.state().output_sum, learned - 100) << "it stays at 5 us";
+}
+
 TEST(BusShift, WritesTheTimeOfTheGridAtTheRealSendTime) {
   BusShift controller(settings_for(DcmMode::kBusShift), kMillisecond, 600'000);
   // SYNC0 at n ms, frames pass 600 us before: the nearest place of a clock that shows 5.450 ms is 5.400 ms.

@@ -23,7 +23,7 @@ class Readings {
     const auto drift = static_cast<Nanoseconds>(std::llround(static_cast<double>(time_) * ppm_ * 1e-6));
     const auto wrong = static_cast<Nanoseconds>(std::llround(noise_ * std::abs(random_.normal())));
     const auto reading = detector_.observe(time_, time_ + drift + stepped_ + wrong + stamp_error, doubt);
-    doubtful += reading.doubtful ? 1 : 0;
+    doubtful += reading.doubt > 0 ? 1 : 0;
     return reading.step;
   }
   void run(int cycles) {
