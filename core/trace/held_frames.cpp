@@ -4,7 +4,18 @@
 namespace syncline {
 
 void HeldFrames::note(Nanoseconds time, Nanoseconds by) {
-  if (by < kRemarkable) return;
+  if (by < kRemarkable) {
+    in_a_row_ = 0;
+    not_sure_ = 0;
+    return;
+  }
+  not_sure_ += by;
+  if (++in_a_row_ < kInARow && by < kBeyondStamps) return;
+  add(time, not_sure_);
+  not_sure_ = 0;
+}
+
+void HeldFrames::add(Nanoseconds time, Nanoseconds by) {
   if (spans_[latest_].sum == 0 || time - spans_[latest_].begin >= kSpan) {
     latest_ = (latest_ + 1) % spans_.size();
     spans_[latest_] = {time, 0};

@@ -12,12 +12,14 @@ namespace syncline {
 /// for whoever asks what that has done. Values only, one thread.
 class HeldFrames {
  public:
-  /// Send stamps are wrong by so much on hosts that hold no frames up.
-  static constexpr Nanoseconds kRemarkable = 10 * kMicrosecond;
+  /// Send stamps are wrong by so much now and then on hosts that hold no frames up, and by no more than the second;
+  /// but not of kInARow frames one behind the other.
+  static constexpr Nanoseconds kRemarkable = 10 * kMicrosecond, kBeyondStamps = 75 * kMicrosecond;
+  static constexpr int kInARow = 3;
   /// What was sent within it is one sum.
   static constexpr Nanoseconds kSpan = 5 * kMillisecond;
 
-  /// Sent at `time` and `by` later than usual, ns; nothing below kRemarkable. Times ascend.
+  /// Of each frame: sent at `time`, and came back `by` later than usual, ns. Times ascend.
   void note(Nanoseconds time, Nanoseconds by);
   /// By how much those sent from `from` to `to` were late, all together, ns; of the spans that begin then.
   [[nodiscard]] Nanoseconds sum(Nanoseconds from, Nanoseconds to) const;
@@ -26,7 +28,11 @@ class HeldFrames {
   struct Span {
     Nanoseconds begin = 0, sum = 0;
   };
+  void add(Nanoseconds time, Nanoseconds by);
+
   std::array<Span, 128> spans_{};
+  int in_a_row_ = 0;
+  Nanoseconds not_sure_ = 0;  // of the row at hand
   std::size_t latest_ = 0;
 };
 

@@ -130,6 +130,8 @@ void HistoryRecorder::add_arrival(const CycleSample& sample) {
 
 void HistoryRecorder::add_loss(std::vector<RunHistory::SyncLoss>& losses, const RunHistory::SyncLoss& loss) const {
   if (!history_.operated || losses.size() >= kMostLosses) return;
+  // It is out of sync for another reason now.
+  if (!losses.empty() && !losses.back().back) losses.back().back = loss.time;
   // The slaves are read in turn, and the controller has patience.
   constexpr Nanoseconds kBefore = 400 * kMillisecond;
   losses.push_back(loss);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <tuple>
 
 #include "tests/support/diagnosed_run.h"
+#include "tests/support/machine_devices.h"
 #include "tests/support/small_machines.h"
 
 namespace syncline {
@@ -130,6 +132,26 @@ TEST_P(HeldSeries, IsTheCauseOfWhatItDoesToTheClocks) {
         EXPECT_FALSE((coming_back || mode == DcmMode::kMasterShift) && run.found(code::kReferenceWrittenLate));
       }
     }
+  }
+}
+
+/// Nor has the external clock gone anywhere.
+TEST(HeldFramesInDcx, AreWhatTookTheReferenceClockAway) {
+  for (const int frames : {1, 3, 31}) {
+    test::DiagnosedRun run;
+    test::add_two_axes(run.network);
+    run.network.add(test::bridge(), "sync-bridge");
+    run.network.sim.slaves.back().external_time = [](Nanoseconds time) { return std::optional(time); };
+    auto& master = run.network.project.master;
+    master.cycle_time = 2 * kMillisecond;
+    master.dc.dcm.mode = DcmMode::kDcx;
+    master.dc.sync_window.enabled = true;
+    run.held_up.push_back({60 * kSecond, 60 * kSecond + frames * master.cycle_time, 480 * kMicrosecond});
+    run.run(80 * kSecond);
+    SCOPED_TRACE(run.said());
+    EXPECT_TRUE(run.found(code::kReferenceWrittenLate));
+    for (const auto code : {code::kExternalClockLeft, code::kMasterLostLock, code::kWindowLeft})
+      EXPECT_FALSE(run.found(code)) << code;
   }
 }
 

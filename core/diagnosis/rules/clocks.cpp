@@ -260,7 +260,7 @@ void find_external_left(const RunReport& report, Findings& findings) {
   std::size_t count = 0;
   Nanoseconds since = 0, back = 0, largest = 0;
   for (const auto& loss : report.history.master_losses) {
-    if (loss.obstacle != dc::SyncObstacle::kExternalClock) continue;
+    if (loss.obstacle != dc::SyncObstacle::kExternalClock || was_written_late(report, loss, Left::kMaster)) continue;
     if (count++ == 0) since = loss.time;
     back = loss.back.value_or(report.history.end);
     largest = std::max(largest, std::abs(Nanoseconds{loss.size}));

@@ -43,7 +43,10 @@ bool was_written_late(const RunReport& report, const SyncLoss& loss, Left who) {
   if (!loss.back || !steers_reference_clock(report.dcm.mode)) return false;
   using enum dc::SyncObstacle;
   const bool endured = loss.obstacle == kErrorCode || loss.obstacle == kControlError;
-  const bool explained = loss.held > 0 && loss.held >= share * std::abs(loss.size);
+  // All slaves at once, or the schedule's error; what else keeps somebody out of sync has its own reason.
+  const bool moved =
+      loss.obstacle == kClockStep || loss.obstacle == kExternalClock || (who == Left::kMaster && endured);
+  const bool explained = moved && loss.held > 0 && loss.held >= share * std::abs(loss.size);
   return explained || was_written_late(report, loss.time, endured ? kEndured : kShownAfter);
 }
 

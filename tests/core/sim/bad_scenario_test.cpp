@@ -120,6 +120,8 @@ TEST(BadScenario, FaultsThatTheMachineCannotHave) {
         fault("kind = \"mailbox-silence\"\nslave = 1\n", "kind", 6, "no mailbox"),
         fault("kind = \"slow-application\"\nslave = 1\nvalue_ns = 1\n", "kind", 6, "no firmware"),
         fault("kind = \"bit-errors\"\nslave = 1\nport = \"C\"\n", "port", 8, "no cable"),
+        // Port B has a cable at slave 0, and at nobody else.
+        fault("kind = \"bit-errors\"\nslave = 1\nport = \"B\"\n", "port", 8, "no cable"),
         fault("kind = \"closed-ring\"\nslave = 0\nport = \"B\"\nvalue_ns = 9\n", "port", 8, "not free"),
         fault("kind = \"reversed-cable\"\nslave = 0\nport = \"A\"\n", "port", 8, "anyway"),
         fault("kind = \"foreign-frames\"\nslave = 0\n", "slave", 7, "no slave's"),

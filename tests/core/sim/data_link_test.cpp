@@ -231,6 +231,29 @@ TEST(SimLineFaults, AFrameLostAtASlaveHasReachedThoseBefore) {
   EXPECT_EQ(slaves_on(probe), 3);
 }
 
+/// Whatever is written (ESC data sheet II, 0x0300 to 0x0313).
+TEST(SimLineFaults, AWriteClearsTheCountersOfItsGroup) {
+  constexpr std::uint16_t kGroups[] = {reg::kRxErrorCounter, reg::kProcessingUnitErrorCounter, reg::kPdiErrorCounter,
+                                       reg::kLostLinkCounter, reg::kWatchdogCounterProcessData};
+  SimSlaveConfig config;
+  sim::Esc esc(config, {}, {}, 0, 1);
+  for (const auto counter : kGroups) esc.memory().set<std::uint8_t>(counter, 7);
+  for (const auto counter : kGroups) {
+    EXPECT_EQ(esc.memory().u8(counter), 7) << counter;
+    FrameBuilder builder;
+    std::vector<std::uint8_t> data{0x55};
+    builder.add(Command::kBwr, 1, device_address(0, counter), data);
+    const auto sent = builder.finish();
+    std::vector<std::uint8_t> frame(sent.begin(), sent.end());
+    sim::PassingFrame passing;
+    ASSERT_EQ(passing.arrive(frame), sim::PassingFrame::Kind::kEtherCat);
+    EXPECT_TRUE(esc.process(passing, 1000));
+    passing.leave();
+    esc.frame_end(2000);
+    EXPECT_EQ(esc.memory().u8(counter), 0) << counter;
+  }
+}
+
 TEST(SimLineFaults, CountersStopAtTheirEnd) {
   auto config = three();
   config.faults.push_back({FaultKind::kBitErrors, 2, 0, 0, 300});

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "findings/error_text.h"
 #include "tests/core/sim/sim_probe.h"
@@ -45,6 +47,23 @@ Result<SimConfig> load_beside(const std::string& text) {
 Result<SimConfig> load_slave(const std::string& device, const std::string& keys) {
   return sim::parse_scenario("[[slave]]\nesi = \"../esi/" + device + ".xml\"\n" + keys, resource("demo/slave.toml"),
                              scenario_device);
+}
+
+TEST(ScenarioRules, SlavesOfACountAreNumberedFromOneAndDiffer) {
+  const auto config = load_slave("SL-1002", "name = \"Input\"\nppm = 10\ncount = 50\nspread_ppm = 20\n");
+  ASSERT_TRUE(config);
+  ASSERT_EQ(config->slaves.size(), 50U);
+  double least = 1e9, most = -1e9;
+  for (std::size_t i = 0; i < config->slaves.size(); ++i) {
+    const auto& slave = config->slaves[i];
+    EXPECT_EQ(slave.name, "Input " + std::to_string(i + 1));
+    least = std::min(least, slave.oscillator.ppm);
+    most = std::max(most, slave.oscillator.ppm);
+  }
+  EXPECT_GE(least, -10);
+  EXPECT_LT(least, -5);
+  EXPECT_LE(most, 30);
+  EXPECT_GT(most, 25);
 }
 
 TEST(ScenarioRules, WhatIsNotSaidOfAnEscsDelaysIsThatOfItsPort) {
@@ -108,9 +127,10 @@ TEST(ScenarioRules, LatchPulsesHaveAPlaceAndAShape) {
   EXPECT_EQ(pulses.width, 250 * kMicrosecond);
   EXPECT_EQ(pulses.period, 3 * kMillisecond);
   EXPECT_EQ(pulses.count, 4U);
-  for (const auto* wrong : {"slave = 1\n", "slave = -1\n", "slave = 0\ninput = 2\n", "slave = 0\nwidth_ms = 1\n",
-                            "slave = 0\nwidth_ms = -0.1\n", "slave = 0\ncount = 0\n", "slave = 0\nat_ms = nan\n",
-                            "slave = 0\nperiod_ms = 86400000\ncount = 2\n", "slave = 0\nlevel = 1\n"}) {
+  for (const auto* wrong :
+       {"slave = 1\n", "slave = -1\n", "slave = 0\ninput = 2\n", "slave = 0\nwidth_ms = 1\n",
+        "slave = 0\nwidth_ms = -0.1\n", "slave = 0\nwidth_ms = 0\n", "slave = 0\ncount = 0\n",
+        "slave = 0\nat_ms = nan\n", "slave = 0\nperiod_ms = 86400000\ncount = 2\n", "slave = 0\nlevel = 1\n"}) {
     EXPECT_FALSE(load_latch(wrong)) << wrong;
   }
 }
