@@ -89,8 +89,9 @@ class Soak {
     const auto host = set_up_host(clock_, network_.sim);
     auto bus = sim::SimBus::create(network_.sim, begin_);
     auto link = bus ? make_simulated_link("sim", std::move(*bus), clock_, host) : nullptr;
+    auto holding = std::make_unique<test::HoldingLink>(std::move(link), clock_, std::move(held_));
     service_ = std::make_unique<MasterService>(
-        std::make_unique<test::HoldingLink>(std::move(link), clock_, std::move(held_)), clock_);
+        std::make_unique<test::AwayLink>(std::move(holding), clock_, std::move(away_)), clock_);
   }
 
   int run(bool loud) {
@@ -161,6 +162,8 @@ class Soak {
     if (kind.held_up) {
       const auto lasts = fault.count * network_.project.master.cycle_time;
       held_.push_back({fault.at, fault.at + lasts, fault.value_ns, random_.next() % 4 == 0});
+    } else if (kind.adapter) {
+      away_.push_back({fault.at, fault.until});
     } else {
       network_.sim.faults.push_back(fault);
     }
@@ -364,7 +367,8 @@ class Soak {
   std::vector<const SoakFaultKind*> kinds_;
   test::SimulatedNetwork& network_ = machine_.network;
   std::vector<Segment> segments_;
-  std::vector<test::HeldSpan> held_;  // frames; since the beginning
+  std::vector<test::HeldSpan> held_;  // frames; since the beginning,
+  std::vector<test::AwaySpan> away_;  // and the adapter
   Nanoseconds length_, begin_ = 0;
   std::unique_ptr<MasterService> service_;
   std::vector<CycleSample> samples_;

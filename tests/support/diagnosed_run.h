@@ -37,6 +37,11 @@ class AwayLink final : public Link {
     if (away()) return fail(ErrorCode::kLinkDown, "test");
     return inner_->send(frame);
   }
+  Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override {
+    if (away()) return fail(ErrorCode::kLinkDown, "test");
+    return inner_->send_corrected(frame, field);
+  }
+  [[nodiscard]] std::optional<Nanoseconds> sent_at() const override { return inner_->sent_at(); }
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
     if (away()) return fail(ErrorCode::kLinkDown, "test");
     if (in_card_) {

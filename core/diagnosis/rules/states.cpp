@@ -80,6 +80,16 @@ std::uint64_t count_near(const Spells& spells, Nanoseconds from, Nanoseconds to)
   return count;
 }
 
+/// Its error counter forgets a missed event within some cycles: what it missed long before, and got over or was led up
+/// from again, is not why it fell. Of some events only its own counter knows, which is read in turn.
+bool missed_then(const RunReport& report, const RunReport::Slave& slave) {
+  constexpr Nanoseconds kInTurn = 10 * kSecond;
+  if (!slave.sm2_missed || !slave.sm2_missed->known || slave.sm2_missed->missed == 0) return false;
+  const auto& history = report.history.slaves[slave.position];
+  if (!history.fall || history.missed.empty()) return true;
+  return count_near(history.missed, history.fall->time - kInTurn, history.fall->time + kInTurn) > 0;
+}
+
 /// Hours of single events that it got over are not why it fell: where the host stood still or frames were lost just
 /// before, and that is about what it missed then, that is; otherwise what most of them have.
 dc::MissCause cause_of_fall(const RunReport& report, const RunReport::Slave& slave) {
@@ -112,8 +122,8 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
                      phrase_figure("check", text.check)};
   if (!is_about_outputs(slave.al_status_code)) return finding;
   const bool counted = slave.sm2_missed && slave.sm2_missed->known;
-  const bool unseen =
-      !counted || slave.sm2_missed->missed == 0 || main_cause(*slave.sm2_missed) == dc::MissCause::kUnknown;
+  const bool missed = missed_then(report, slave);
+  const bool unseen = !missed || main_cause(*slave.sm2_missed) == dc::MissCause::kUnknown;
   if (const auto stopped = unseen && fall ? had_stopped(report, slave, *fall) : std::nullopt) {
     finding.code = code::kSlaveFellByHang;
     finding.figures.push_back(moment_figure(report, "stopped", *stopped));
@@ -124,7 +134,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "cut");
     return finding;
   }
-  if (slave.sm2_missed->missed == 0) {
+  if (!missed) {
     const bool misplaced = slave.evidence.sync0.misplaced();  // told as that
     if (const auto moved = fall && !misplaced ? sync0_had_moved_at(report, slave, fall->time) : std::nullopt) {
       finding.code = code::kSlaveFellByMovedClock;

@@ -97,6 +97,19 @@ TEST(DriveFalls, AnEarlierFallSaysWhatWasWrongJustBefore) {
   EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("led up again. Check")) << "no error of its synchronisation";
 }
 
+/// It fell by them once, and was led up again.
+TEST(DriveFalls, WhatADriveMissedLongBeforeIsNotWhyItFell) {
+  auto report = healthy();
+  fall(report, 1, 200 * kSecond, 0x2C);
+  miss(report, 1, dc::MissCause::kFrameLost, 3);
+  report.history.lost_frames.note(kStart + 90 * kSecond, 3);
+  report.history.slaves[1].missed.note(kStart + 90 * kSecond, 3);
+  EXPECT_THAT(codes(report), Contains(code::kSlaveFellByItself));
+  EXPECT_THAT(codes(report), Not(Contains(code::kSlaveFellByMisses)));
+  report.history.slaves[1].missed.note(kStart + 201 * kSecond, 3);
+  EXPECT_THAT(codes(report), Contains(code::kSlaveFellByMisses)) << "its counter tells a little later";
+}
+
 TEST(DriveFalls, ADriveFallsByWhatWasJustBeforeAndNotByWhatItGotOver) {
   auto report = healthy();
   fall(report, 1, 9 * kSecond);
