@@ -330,7 +330,10 @@ inline constexpr FindingWords kRunSlaves[] = {
      "",
      {{"",
        "{slave} missed {missed:# SM2 event|# SM2 events}, {part} of them because frames were held up on their way; its "
-       "error counter reached {integrator} of {limit}."}}},
+       "error counter reached {integrator} of {limit}."},
+      {"late",
+       "{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), because frames were held up on "
+       "their way, by up to {largest}."}}},
     {"missed-by-late-frames",
      Severity::kWarning,
      "SM2 events were missed because frames came too late",

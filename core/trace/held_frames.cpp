@@ -3,16 +3,17 @@
 
 namespace syncline {
 
-void HeldFrames::note(Nanoseconds time, Nanoseconds by) {
+bool HeldFrames::note(Nanoseconds time, Nanoseconds by) {
   if (by < kRemarkable) {
     in_a_row_ = 0;
     not_sure_ = 0;
-    return;
+    return false;
   }
   not_sure_ += by;
-  if (++in_a_row_ < kInARow && by < kBeyondStamps) return;
+  if (++in_a_row_ < kInARow && by < kBeyondStamps) return false;
   add(time, not_sure_);
   not_sure_ = 0;
+  return true;
 }
 
 void HeldFrames::add(Nanoseconds time, Nanoseconds by) {

@@ -19,8 +19,8 @@ class HeldFrames {
   /// What was sent within it is one sum.
   static constexpr Nanoseconds kSpan = 5 * kMillisecond;
 
-  /// Of each frame: sent at `time`, and came back `by` later than usual, ns. Times ascend.
-  void note(Nanoseconds time, Nanoseconds by);
+  /// Of each frame: sent at `time`, and came back `by` later than usual, ns. Times ascend. True: it was held up.
+  bool note(Nanoseconds time, Nanoseconds by);
   /// By how much those sent from `from` to `to` were late, all together, ns; of the spans that begin then.
   [[nodiscard]] Nanoseconds sum(Nanoseconds from, Nanoseconds to) const;
 

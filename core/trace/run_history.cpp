@@ -83,7 +83,8 @@ void HistoryRecorder::add(const CycleSample& sample) {
     history_.lost_frames.note(sample.send_time, std::max<std::uint16_t>(1, sample.frames_lost));
   }
   if ((sample.flags & CycleSample::kFrameLate) != 0) history_.late_frames.note(sample.send_time, 1, sample.late_by_ns);
-  held_frames_.note(sample.send_time, sample.stamp_doubt_ns);
+  if (held_frames_.note(sample.send_time, sample.stamp_doubt_ns))
+    history_.held_frames.note(sample.send_time, 1, sample.stamp_doubt_ns);
   if (sample.skipped_cycles > 0) {
     const auto standstill = before ? sample.send_time - *before : 0;
     history_.stalls.note(sample.send_time, sample.skipped_cycles, standstill, before.value_or(sample.send_time));

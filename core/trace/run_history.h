@@ -117,6 +117,7 @@ struct RunHistory {
   Nanoseconds op_reached = 0;  // the first time
   bool operated = false;       // the way there is over: in OP, or as far as the slaves came
   Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
+  Spells held_frames;                                        // came back so much later than usual, size in ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
   struct WayChange {
     Nanoseconds time = 0;

@@ -68,6 +68,24 @@ TEST_P(HeldFrames, ManyInARowAccuseNoClock) {
   }
 }
 
+/// So much before SYNC0 that a drive may or may not get them in time.
+TEST_P(HeldFrames, ThatLeaveHardlyAnyTimeAskForNoOtherShift) {
+  for (const int us : {560, 580, 600, 620, 640}) {
+    for (const int frames : {1, 12}) {
+      auto run = machine;
+      run.held_up.push_back({5 * kSecond, 5 * kSecond + frames * kMillisecond, us * kMicrosecond});
+      run.run(12 * kSecond);
+      SCOPED_TRACE(std::to_string(frames) + " frames, " + std::to_string(us) + " us:\n" + run.said());
+      for (const int axis : {1, 2}) {
+        const auto& slave = run.report.slaves.at(static_cast<std::size_t>(axis));
+        EXPECT_FALSE(run.found(code::kShiftTooShort, axis));
+        EXPECT_EQ(run.found(code::kMissedByHeldFrames, axis),
+                  slave.sm2_missed->missed > 0 || slave.evidence.outputs.shift_too_short.total > 0);
+      }
+    }
+  }
+}
+
 /// Nothing came back for longer than slaves may be silent, and then all of it: nobody was away, no plug is loose.
 TEST_P(HeldFrames, OfAllSlavesAreNoAbsence) {
   for (const bool coming_back : {false, true}) {

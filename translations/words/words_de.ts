@@ -7017,6 +7017,10 @@
         <translation>{slave} fiel bei {since} nach {state} mit AL-Statuscode {alcode}{alarm}: {missed:# SM2-Ereignis fehlte|# SM2-Ereignisse fehlten}, davon {part}, weil Frames nach dem SYNC0 kamen, für das sie gedacht waren. Nominell sind sie {margin} davor da, doch einer von tausend kommt {lateness} zu spät.</translation>
     </message>
     <message>
+        <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), because frames were held up on their way, by up to {largest}.</source>
+        <translation>{slave} bekam seine Ausgänge {count} zu spät für SYNC0 (0x1C32:0D Shift too short), weil Frames unterwegs aufgehalten wurden, um bis zu {largest}.</translation>
+    </message>
+    <message>
         <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
         <translation>{slave} bekam seine Ausgänge {count} zu spät für SYNC0 (0x1C32:0D Shift too short) und nahm die des Zyklus davor: sie kommen {margin} vor SYNC0, und er braucht {need}.</translation>
     </message>

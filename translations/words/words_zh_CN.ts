@@ -7017,6 +7017,10 @@
         <translation>{slave} 在 {since} 以 AL 状态码 {alcode}{alarm} 掉到 {state}：它错过了 {missed} 个 SM2 事件，其中 {part} 个是因为帧晚于其所对应的 SYNC0 到达。帧标称在 SYNC0 之前 {margin} 到达，但每一千帧中有一帧晚 {lateness}。</translation>
     </message>
     <message>
+        <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), because frames were held up on their way, by up to {largest}.</source>
+        <translation>{slave} 的输出对 SYNC0 而言到达过晚（{count}，0x1C32:0D 偏移过短），因为帧在途中被延误，最多 {largest}。</translation>
+    </message>
+    <message>
         <source>{slave} got its outputs too late for SYNC0 {count} (0x1C32:0D shift too short), and used those of the cycle before: they come {margin} before SYNC0, and it needs {need}.</source>
         <translation>{slave} 的输出对 SYNC0 而言到达过晚（{count}，0x1C32:0D 偏移过短），因而使用了前一周期的输出：输出在 SYNC0 之前 {margin} 到达，而它需要 {need}。</translation>
     </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/moved_clocks.h"
@@ -63,6 +64,35 @@ Finding slid(const RunReport& report, const RunReport::Slave& slave) {
   return finding;
 }
 
+/// By how much frames were held up when it got its outputs too late, each time, where they would have left it enough
+/// otherwise. Its counter is read in turn.
+std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& held = report.history.held_frames.list();
+  const auto& times = report.history.slaves[slave.position].shift_too_short.list();
+  const auto margin = slave.sync0_margin.value_or(0);
+  if (times.empty() || margin <= slave.evidence.calc_and_copy_ns) return std::nullopt;
+  std::int64_t largest = 0;
+  const bool each = std::ranges::all_of(times, [&](const Spell& spell) {
+    return std::ranges::any_of(held, [&](const Spell& hold) {
+      const bool then = hold.from <= spell.to && spell.from <= hold.to + kReadLater;
+      if (!then || margin - hold.largest >= slave.evidence.calc_and_copy_ns) return false;
+      largest = std::max(largest, hold.largest);
+      return true;
+    });
+  });
+  return each ? std::optional<Nanoseconds>(largest) : std::nullopt;
+}
+
+Finding came_held(const RunReport& report, const RunReport::Slave& slave, Nanoseconds largest) {
+  const auto& outputs = slave.evidence.outputs.shift_too_short;
+  Finding finding{code::kMissedByHeldFrames, Severity::kWarning, slave.position,
+                  report.history.slaves[slave.position].shift_too_short.first(), outputs.time};
+  finding.figures = {slave_figure(report, slave.position), times_figure("count", outputs.total, outputs.at_least),
+                     time_figure("largest", largest)};
+  finding.facts = sentence_of(*find_finding_words(code::kMissedByHeldFrames), "late");
+  return finding;
+}
+
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
@@ -71,6 +101,8 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
                     sync0_had_moved(report, slave, spells);
   if (outputs.total > 0 && !told && !was_locked(report, spells)) {
     findings.push_back(slid(report, slave));
+  } else if (const auto held = outputs.total > 0 && !told ? held_up(report, slave) : std::nullopt) {
+    findings.push_back(came_held(report, slave, *held));
   } else if (outputs.total > 0 && !told) {
     const auto margin = slave.sync0_margin.value_or(0);
     const Nanoseconds need = slave.evidence.calc_and_copy_ns;

@@ -493,5 +493,23 @@ TEST(RunDiagnosis, ACycleInWhichNoFrameComesBackIsTooShort) {
   EXPECT_THAT(codes(report), Not(testing::Contains(code::kSlaveAbsent)));
 }
 
+/// Also where none of them was missed: it is not its SYNC0 that has to move.
+TEST(RunDiagnosis, OutputsThatCameTooLateInHeldFramesAskForNoOtherShift) {
+  auto report = healthy();
+  auto& slave = report.slaves[1];
+  slave.sync0_margin = 480 * kMicrosecond;
+  slave.evidence.calc_and_copy_ns = 30'000;
+  slave.evidence.outputs.shift_too_short = {3, false, kStart + 6 * kSecond};
+  report.history.slaves[1].shift_too_short.note(kStart + 6 * kSecond, 3);
+  EXPECT_THAT(codes(report), ElementsAre(code::kShiftTooShort));
+  report.history.held_frames.note(kStart + 5'500 * kMillisecond, 1, 300 * kMicrosecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kShiftTooShort)) << "that leaves it enough";
+  report.history.held_frames.note(kStart + 5'500 * kMillisecond, 1, 460 * kMicrosecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHeldFrames));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("because frames were held up on their way, by up to 460 us."));
+  report.history.slaves[1].shift_too_short.note(kStart + 60 * kSecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(code::kShiftTooShort)) << "at another time, too";
+}
+
 }  // namespace
 }  // namespace syncline
