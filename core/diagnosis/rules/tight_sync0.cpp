@@ -67,6 +67,7 @@ Finding slid(const RunReport& report, const RunReport::Slave& slave) {
 /// By how much frames were held up when it got its outputs too late, each time, where they would have left it enough
 /// otherwise. Its counter is read in turn.
 std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Slave& slave) {
+  constexpr Nanoseconds kInTurn = 10 * kSecond;
   const auto& held = report.history.held_frames.list();
   const auto& times = report.history.slaves[slave.position].shift_too_short.list();
   const auto margin = slave.sync0_margin.value_or(0);
@@ -74,7 +75,7 @@ std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Sla
   std::int64_t largest = 0;
   const bool each = std::ranges::all_of(times, [&](const Spell& spell) {
     return std::ranges::any_of(held, [&](const Spell& hold) {
-      const bool then = hold.from <= spell.to && spell.from <= hold.to + kReadLater;
+      const bool then = hold.from <= spell.to && spell.from <= hold.to + kInTurn;
       if (!then || margin - hold.largest >= slave.evidence.calc_and_copy_ns) return false;
       largest = std::max(largest, hold.largest);
       return true;
