@@ -69,9 +69,12 @@ void DcmMonitor::read(const DcmObservation& observation, Nanoseconds error) {
 }
 
 double DcmMonitor::without_doubt(double expected, Nanoseconds error) const {
-  auto most = static_cast<double>(error);
-  if (doubt_ > 0 && most < expected) most += static_cast<double>(cycle_);  // in the grid it looks early
-  return std::clamp(expected, most - doubt_, most);
+  const auto nearest = [&](double most) { return std::clamp(expected, most - doubt_, most); };
+  const double here = nearest(static_cast<double>(error));
+  if (doubt_ == 0) return here;
+  // One that is later by more than half a cycle looks early in the grid.
+  const double next = nearest(static_cast<double>(error + cycle_));
+  return std::abs(next - expected) < std::abs(here - expected) ? next : here;
 }
 
 std::uint32_t DcmMonitor::error_code() {

@@ -252,6 +252,27 @@ TEST(BusShift, SecondWritesThatAreAlwaysQuickerThanTheFirstAreGivenUp) {
   EXPECT_LT(wanted, 100);
 }
 
+/// What a held frame may explain is no error, and no reason for a leap.
+TEST(BusShift, HeldFramesMoveNeitherTheErrorNorWhatIsWritten) {
+  Settled bus;
+  const auto held = [&bus](Nanoseconds late) {
+    bus.now += kMillisecond;
+    bus.shown += kMillisecond;
+    auto seen = bus.observation(late, false);
+    seen.stamp_doubt = late + 500;
+    (void)bus.controller.observe(seen);
+  };
+  for (const Nanoseconds late : {20'000, 600'000}) {
+    for (int i = 0; i < 60; ++i) {
+      held(late);
+      EXPECT_NEAR(static_cast<double>(bus.controller.state().adjust), 0, 300) << late << " " << i;
+      EXPECT_NEAR(static_cast<double>(bus.controller.state().error_filtered), 0, 300);
+      EXPECT_TRUE(bus.controller.state().in_sync);
+    }
+    for (int i = 0; i < 100; ++i) bus.cycle(0);
+  }
+}
+
 /// Behind a step nothing is learned of the drift while the clock comes back to its place; one that stays beyond the
 /// limit is held there by what was learned before.
 TEST(BusShift, AnErrorThatNoLongerGetsSmallerIsNotThatOfTheStep) {
