@@ -323,7 +323,7 @@ inline constexpr FindingWords kRunSlaves[] = {
        "counter reached {integrator} of {limit}."}}},
     {"missed-by-held-frames",
      Severity::kWarning,
-     "SM2 events were missed because frames were held up on their way",
+     "Outputs came too late because frames were held up on their way",
      "They were sent in time, and nothing was lost.",
      "Look for what holds frames up behind the master: the network card, its driver, a switch; its SYNC0 is not the "
      "reason.",

@@ -3093,8 +3093,8 @@
         <translation>Ein unterwegs aufgehaltener Frame brachte der Referenzuhr bei {since} eine alte Zeit: die Slaves folgten, und der Master fand zu ihr zurück.</translation>
     </message>
     <message>
-        <source>SM2 events were missed because frames were held up on their way</source>
-        <translation>SM2-Ereignisse fehlten, weil Frames unterwegs aufgehalten wurden</translation>
+        <source>Outputs came too late because frames were held up on their way</source>
+        <translation>Ausgänge kamen zu spät, weil Frames unterwegs aufgehalten wurden</translation>
     </message>
     <message>
         <source>They were sent in time, and nothing was lost.</source>

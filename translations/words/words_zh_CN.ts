@@ -3093,8 +3093,8 @@
         <translation>在途中被延误的帧于 {since} 给参考时钟带来了旧时间：各从站随之调整，主站已重新与其同步。</translation>
     </message>
     <message>
-        <source>SM2 events were missed because frames were held up on their way</source>
-        <translation>因帧在途中被延误而错过 SM2 事件</translation>
+        <source>Outputs came too late because frames were held up on their way</source>
+        <translation>因帧在途中被延误，输出到达过晚</translation>
     </message>
     <message>
         <source>They were sent in time, and nothing was lost.</source>

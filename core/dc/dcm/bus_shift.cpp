@@ -106,13 +106,13 @@ Nanoseconds BusShift::begin_anew(const DcmObservation& observation) {
 void BusShift::integrate(double lag) {
   const auto cycle = static_cast<double>(target_.cycle);
   filtered_ += std::min(1.0, cycle / kFilterTime) * (lag - filtered_);
-  if (works_off_step()) return;
+  if (work_off_step()) return;
   integral_ = std::clamp(integral_ + cycle / integral_time_ * filtered_, -kMaxCorrection, kMaxCorrection);
 }
 
 /// A step has taught nothing about the drift. What no longer gets smaller is not the step: then it is the integral that
 /// holds the clock where it is, and must go on.
-bool BusShift::works_off_step() {
+bool BusShift::work_off_step() {
   constexpr double kSmaller = 0.98;
   const double left = std::abs(filtered_);
   if (!working_off_ || left <= static_cast<double>(limit_)) {

@@ -42,7 +42,8 @@ class BusShift final : public DcmController {
   [[nodiscard]] Nanoseconds begin_anew(const DcmObservation& observation);
   OutlierGate::Verdict take(const DcmObservation& observation, Nanoseconds lag);
   void integrate(double lag);
-  [[nodiscard]] bool works_off_step();
+  /// One cycle; true as long as the error is that of the step.
+  [[nodiscard]] bool work_off_step();
   void watch_runaway();
 
   PhaseTarget target_;

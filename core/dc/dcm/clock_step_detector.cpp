@@ -31,10 +31,9 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
   if (passed <= 0) return {};
   const double surprise =
       static_cast<double>(reference_time - reference_ - passed) - rate_ * static_cast<double>(passed) - fraction_;
-  const double gate = std::max(limit_, kStepScatters * scatter_);
+  const double gate = std::max(limit_, kStepScatters * scatter_), later = static_cast<double>(doubt);
   if (readings_ >= kLearning && std::abs(surprise) > gate) {
-    if (is_held(surprise, static_cast<double>(doubt), gate))
-      return {{}, std::max(surprise, static_cast<double>(doubt))};
+    if (take_held(surprise, later, gate)) return {{}, std::max(surprise, later)};
     const auto step = sure_step({host_time, surprise}, gate);
     if (!step && strange_ < kLost) return {};
     const auto size = step ? std::optional(static_cast<Nanoseconds>(std::llround(*step))) : std::nullopt;
@@ -55,7 +54,7 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
   // Frames that wait for those of others on the wire, one after the other, do not take the line with them: it would be
   // found in the wrong place when they no longer do.
   const double unremarkable = gate / 4;
-  const bool explained = surprise > unremarkable && surprise - static_cast<double>(doubt) <= unremarkable;
+  const bool explained = surprise > unremarkable && surprise - later <= unremarkable;
   if (readings_ >= kLearning && explained) return {};
   readings_ = std::min(readings_ + 1, kLearning);
   scatter_ += std::max(kStepMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
@@ -65,7 +64,7 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
 
 /// Whoever measures how much later frames come back gets used to it in time; so what has begun as a held frame stays
 /// one while it is as late as before and still comes back later.
-bool ClockStepDetector::is_held(double surprise, double doubt, double gate) {
+bool ClockStepDetector::take_held(double surprise, double doubt, double gate) {
   const bool explained = surprise > 0 && surprise - doubt <= gate;
   const bool as_before = held_ && std::abs(surprise - *held_) <= gate / 2 && surprise <= 2 * doubt;
   if (!explained && !as_before) {

@@ -32,7 +32,8 @@ class ClockStepDetector {
     Nanoseconds host_time = 0;
     double surprise = 0;  // ns
   };
-  [[nodiscard]] bool is_held(double surprise, double doubt, double gate);
+  /// A strange reading; true when its frame was held up, or those before it were and nothing has changed.
+  [[nodiscard]] bool take_held(double surprise, double doubt, double gate);
   void follow(double surprise, double passed);
   [[nodiscard]] std::optional<double> sure_step(const Strange& reading, double gate);
 

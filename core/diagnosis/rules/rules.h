@@ -21,6 +21,8 @@ namespace syncline::diagnosis {
 inline constexpr Nanoseconds kTogether = 10 * kMillisecond;
 /// A counter that is read in turn tells of an error up to so much later.
 inline constexpr Nanoseconds kReadLater = kSecond;
+/// And one that it keeps in an object.
+inline constexpr Nanoseconds kToldLater = 10 * kSecond;
 
 using Findings = std::vector<Finding>;
 

@@ -81,13 +81,12 @@ std::uint64_t count_near(const Spells& spells, Nanoseconds from, Nanoseconds to)
 }
 
 /// Its error counter forgets a missed event within some cycles: what it missed long before, and got over or was led up
-/// from again, is not why it fell. Of some events only its own counter knows, which is read in turn.
+/// from again, is not why it fell. Of some events only its own counter knows.
 bool missed_then(const RunReport& report, const RunReport::Slave& slave) {
-  constexpr Nanoseconds kInTurn = 10 * kSecond;
   if (!slave.sm2_missed || !slave.sm2_missed->known || slave.sm2_missed->missed == 0) return false;
   const auto& history = report.history.slaves[slave.position];
   if (!history.fall || history.missed.empty()) return true;
-  return count_near(history.missed, history.fall->time - kInTurn, history.fall->time + kInTurn) > 0;
+  return count_near(history.missed, history.fall->time - kToldLater, history.fall->time + kToldLater) > 0;
 }
 
 /// Hours of single events that it got over are not why it fell: where the host stood still or frames were lost just

@@ -35,7 +35,7 @@ bool came_with_misses(const RunReport& report, const Findings& findings, const R
   const auto& history = report.history.slaves[slave.position];
   const auto& times = history.shift_too_short.list();
   return !times.empty() &&
-         std::ranges::all_of(times, [&](const Spell& spell) { return history.missed.near(spell, kReadLater); });
+         std::ranges::all_of(times, [&](const Spell& spell) { return history.missed.near(spell, kToldLater); });
 }
 
 /// What it missed in thousands of cycles that were all late is the least of it. A fall by late frames is not: it says
@@ -65,9 +65,8 @@ Finding slid(const RunReport& report, const RunReport::Slave& slave) {
 }
 
 /// By how much frames were held up when it got its outputs too late, each time, where they would have left it enough
-/// otherwise. Its counter is read in turn.
+/// otherwise.
 std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Slave& slave) {
-  constexpr Nanoseconds kInTurn = 10 * kSecond;
   const auto& held = report.history.held_frames.list();
   const auto& times = report.history.slaves[slave.position].shift_too_short.list();
   const auto margin = slave.sync0_margin.value_or(0);
@@ -75,7 +74,7 @@ std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Sla
   std::int64_t largest = 0;
   const bool each = std::ranges::all_of(times, [&](const Spell& spell) {
     return std::ranges::any_of(held, [&](const Spell& hold) {
-      const bool then = hold.from <= spell.to && spell.from <= hold.to + kInTurn;
+      const bool then = hold.from <= spell.to && spell.from <= hold.to + kToldLater;
       if (!then || margin - hold.largest >= slave.evidence.calc_and_copy_ns) return false;
       largest = std::max(largest, hold.largest);
       return true;

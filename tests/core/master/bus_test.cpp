@@ -3,19 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/simulated_segment.h"
+#include "tests/core/master/terminals_bed.h"
 
 namespace syncline {
 namespace {
 
-class BusTest : public ::testing::Test {
+class BusTest : public test::TerminalsBed {
  protected:
-  VirtualClock clock;
-  test::SimulatedSegment link{clock, test::terminals(3)};
-  FrameExchange exchange{link, clock};
-  std::atomic<bool> cancel{false};
-  Bus bus{exchange, clock, &cancel};
-
   void SetUp() override {
     test::give_addresses(link, 3);
     for (std::uint16_t i = 0; i < 3; ++i) ASSERT_TRUE(link.set<std::uint32_t>(i, 0x1000, 0x1111'1111U * (i + 1)));

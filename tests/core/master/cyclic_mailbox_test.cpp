@@ -74,7 +74,6 @@ TEST_F(CyclicMailboxTest, TellsValuesAbortsAndSilenceApart) {
 }
 
 TEST_F(CyclicMailboxTest, ASlaveThatIsGoneIsNotWaitedFor) {
-  snapshot.slaves[0].present = true;
   bed.slave->handler = [this](const MailboxMessage&) -> std::vector<MailboxMessage> {
     snapshot.slaves[0].present = false;
     return {};

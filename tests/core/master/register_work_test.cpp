@@ -7,21 +7,15 @@
 #include <numeric>
 #include <vector>
 
-#include "master/exchange/bus.h"
-#include "master/exchange/frame_exchange.h"
 #include "master/exchange/slave_address.h"
 #include "protocol/registers.h"
-#include "tests/support/simulated_segment.h"
+#include "tests/core/master/terminals_bed.h"
 
 namespace syncline {
 namespace {
 
-class RegisterWorkTest : public ::testing::Test {
+class RegisterWorkTest : public test::TerminalsBed {
  protected:
-  VirtualClock clock;
-  test::SimulatedSegment link{clock, test::terminals(2)};
-  FrameExchange exchange{link, clock};
-  Bus bus{exchange, clock};
   RegisterWork work;
   std::vector<std::uint8_t> bytes;
 };

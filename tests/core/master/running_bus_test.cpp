@@ -136,7 +136,7 @@ TEST_F(RunningBusTest, TheReferenceClockLeadsAgainWhenItIsBack) {
   EXPECT_EQ(snapshot.dc.state, SyncState::kInSync);
 }
 
-/// Before it is asked for PREOP. The reference clock, which is not told its time in each frame, takes the longer one.
+/// Before it is asked for PREOP. The reference clock, which will lead again, takes the longer one.
 TEST_F(RunningBusTest, AClockThatIsBackLearnsAsLongAsItMust) {
   const auto learns = [this](int away) {
     network.sim.faults.clear();

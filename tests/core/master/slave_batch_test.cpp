@@ -11,6 +11,7 @@
 #include "master/master_service.h"
 #include "master/startup/coe_download_work.h"
 #include "master/startup/init_cmd_runner.h"
+#include "tests/core/master/terminals_bed.h"
 #include "tests/support/simulated_segment.h"
 
 namespace syncline {
@@ -26,13 +27,8 @@ InitCmd write(std::uint16_t position, std::uint16_t ado, std::uint16_t value) {
   return cmd;
 }
 
-class SlaveBatch : public ::testing::Test {
+class SlaveBatch : public test::TerminalsBed {
  protected:
-  VirtualClock clock;
-  test::SimulatedSegment link{clock, test::terminals(3)};
-  FrameExchange exchange{link, clock};
-  Bus bus{exchange, clock};
-
   InitCmdWork work(std::vector<const InitCmd*> commands, std::string subject = "slave") {
     return InitCmdWork(std::move(commands), {std::move(subject), kMillisecond, std::nullopt, {}});
   }
