@@ -90,7 +90,9 @@ class Outage : public test::MachineRun {
 void Outage::expect_sync_after(const Case& c) {
   make(c.mode, c.seed);
   if (c.branch) branch();
-  const auto begin = 6 * kSecond + static_cast<Nanoseconds>(c.seed * 7'654'321 % 1'000'000'000), end = begin + c.length;
+  // In DCX the external clock is to be met first.
+  const auto settled = c.mode == DcmMode::kDcx ? 20 * kSecond : 6 * kSecond;
+  const auto begin = settled + static_cast<Nanoseconds>(c.seed * 7'654'321 % 1'000'000'000), end = begin + c.length;
   fault(c.kind, c.slave, begin, end);
   go_online();
   run_until(begin - 2 * kMillisecond);  // the cycle that runs over the end would have seen the outage
@@ -186,6 +188,23 @@ TEST_F(Outage, ASubstituteRunsOnAsFastAsTheOneBeforeIt) {
        {std::tuple{FaultKind::kSlaveOff, 186, 132}, std::tuple{FaultKind::kCableBreak, 780, 137}}) {
     Case c{DcmMode::kMasterShift, true, kind, 1, milliseconds * kMillisecond, static_cast<std::uint64_t>(seed)};
     expect_sync_after(c);
+  }
+}
+
+/// The last thing that it hears as a follower is what the master believes, too, because the frame reaches it first:
+/// with a stamp that was 10 us off it ran away at 739 ppm, and all with it, once nobody told it anything any more.
+TEST_F(Outage, AReferenceClockThatComesHomeRunsOnAsItHasLearned) {
+  for (const int seed : {4, 18, 26, 62, 63, 102})
+    expect_sync_after(
+        {DcmMode::kMasterShift, true, FaultKind::kCableBreak, 1, 780 * kMillisecond, static_cast<std::uint64_t>(seed)});
+}
+
+/// A substitute that is pushed like the one whose control loop averages ran away from the external clock by 30 ppm.
+TEST_F(Outage, ASubstituteStaysWithTheExternalClock) {
+  for (const int milliseconds : {120, 780, 3'000}) {
+    for (const int seed : {17, 43, 62, 74, 86, 94})
+      expect_sync_after({DcmMode::kDcx, true, FaultKind::kSlaveOff, 1, milliseconds * kMillisecond,
+                         static_cast<std::uint64_t>(seed)});
   }
 }
 

@@ -74,6 +74,9 @@ class DcmController {
   /// What the write that was asked for (DcmAction::write_again) found: the reference clock's time when it passed, as in
   /// an observation. Not called when that frame did not come back. True: that one, too, left far from its stamp.
   virtual bool observe_second_write(const DcmObservation& /*observation*/) { return false; }
+  /// Another clock leads from now on than was to: one whose control loop is that of those who follow, and learns
+  /// quickly what it is told; or no longer. Nobody's after start().
+  virtual void set_led_by_substitute(bool /*substitute*/) {}
   [[nodiscard]] virtual const DcmState& state() const = 0;
 };
 

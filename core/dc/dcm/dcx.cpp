@@ -16,6 +16,8 @@ constexpr double kApproach = 0.6e9;
 /// ns that are written for each ppm of another rate. An ESC takes some 60 ns for one at once, and what is written for
 /// long it makes its own rate: without the rate in the loop it would come by as fast as it could get.
 constexpr double kPushPerPpm = 120;
+/// The loop of a substitute makes it its own rate 16 times as fast (0x0935 of those who follow).
+constexpr double kOfSubstitute = 0.125;
 constexpr double kRateFilter = 0.1e9;  // ns
 constexpr double kMostPpm = 200;       // a reading that moved more has stepped, and says nothing of the rate
 constexpr double kTogetherPpm = 2;
@@ -45,6 +47,7 @@ Dcx::Dcx(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_va
 void Dcx::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) {
   host_.start(base, first_reference_time, first_send_time);
   state_ = {};
+  substitute_ = false;
   forecast_.start();
   forget();
   missing_since_.reset();
@@ -54,14 +57,16 @@ void Dcx::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds 
 void Dcx::forget() {
   behind_.reset();
   known_since_.reset();
+  near_since_.reset();
   closing_ = push_ = 0;
-  met_ = false;
+  met_ = apart_ = false;
 }
 
 /// For the rate that it takes to come nearer.
 void Dcx::steer(Nanoseconds passed) {
   const double wanted = std::clamp(*behind_ / kApproach * 1e6, -kDcxFastestPpm, kDcxFastestPpm);
-  const double push = std::clamp(kPushPerPpm * (wanted - closing_), -kDcxMaxCorrection, kDcxMaxCorrection);
+  const double per_ppm = substitute_ ? kPushPerPpm * kOfSubstitute : kPushPerPpm;
+  const double push = std::clamp(per_ppm * (wanted - closing_), -kDcxMaxCorrection, kDcxMaxCorrection);
   const double most = kPushChange * static_cast<double>(passed);
   push_ += std::clamp(push - push_, -most, most);
 }
@@ -73,17 +78,27 @@ void Dcx::note_closing(double moved, Nanoseconds passed) {
   if (std::abs(ppm) < kMostPpm) closing_ += (ppm - closing_) * time / (kRateFilter + time);
 }
 
-/// Who only comes by at the rate of his quartz has not met anybody.
+/// Who only comes by at the rate of his quartz has not met anybody; and who has left the limit is not back before it
+/// has stayed there, or each reading at the limit would be a loss.
 void Dcx::judge_external() {
-  if (!behind_) return;
-  const bool near = std::abs(*behind_) <= static_cast<double>(limit_);
-  const bool measured = seen_ - known_since_.value_or(seen_) > kMeasured;
-  met_ = met_ || (near && measured && std::abs(closing_) < kTogetherPpm);
-  if (!met_) {
-    state_.external = SyncObstacle::kToExternalClock;
-  } else if (!near) {
-    state_.external = SyncObstacle::kExternalClock;
+  if (behind_) {
+    const bool near = std::abs(*behind_) <= static_cast<double>(limit_);
+    if (!near) near_since_.reset();
+    if (near && !near_since_) near_since_ = seen_;
+    const bool measured = seen_ - known_since_.value_or(seen_) > kMeasured;
+    met_ = met_ || (near && measured && std::abs(closing_) < kTogetherPpm);
+    apart_ = met_ && (!near || (apart_ && seen_ - *near_since_ <= kMeasured));
   }
+  if (!known_since_) return;
+  state_.external = !met_    ? SyncObstacle::kToExternalClock
+                    : apart_ ? SyncObstacle::kExternalClock
+                             : SyncObstacle::kNone;
+}
+
+/// Who leads now has its own rate, and what was pushed was another one's.
+void Dcx::set_led_by_substitute(bool substitute) {
+  substitute_ = substitute;
+  push_ = integral_ = 0;
 }
 
 std::optional<Nanoseconds> Dcx::reference_write(Nanoseconds send_time, Nanoseconds) {

@@ -20,6 +20,7 @@ class Dcx final : public DcmController {
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
   bool observe_second_write(const DcmObservation& observation) override;
+  void set_led_by_substitute(bool substitute) override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
@@ -29,7 +30,7 @@ class Dcx final : public DcmController {
   void steer(Nanoseconds passed);
   void judge_external();
 
-  bool control_off_;
+  bool control_off_, substitute_ = false;
   Nanoseconds cycle_, limit_;
   MasterShift host_;
   DcmState state_;
@@ -40,7 +41,9 @@ class Dcx final : public DcmController {
   Nanoseconds seen_ = 0;           // host clock of behind_
   std::optional<Nanoseconds> known_since_;    // host clock; the external one
   double push_ = 0;                           // written beyond the forecast, ns, without integral_
+  std::optional<Nanoseconds> near_since_;     // host clock; within the limit
   bool met_ = false;                          // since the external clock is known: was within the limit, and stayed
+  bool apart_ = false;                        // has left it since, and not stayed there again
   std::optional<Nanoseconds> missing_since_;  // the external clock
   double integral_ = 0;
 };

@@ -266,8 +266,9 @@ void SyncWatch::observe_slaves(Nanoseconds time, std::span<const std::uint16_t> 
 
 void SyncWatch::leader_lost(Nanoseconds) { led_ = false; }
 
-void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
+void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time, bool substitute) {
   if (!controller_) return;
+  controller_->set_led_by_substitute(substitute);
   led_ = true;
   line_.start_place_anew();
   verdict_.distrust(time);
@@ -275,7 +276,9 @@ void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time) {
 }
 
 void SyncWatch::leader_moved(std::uint16_t position) {
-  if (controller_) snapshot_.dc.reference_clock = position;
+  if (!controller_) return;
+  controller_->set_led_by_substitute(false);
+  snapshot_.dc.reference_clock = position;
 }
 
 Nanoseconds SyncWatch::reference_time_at(Nanoseconds host_time) const {

@@ -80,8 +80,9 @@ class SyncWatch {
   /// The reference clock is lost, or another one (or the same again) leads. While nobody leads, and until a new
   /// leader has led for the settle time, nothing counts as in sync.
   void leader_lost(Nanoseconds time);
-  void leader_found(std::uint16_t position, Nanoseconds time);
-  /// Another clock leads that went with the one before: nobody has noticed.
+  /// `substitute`: not the one that is to lead whenever it is there.
+  void leader_found(std::uint16_t position, Nanoseconds time, bool substitute);
+  /// The one that is to lead does so again, and went with the one before: nobody has noticed.
   void leader_moved(std::uint16_t position);
 
  private:

@@ -39,7 +39,8 @@ CyclicTaskRunner::CyclicTaskRunner(FrameExchange& exchange, Clock& clock, RunSta
       acyclic_(run, mailbox_bits_, sync_events_),
       health_(run.snapshot, run.teller),
       working_counter_(run.snapshot, run.states, run.teller),
-      reference_(run.config(), run.snapshot, run.teller, sync, frames_),
+      tuning_(run.config(), run.snapshot),
+      reference_(run.config(), run.snapshot, run.teller, sync, frames_, tuning_),
       feed_(run.config().cycle_time()),
       without_(run.config().slaves.size()),
       cycle_time_(run.config().cycle_time()),
@@ -246,12 +247,12 @@ Status CyclicTaskRunner::amend_clock() {
   const auto station = reference_.station();
   const auto latest = scheduled_ + cycle_time_ * 8 / 10;
   const auto is_time = [&] { return clock_.now() + cycle_time_ / 8 < latest; };
-  if (const auto tuning = is_time() ? reference_.take_tuning() : std::nullopt) {
-    if (auto sent = amendment_.settle(exchange_, *tuning, latest); !sent) return sent;
+  for (int i = 0; tuning_.pending() && i < kMostAmendments && is_time(); ++i) {
+    if (auto sent = tuning_.step(exchange_, latest); !sent) return sent;
   }
   bool again = station && steering_ && sync_.wants_second_write();
   for (int i = 0; again && i < kMostAmendments && is_time(); ++i) {
-    if (auto sent = amendment_.run(exchange_, {*station, {}, true}, *this, latest); !sent) return sent;
+    if (auto sent = amendment_.run(exchange_, *station, *this, latest); !sent) return sent;
     const auto time = amendment_.reading();
     if (!time) break;
     const auto sent_at = amendment_.send_time();

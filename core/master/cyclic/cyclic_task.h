@@ -8,6 +8,7 @@
 #include "channels/image_contents.h"
 #include "master/clocks/clock_amendment.h"
 #include "master/clocks/clock_feed.h"
+#include "master/clocks/loop_tuning.h"
 #include "master/clocks/told_time.h"
 #include "master/cyclic/acyclic_scheduler.h"
 #include "master/cyclic/bus_health.h"
@@ -97,6 +98,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   AcyclicScheduler acyclic_;
   BusHealth health_;
   WorkingCounter working_counter_;
+  LoopTuning tuning_;
   ReferenceClock reference_;
   ClockFeed feed_;
   ClockAmendment amendment_;

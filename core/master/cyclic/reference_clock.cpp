@@ -8,6 +8,7 @@
 #include "channels/snapshot.h"
 #include "config/network_config.h"
 #include "master/clocks/dc_loop_values.h"
+#include "master/clocks/loop_tuning.h"
 #include "master/exchange/event_teller.h"
 #include "protocol/datagram.h"
 #include "protocol/registers.h"
@@ -66,8 +67,7 @@ void ReferenceClock::look(Nanoseconds time) {
   if (leader_ && slaves[*leader_].present) return;
   if (leader_) {
     teller_.tell(time, *leader_, events::ReferenceClockChanged{What::kLost});
-    slaves[*leader_].is_reference_clock = false;
-    leader_.reset();
+    lose_lead();
     sync_.leader_lost(time);
   }
   // Not set up anew, so it has gone on by itself with what it had learned.
@@ -89,38 +89,39 @@ std::optional<std::uint16_t> ReferenceClock::candidate(std::span<const std::size
 
 void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
   hand_over(position);
-  sync_.leader_found(position, time);
+  sync_.leader_found(position, time, position != home_);
   teller_.tell(time, position, events::ReferenceClockChanged{position == home_ ? What::kPresent : What::kTookOver});
 }
 
-/// A clock that follows takes each message as it is, and runs on with the last one when nobody leads it any more: that
-/// was what the master believed, with the noise of a send stamp, because the leader was gone already. Averaged, one
-/// more message that says nothing new makes that good. Where the master steers the clock that leads, it goes on telling
-/// it the time, with the host's jitter; the one that has come home learned quickly (DcLoopRole::kReturning) and
-/// averages as a leader now.
-void ReferenceClock::tune(std::uint16_t position, bool leads) {
-  const auto& config = config_;
-  if (config.dc.dcm.standard_loop_values) return;
-  // Home, it runs as it has learned where nobody steers it. A substitute that is steered keeps its quick loop: with
-  // this filter in front of it, it would swing.
-  const bool steered = steers_reference_clock(config.dc.dcm.mode), home = position == home_;
-  if (steered ? !(home && leads) : home) return;
-  auto& slot = tunings_[tunings_[0] ? 1 : 0];
-  slot = ClockAmendment::Request{config.slaves[position].station_address, difference_depth(config, leads),
-                                 leads && !steered};
+/// The last message to a clock that follows was what the master believed, with the noise of a send stamp: in front of
+/// the leader always, and of anybody where the leader was gone already. Where the master steers the clock that leads,
+/// it goes on telling it the time, with the host's jitter; the one that has come home learned quickly
+/// (DcLoopRole::kReturning) and averages as a leader now. A substitute keeps its quick loop in bus shift: with that
+/// filter in front of it, it would swing. DCX pushes less, and must not push everybody with its stamps.
+void ReferenceClock::tune(std::uint16_t position) {
+  const auto& settings = config_.dc.dcm;
+  if (settings.standard_loop_values) return;
+  if (!steers_reference_clock(settings.mode)) {
+    tuning_.settle(position);
+  } else if (settings.mode == DcmMode::kDcx) {
+    tuning_.settle(position, difference_depth(config_, true));
+  } else if (position == home_) {
+    tuning_.set_depth(position, difference_depth(config_, true));
+  }
 }
 
-std::optional<ClockAmendment::Request> ReferenceClock::take_tuning() {
-  for (auto& tuning : tunings_) {
-    if (tuning) return std::exchange(tuning, std::nullopt);
-  }
-  return std::nullopt;
+void ReferenceClock::lose_lead() {
+  if (!leader_) return;
+  snapshot_.slaves[*leader_].is_reference_clock = false;
+  const auto& settings = config_.dc.dcm;
+  if (settings.mode == DcmMode::kDcx && leader_ != home_ && !settings.standard_loop_values)
+    tuning_.set_depth(*leader_, difference_depth(config_, false));
+  leader_.reset();
 }
 
 void ReferenceClock::hand_over(std::uint16_t position) {
-  if (leader_) snapshot_.slaves[*leader_].is_reference_clock = false;
-  if (leader_) tune(*leader_, false);
-  tune(position, true);
+  lose_lead();
+  tune(position);
   leader_ = position;
   snapshot_.slaves[position].is_reference_clock = true;
   approach_.reset();

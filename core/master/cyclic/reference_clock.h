@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 
-#include "master/clocks/clock_amendment.h"
 #include "master/clocks/sync_watch.h"
 #include "master/cyclic/cyclic_frame_set.h"
 #include "protocol/coe.h"
@@ -13,6 +12,7 @@
 namespace syncline {
 
 class EventTeller;
+class LoopTuning;
 struct NetworkConfig;
 struct Snapshot;
 
@@ -22,8 +22,8 @@ struct Snapshot;
 class ReferenceClock {
  public:
   ReferenceClock(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller, SyncWatch& sync,
-                 CyclicFrameSet& frames)
-      : config_(config), snapshot_(snapshot), teller_(teller), sync_(sync), frames_(frames) {}
+                 CyclicFrameSet& frames, LoopTuning& tuning)
+      : config_(config), snapshot_(snapshot), teller_(teller), sync_(sync), frames_(frames), tuning_(tuning) {}
 
   /// After the DC initialisation: who is to lead whenever it is there, and who does. `by_place`: the configuration's
   /// places on the bus are right, and its commands mean the one that leads.
@@ -36,8 +36,6 @@ class ReferenceClock {
   void address(bool settled);
   /// Station address of the clock that leads, if one does.
   [[nodiscard]] std::optional<std::uint16_t> station() const;
-  /// What the control loops of those that began or ceased to lead are to be told, once.
-  [[nodiscard]] std::optional<ClockAmendment::Request> take_tuning();
   /// While the one that is to lead comes home in front of its substitute: both clocks' times in one frame.
   void add_to(PendingFrame& frame);
   /// After each cycle: is the one that is to lead near enough?
@@ -69,19 +67,20 @@ class ReferenceClock {
   [[nodiscard]] bool follows_near();
   [[nodiscard]] bool compares_near();
   void hand_over(std::uint16_t position);
-  void tune(std::uint16_t position, bool leads);
+  void tune(std::uint16_t position);
+  void lose_lead();
 
   const NetworkConfig& config_;
   Snapshot& snapshot_;
   EventTeller& teller_;
   SyncWatch& sync_;
   CyclicFrameSet& frames_;
+  LoopTuning& tuning_;
   std::optional<std::uint16_t> home_, leader_;
   bool by_place_ = false;      // the configuration's commands mean the home clock by its place or address
   bool places_right_ = false;  // everybody in front of it is there
   std::optional<Approach> approach_;
   Comparison comparison_;
-  std::array<std::optional<ClockAmendment::Request>, 2> tunings_;
 };
 
 }  // namespace syncline

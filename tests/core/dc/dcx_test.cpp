@@ -112,7 +112,22 @@ TEST(Dcx, IsInSyncWhereBothClocksAre) {
   EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
   (void)bridge.cycle(-4'001);
   EXPECT_EQ(bridge.state().external, SyncObstacle::kExternalClock) << "too far away";
-  (void)bridge.cycle(0);
+  bridge.cycles(500, 0);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kExternalClock) << "which may only come by";
+  bridge.cycles(2, 0);
+  EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
+}
+
+/// Readings at the limit are one loss, also where some are missing.
+TEST(Dcx, IsBackOnlyWhenItHasStayed) {
+  Bridged bridge;
+  bridge.cycles(2'000, 100);
+  (void)bridge.cycle(4'100);
+  for (int i = 0; i < 2'000; ++i) {
+    (void)bridge.cycle(i % 7 == 0 ? std::nullopt : std::optional<Nanoseconds>(i % 100 == 1 ? 4'100 : 3'900));
+    ASSERT_EQ(bridge.state().external, SyncObstacle::kExternalClock) << i;
+  }
+  bridge.cycles(502, 3'900);
   EXPECT_EQ(bridge.state().external, SyncObstacle::kNone);
 }
 
