@@ -181,11 +181,12 @@ bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) 
   return loss.back && adapter_was_away(report, {loss.time, loss.time, 0, 0});
 }
 
-/// While the host stands still nobody tells the slaves the time, and their quartzes run apart: no more than that, and
-/// told as what the host did.
+/// While the host stands still nobody tells the slaves the time, and their quartzes run apart; nor the reference clock
+/// that it leads, which takes all with it when it is put right: no more than that, and told as what the host did.
 bool without_time(const RunReport& report, const RunHistory::SyncLoss& loss) {
   constexpr std::int64_t kApart = 10'000;  // standing still for so much longer than the deviation: 100 ppm
-  if (!loss.back || loss.obstacle == dc::SyncObstacle::kClockStep) return false;
+  const bool led = is_controlled(report) && steers_reference_clock(report.dcm.mode);
+  if (!loss.back || (loss.obstacle == dc::SyncObstacle::kClockStep && !led)) return false;
   return std::ranges::any_of(report.history.stalls.list(), [&](const Spell& stall) {
     const bool then = loss.time + kTogether >= stall.from && loss.time <= stall.to + kTogether;
     return then && std::abs(loss.size) * kApart <= stall.largest;

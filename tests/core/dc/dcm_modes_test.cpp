@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "config/identity.h"
@@ -195,12 +196,12 @@ TEST(DcmModes, TheGainSaysHowMuchOfTheNoiseComesThrough) {
 }
 
 TEST(DcmModes, TheDriftErrorGainSaysHowFastAChangeOfRateIsFollowed) {
-  // A quartz that warms up: 0.5 ppm a second, as a growing error of the stamps would look.
+  // A quartz that warms up: 0.1 ppm a second, as a growing error of the stamps would look.
   const auto lag = [](std::uint32_t drift_gain) {
     PhaseTracker tracker({0.002, drift_gain * 0.002 * 0.002 / 4}, 1e6, 3'000);
     double phase = 0, rate = 0;
     for (int i = 0; i < 20'000; ++i) {
-      rate += 5e-4;  // ns a cycle, each cycle
+      rate += 1e-4;  // ns a cycle, each cycle
       phase += rate - tracker.drift();
       tracker.advance(1, -tracker.drift());
       tracker.update(phase);
@@ -222,6 +223,56 @@ TEST(OutlierGate, IsAsWideAsTheLimitOrTheScatterAndBelievesWhatStays) {
   EXPECT_EQ(gate.judge(9'000, true), kOutlier);
   for (int i = 0; i < 18; ++i) EXPECT_EQ(gate.judge(50'000, true), kOutlier);
   EXPECT_EQ(gate.judge(50'000, true), kStep);
+}
+
+/// A tracker that the timer obeys, with readings that are off by what `noise` says.
+struct FollowedRate {
+  explicit FollowedRate(double cycle_ns) : tracker({0.002, 3e-6}, cycle_ns, 3'000) {}
+  void cycle(double noise) {
+    phase += rate - tracker.drift() - 0.1 * tracker.phase();
+    tracker.advance(1, -tracker.drift() - 0.1 * tracker.phase());
+    tracker.update(phase + noise);
+  }
+  PhaseTracker tracker;
+  double phase = 0, rate = 0;  // ns; ns a cycle
+};
+
+/// A time service, from one cycle to the next: with the settled gains alone the phase would be off by 5.2 us at 5 ppm
+/// in cycles of 4 ms, for seconds.
+TEST(PhaseTracker, FollowsAnotherRateWithoutGoingFarAstray) {
+  for (const double cycle : {250e3, 1e6, 4e6}) {
+    for (const double ppm : {5.0, -20.0, 60.0}) {
+      Random random(11);
+      const auto stamps = JitterProfile::quiet().stamp_error;
+      FollowedRate follower(cycle);
+      for (int i = 0; i < 5'000; ++i) follower.cycle(stamps.at(random.uniform()));
+      follower.rate = ppm * 1e-6 * cycle;
+      double largest = 0, left = 0;
+      for (int i = 0; i < 1'200; ++i) {
+        follower.cycle(stamps.at(random.uniform()));
+        largest = std::max(largest, std::abs(follower.phase));
+        if (i >= 800) left = std::max(left, std::abs(follower.phase));
+      }
+      EXPECT_LT(largest, 4'500) << ppm << " ppm in " << cycle;
+      EXPECT_LT(left, 2'200) << ppm << " ppm in " << cycle;
+    }
+  }
+}
+
+/// Neither the tails of real hosts nor errors that last for some fifty readings are another rate: the drift stays.
+TEST(PhaseTracker, TakesNoNoiseForAnotherRate) {
+  for (int kind = 0; kind < 4; ++kind) {
+    Random random(7);
+    const std::array profiles{JitterProfile::quiet(), JitterProfile::desktop(), JitterProfile::bad()};
+    FollowedRate follower(1e6);
+    double lasting = 0, worst = 0;
+    for (int i = 0; i < 200'000; ++i) {
+      lasting = 0.98 * lasting + 100 * random.normal();
+      follower.cycle(kind < 3 ? profiles[static_cast<std::size_t>(kind)].stamp_error.at(random.uniform()) : lasting);
+      if (i > 5'000) worst = std::max(worst, std::abs(follower.tracker.drift()));
+    }
+    EXPECT_LT(worst, 1) << kind << ", ns a cycle";
+  }
 }
 
 TEST(PhaseTracker, BeginsAsALineThroughAllReadings) {
