@@ -231,6 +231,8 @@ struct HistoryRecorder::OfSlave {
   }
   void operator()(const events::StateChanged& change) const {
     if (change.from == AlState::kOp || change.from == AlState::kNone) slave.left_op = time;
+    const bool found = change.from == AlState::kNone && !slave.absences.empty();
+    if (found && change.to == AlState::kInit) slave.restarts.note(time, 1);
   }
   /// One who refuses to be led up again has not fallen once more.
   void operator()(const events::AlStatusError& error) const {

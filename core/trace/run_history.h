@@ -85,6 +85,7 @@ struct RunHistory {
   struct Slave {
     Spells absences;  // count 1 each; the last one may last. Of a hot-connect group: not connected
     bool absent = false;
+    Spells restarts;                                // found in INIT behind an absence: it had been without power
     std::optional<Cable> cable;                     // over which nothing comes back, as told last
     std::optional<Fall> fall;                       // the last AL status error
     std::vector<Fall> falls;                        // those out of OP, or of nobody knows what; the first kMostFalls

@@ -79,10 +79,19 @@ bool were_held_up(const RunReport& report, const Spell& spell) {
          std::ranges::none_of(history.lost_frames.list(), lost);
 }
 
+bool was_lost_on_the_way(const RunReport& report, const Spell& silence) {
+  constexpr Nanoseconds kFoundLater = kSecond;
+  const auto restarted = [&](const RunHistory::Slave& slave) { return slave.restarts.near(silence, kFoundLater); };
+  const Spell before{silence.from - kAbsentAfter, silence.to, 0, 0};
+  return was_silence_of_all(report, silence) && report.slaves.front().evidence.ports_time >= silence.to &&
+         report.history.lost_frames.near(before, 0) && std::ranges::none_of(report.history.slaves, restarted);
+}
+
 bool was_absent(const RunReport& report, int slave, const Spell& spell) {
   const auto& absences = report.history.slaves[static_cast<std::size_t>(slave)].absences.list();
   return std::ranges::any_of(absences, [&](const Spell& absence) {
-    return absence.from <= spell.to && spell.from <= absence.to && !were_held_up(report, absence);
+    return absence.from <= spell.to && spell.from <= absence.to && !were_held_up(report, absence) &&
+           !was_lost_on_the_way(report, absence);
   });
 }
 

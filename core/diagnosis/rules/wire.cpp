@@ -93,6 +93,12 @@ struct LostAt {
   int slave = -1;
 };
 
+/// Some time of the run, and not only as it seemed.
+bool was_away(const RunReport& report, const RunHistory::Slave& slave) {
+  return !std::ranges::all_of(slave.absences.list(),
+                              [&](const Spell& absence) { return was_lost_on_the_way(report, absence); });
+}
+
 /// Behind the last in frame order whose counter says that it had its outputs all the same, or in front of the first one
 /// that counts, when all of them have missed theirs. Only who was in OP all the time since counts every frame, of those
 /// that were lost in OP, and only a cycle of one frame has all outputs in that which was lost. Where frames are lost
@@ -110,7 +116,7 @@ LostAt place_of(const RunReport& report, const Losses& losses) {
         slave.sync0_cycle > 0 && missed && missed->known && missed->valid && missed->time + kReadLater >= losses.last;
     const bool in_op = slave.present && al_state_of(slave.al_status) == AlState::kOp;
     const auto& past = history.slaves[slave.position];
-    if (!counts || !in_op || past.fall || !past.absences.empty()) continue;
+    if (!counts || !in_op || past.fall || was_away(report, past)) continue;
     const std::uint64_t lost = missed->by_cause[kFrameLost];
     if (kHadThem * lost <= losses.count) {
       if (first_without >= 0) return {};
@@ -209,8 +215,9 @@ void find_lost_frames(const RunReport& report, Findings& findings) {
       if (spell.count == 0) continue;
     }
     const auto& slaves = report.history.slaves;
-    const auto away = std::ranges::find_if(
-        slaves, [&](const RunHistory::Slave& slave) { return slave.absences.near(spell, 200 * kMillisecond); });
+    const auto away = std::ranges::find_if(slaves, [&](const RunHistory::Slave& slave) {
+      return slave.absences.near(spell, 200 * kMillisecond) && was_away(report, slave);
+    });
     if (away == slaves.end()) {
       if (const auto link = lost_link_after(report, spell); link >= 0) {
         if (unplugged < 0) unplugged = link;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nobody answers for longer than slaves may be silent, and who was the reason.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+
+#include "protocol/al_state.h"
+#include "tests/support/diagnosed_run.h"
+#include "tests/support/small_machines.h"
+
+namespace syncline {
+namespace {
+
+class SilentBus : public ::testing::TestWithParam<std::tuple<DcmMode, Nanoseconds>> {
+ protected:
+  test::DiagnosedRun machine;
+  void SetUp() override {
+    test::add_two_axes(machine.network);
+    auto& master = machine.network.project.master;
+    master.dc.dcm.mode = std::get<0>(GetParam());
+    master.cycle_time = std::get<1>(GetParam());
+    master.dc.sync_window.enabled = true;
+  }
+};
+
+/// No link was lost and nobody was without power: no plug is loose and no supply is weak.
+TEST_P(SilentBus, WhoseFramesGetLostAccusesNoSlave) {
+  const auto [mode, cycle] = GetParam();
+  for (const int slave : {-1, 0, 2}) {
+    auto run = machine;
+    run.fault(FaultKind::kLoseFrames, 8 * kSecond, slave).count =
+        static_cast<std::uint32_t>(250 * kMillisecond / cycle);
+    run.run(18 * kSecond);
+    SCOPED_TRACE("in front of " + std::to_string(slave) + ":\n" + run.said());
+    EXPECT_FALSE(run.report.history.slaves.front().absences.empty()) << "it was too short";
+    EXPECT_FALSE(run.found(code::kSlaveWasAbsent));
+    EXPECT_FALSE(run.found(code::kFramesLostByCable));
+    // Who had his outputs all the same tells that they passed him.
+    EXPECT_EQ(run.found(code::kFramesLostBehind, 1), slave == 2);
+    EXPECT_EQ(run.found(code::kFramesLost), slave != 2);
+    EXPECT_EQ(run.report.state, AlState::kOp);
+    EXPECT_EQ(run.report.dcm.state, SyncState::kInSync);
+  }
+}
+
+TEST_P(SilentBus, WithoutPowerOrLinkIsAbsent) {
+  for (const auto kind : {FaultKind::kSlaveOff, FaultKind::kCableBreak}) {
+    for (const auto length : {200 * kMillisecond, kSecond}) {
+      auto run = machine;
+      run.fault(kind, 8 * kSecond, 0).until = 8 * kSecond + length;
+      run.run(18 * kSecond);
+      SCOPED_TRACE(std::to_string(length) + " ns:\n" + run.said());
+      EXPECT_TRUE(run.found(code::kSlaveWasAbsent, 0));
+      EXPECT_FALSE(run.found(code::kFramesLost) || run.found(code::kFramesLostInFront));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, SilentBus,
+                         ::testing::Combine(::testing::Values(DcmMode::kBusShift, DcmMode::kMasterShift),
+                                            ::testing::Values(kMillisecond, 4 * kMillisecond)));
+
+}  // namespace
+}  // namespace syncline
