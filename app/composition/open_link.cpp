@@ -27,6 +27,7 @@ Result<OpenedLink> simulated_link(const SimConfig& config, const std::string& na
     opened.clock = std::move(clock);
   } else {
     opened.clock = std::make_unique<RealClock>();
+    host.adapter = AdapterFaults::of(config, opened.clock->now());
   }
   auto bus = sim::SimBus::create(config, opened.clock->now());
   if (!bus) return tl::unexpected(bus.error());

@@ -98,6 +98,10 @@ enum class FaultKind : std::uint8_t {
   kForeignFrames,  // count frames that are no EtherCAT, one each `period`; without end until `until` where that is
                    // given
   kSlaveOff,       // power lost from `at` until `until`
+  // The host's end of the cable.
+  kHoldFrames,   // its card, a driver or a switch passes frames on `value_ns` later, from `at` until `until`
+  kHoldAnswers,  // the same with what comes back
+  kAdapterOff,   // its adapter is switched off, from `at` until `until`
   // The host; on the virtual clock.
   kHostStall,     // does nothing for `value_ns`
   kCalendarStep,  // its calendar clock, which its stamps of frames are of, is set forwards by `value_ns`

@@ -21,6 +21,7 @@ SimulatedHost set_up_host(VirtualClock& clock, const SimConfig& config) {
   for (const auto& fault : config.faults) {
     if (fault.kind == FaultKind::kCalendarStep) host.calendar_steps.push_back({clock.now() + fault.at, fault.value_ns});
   }
+  host.adapter = AdapterFaults::of(config, clock.now());
   return host;
 }
 

@@ -29,19 +29,22 @@ class SimulatedLink final : public Link {
         virtual_clock_(dynamic_cast<VirtualClock*>(&clock)),
         stamp_error_(host.stamp_error),
         random_(host.seed),
-        calendar_steps_(host.calendar_steps) {
+        calendar_steps_(host.calendar_steps),
+        adapter_(host.adapter) {
     if (!calendar_steps_.empty()) stamps_.emplace(clock_, [this] { return calendar_at(clock_.now()); });
   }
 
   Status send(std::span<const std::uint8_t> frame) override {
+    if (adapter_.is_off(clock_.now())) return fail(ErrorCode::kLinkDown, name_);
     auto& slot = take_slot();
     slot.bytes.assign(frame.begin(), frame.end());
-    put_on_wire(slot, wire_start());
+    put_on_wire(slot, hand_over());
     return {};
   }
 
   Result<Nanoseconds> send_corrected(std::span<const std::uint8_t> frame, const SendTimeField& field) override {
-    const auto start = wire_start();
+    if (adapter_.is_off(clock_.now())) return fail(ErrorCode::kLinkDown, name_);
+    const auto start = hand_over();
     if (field.offset > frame.size() || frame.size() - field.offset < field.size ||
         (field.size != 4 && field.size != 8)) {
       return fail(ErrorCode::kMalformedData, name_, because("the place of the send time is not in the frame"));
@@ -60,8 +63,12 @@ class SimulatedLink final : public Link {
   }
 
   Result<ReceivedFrame> receive(std::span<std::uint8_t> buffer, Nanoseconds deadline) override {
-    const auto next = in_flight_.empty() ? deadline : std::min(deadline, in_flight_.front().arrival);
+    if (adapter_.is_off(clock_.now())) return fail(ErrorCode::kLinkDown, name_);
+    auto next = in_flight_.empty() ? deadline : std::min(deadline, in_flight_.front().arrival);
+    next = adapter_.next_off(clock_.now(), next);
     pass_time(next);
+    // What came before is found when the adapter is back.
+    if (adapter_.is_off(clock_.now())) return fail(ErrorCode::kLinkDown, name_);
     // As on a network card: a host that comes late to its deadline finds what arrived meanwhile.
     if (in_flight_.empty() || in_flight_.front().arrival > std::max(next, clock_.now())) return ReceivedFrame{};
     auto& slot = in_flight_.front();
@@ -94,20 +101,26 @@ class SimulatedLink final : public Link {
     return stamps_ ? stamps_->to_clock(calendar_at(arrival)) : arrival;
   }
 
-  /// The host is through with sending; the wire carries one frame after the other.
-  Nanoseconds wire_start() {
+  /// The host is through with sending; its card takes one frame after the other, as the wire does where nobody holds
+  /// frames up.
+  Nanoseconds hand_over() {
     if (!stamp_error_.empty()) pass_time(clock_.now() + std::llround(stamp_error_.at(random_.uniform())));
-    return std::max(clock_.now(), wire_free_);
+    return std::max(clock_.now(), card_free_);
   }
 
-  void put_on_wire(InFlight& slot, Nanoseconds start) {
-    wire_free_ = start + wire_time_ns(slot.bytes.size());
+  void put_on_wire(InFlight& slot, Nanoseconds handed_over) {
+    const auto length = wire_time_ns(slot.bytes.size());
+    card_free_ = handed_over + length;
+    // Who holds frames up keeps their order.
+    const auto start = std::max(handed_over + adapter_.frame_held(handed_over), wire_free_);
+    if (adapter_.is_off(start)) return in_flight_.pop_back();
+    wire_free_ = start + length;
     const auto returned = bus_->execute(slot.bytes, start);
-    if (returned.lost) {
-      in_flight_.pop_back();
-    } else {
-      slot.arrival = returned.arrival_time;
-    }
+    slot.arrival = returned.arrival_time;
+    if (const auto held = adapter_.answer_held(slot.arrival); held > 0 || slot.arrival < last_arrival_)
+      slot.arrival = std::max(slot.arrival + held, last_arrival_);
+    if (returned.lost || adapter_.is_off(slot.arrival)) return in_flight_.pop_back();
+    if (!adapter_.holds_answers.empty()) last_arrival_ = slot.arrival;
   }
 
   /// Buffers are used again, so that a steady run does not allocate.
@@ -137,7 +150,9 @@ class SimulatedLink final : public Link {
   Random random_;
   std::vector<SimulatedHost::CalendarStep> calendar_steps_;
   std::optional<ArrivalStamp> stamps_{};
-  Nanoseconds wire_free_ = 0;
+  AdapterFaults adapter_;
+  Nanoseconds card_free_ = 0, wire_free_ = 0;
+  Nanoseconds last_arrival_ = 0;  // where answers are held up
   std::deque<InFlight> in_flight_;
   std::vector<std::vector<std::uint8_t>> spare_;
 };

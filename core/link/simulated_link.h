@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "link/adapter_faults.h"
 #include "support/jitter_profile.h"
 #include "support/types.h"
 
@@ -30,8 +31,9 @@ struct SimulatedHost {
   QuantileCurve stamp_error{};
   std::uint64_t seed = 1;
   std::vector<CalendarStep> calendar_steps{};
+  AdapterFaults adapter{};
   [[nodiscard]] static SimulatedHost with(const JitterProfile& jitter, std::uint64_t seed) {
-    return {jitter.stamp_error, seed, {}};
+    return {jitter.stamp_error, seed, {}, {}};
   }
 };
 

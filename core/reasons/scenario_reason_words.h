@@ -34,6 +34,7 @@ inline constexpr std::string_view kScenarioReasons[] = {
     "goes without until_ms: so many frames, or all of them until then",
     "without a slave, lose-frames has a count or a probability",
     "the {fault} of the same slave that begins at {time} ms is not over then",
+    "the {fault} that begins at {time} ms is not over then",
     "overlaps the {fault} from {time} ms to {other} ms",
     "there is no file {file}",
     "the file {file} cannot be read: {reason}",

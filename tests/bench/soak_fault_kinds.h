@@ -34,8 +34,7 @@ struct SoakFaultKind {
   bool while_down = false;                   // before the machine is brought up, until it is down again
   bool switched_on_anew = false;             // its victim, just before
   bool harmless = false;                     // nothing must be told
-  bool held_up = false;                      // no fault of the bus: `count` cycles' frames come `value` later
-  bool adapter = false;                      // nor this: the master's adapter is away
+  bool of_cycles = false;                    // lasts for so many as `count` says; one in four is what comes back
   std::vector<EventKind> events{};           // any of them tells it,
   std::vector<std::string_view> findings{};  // or any of these, of the victim where it names a slave
   std::vector<std::string_view> also{};      // what it brings with it, of anybody

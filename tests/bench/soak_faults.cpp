@@ -24,11 +24,15 @@
 #include "bench/soak_fault_kinds.h"
 #include "bench/soak_machine.h"
 #include "bench/soak_plots.h"
+#include "channels/command.h"
+#include "channels/cycle_sample.h"
+#include "channels/master_channels.h"
 #include "config/sync_grid.h"
+#include "diagnosis/run_diagnosis.h"
 #include "link/simulated_host.h"
+#include "master/master_service.h"
 #include "support/random.h"
-#include "tests/support/diagnosed_run.h"
-#include "tests/support/holding_link.h"
+#include "trace/run_report.h"
 
 namespace syncline::bench {
 namespace {
@@ -89,9 +93,7 @@ class Soak {
     const auto host = set_up_host(clock_, network_.sim);
     auto bus = sim::SimBus::create(network_.sim, begin_);
     auto link = bus ? make_simulated_link("sim", std::move(*bus), clock_, host) : nullptr;
-    auto holding = std::make_unique<test::HoldingLink>(std::move(link), clock_, std::move(held_));
-    service_ = std::make_unique<MasterService>(
-        std::make_unique<test::AwayLink>(std::move(holding), clock_, std::move(away_)), clock_);
+    service_ = std::make_unique<MasterService>(std::move(link), clock_);
   }
 
   int run(bool loud) {
@@ -159,14 +161,11 @@ class Soak {
                                      .at = fault.at - kSecond / 2,
                                      .until = fault.at + kSecond / 2});
     }
-    if (kind.held_up) {
-      const auto lasts = fault.count * network_.project.master.cycle_time;
-      held_.push_back({fault.at, fault.at + lasts, fault.value_ns, random_.next() % 4 == 0});
-    } else if (kind.adapter) {
-      away_.push_back({fault.at, fault.until});
-    } else {
-      network_.sim.faults.push_back(fault);
+    if (kind.of_cycles) {
+      fault.until = fault.at + fault.count * network_.project.master.cycle_time;
+      if (random_.next() % 4 == 0) fault.kind = FaultKind::kHoldAnswers;
     }
+    network_.sim.faults.push_back(fault);
     auto& thrown = segments_.back().thrown;
     if (!thrown.empty()) thrown.back().next = fault.at;
     thrown.push_back({fault, &kind});
@@ -367,8 +366,6 @@ class Soak {
   std::vector<const SoakFaultKind*> kinds_;
   test::SimulatedNetwork& network_ = machine_.network;
   std::vector<Segment> segments_;
-  std::vector<test::HeldSpan> held_;  // frames; since the beginning,
-  std::vector<test::AwaySpan> away_;  // and the adapter
   Nanoseconds length_, begin_ = 0;
   std::unique_ptr<MasterService> service_;
   std::vector<CycleSample> samples_;

@@ -33,7 +33,7 @@ class AdapterAway : public ::testing::Test {
 };
 
 TEST_F(AdapterAway, ForASecondIsToldAndTheBusComesBackToOp) {
-  machine.adapter_away = {{6 * kSecond, 7 * kSecond}};
+  machine.adapter_off(6 * kSecond, 7 * kSecond);
   machine.run(20 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
   EXPECT_THAT(link_events(), testing::ElementsAre(kDown, kUp));
@@ -47,7 +47,7 @@ TEST_F(AdapterAway, ForASecondIsToldAndTheBusComesBackToOp) {
 }
 
 TEST_F(AdapterAway, WhenItStaysAwayThatIsWhatIsWrong) {
-  machine.adapter_away = {{6 * kSecond, 100 * kSecond}};
+  machine.adapter_off(6 * kSecond, 100 * kSecond);
   machine.run(9 * kSecond);
   EXPECT_THAT(link_events(), testing::ElementsAre(kDown));
   ASSERT_NE(finding(code::kAdapterAway), nullptr) << machine.said();
@@ -59,12 +59,12 @@ TEST_F(AdapterAway, AgainAndAgainForAsLongAsItLikes) {
   Random random(3);
   for (Nanoseconds at = 6 * kSecond; at < 60 * kSecond;) {
     const auto length = static_cast<Nanoseconds>(1 + random.next() % 30) * 100 * kMillisecond;
-    machine.adapter_away.push_back({at, at + length});
+    machine.adapter_off(at, at + length);
     at += length + 10 * kSecond;
   }
   machine.run(75 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
-  EXPECT_EQ(link_events().size(), 2 * machine.adapter_away.size());
+  EXPECT_EQ(link_events().size(), 2 * machine.network.sim.faults.size());
 }
 
 /// Away once while the bus is brought up, with other clocks at another time for each seed.
@@ -75,7 +75,7 @@ void run_away_during_bring_up(test::DiagnosedRun& machine, std::uint64_t seed) {
   machine.network.project.master.dc.sync_window.enabled = true;
   const auto from = static_cast<Nanoseconds>(random.uniform(0, 4e9));
   const auto length = static_cast<Nanoseconds>(random.uniform(20e6, 2e9));
-  machine.adapter_away = {{from, from + length}};
+  machine.adapter_off(from, from + length);
   machine.run(14 * kSecond);
 }
 
@@ -93,8 +93,8 @@ TEST(AdapterAwayProperty, AtAnyTimeOfTheBringUpTheBusReachesOpAndNobodyIsAccused
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     test::DiagnosedRun machine;
     run_away_during_bring_up(machine, seed);
-    const auto& away = machine.adapter_away.front();
-    RC_LOG() << "away from " << away.from << " to " << away.to << "\n" << machine.said();
+    const auto& away = machine.network.sim.faults.front();
+    RC_LOG() << "away from " << away.at << " to " << away.until << "\n" << machine.said();
     RC_ASSERT(machine.report.state == AlState::kOp);
     RC_ASSERT(machine.report.dc.state == SyncState::kInSync);
     RC_ASSERT(machine.report.dcm.state == SyncState::kInSync);
@@ -109,7 +109,7 @@ TEST(AdapterAwayProperty, DrivesThatFellForAMomentWithoutAdapterComeBack) {
   for (const auto length : {10, 15, 21, 30, 45}) {
     test::DiagnosedRun machine;
     test::add_two_axes(machine.network);
-    machine.adapter_away = {{6 * kSecond, 6 * kSecond + length * kMillisecond}};
+    machine.adapter_off(6 * kSecond, 6 * kSecond + length * kMillisecond);
     machine.run(12 * kSecond);
     EXPECT_EQ(machine.report.state, AlState::kOp) << length << " ms\n" << machine.said();
     EXPECT_FALSE(machine.found(code::kSlaveFellByMisses)) << machine.said();
@@ -126,7 +126,10 @@ TEST(AdapterAwayProperty, FramesOfAnOutageAccuseNotTheWayThroughTheCard) {
     test::add_two_axes(machine.network);
     test::give_random_clocks(machine.network, random);
     machine.network.project.master.dc.sync_window.enabled = true;
-    machine.adapter_away = {{6'000'000'000 + phase, 6'300'000'000}};
+    // The host comes too late to take it before.
+    const auto from = 6'000'000'000 + phase;
+    machine.fault(FaultKind::kHostStall, from - 100 * kMicrosecond).value_ns = 150 * kMicrosecond;
+    machine.adapter_off(from, 6'300'000'000);
     machine.run(8 * kSecond);
     late += machine.report.late_frames;
     EXPECT_FALSE(machine.found(code::kFramesLate)) << machine.said();
@@ -135,7 +138,7 @@ TEST(AdapterAwayProperty, FramesOfAnOutageAccuseNotTheWayThroughTheCard) {
 }
 
 TEST_F(AdapterAway, InTheMiddleOfABringUpThatIsToldAndBegunAgain) {
-  machine.adapter_away = {{200 * kMillisecond, 900 * kMillisecond}};
+  machine.adapter_off(200 * kMillisecond, 900 * kMillisecond);
   machine.run(12 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
   EXPECT_THAT(link_events(), testing::ElementsAre(kDown, kUp, kind_of<events::BringUpAgain>));
@@ -143,7 +146,7 @@ TEST_F(AdapterAway, InTheMiddleOfABringUpThatIsToldAndBegunAgain) {
 }
 
 TEST_F(AdapterAway, WhenTheBusIsSoughtItIsWaitedForToo) {
-  machine.adapter_away = {{0, 900 * kMillisecond}};
+  machine.adapter_off(0, 900 * kMillisecond);
   machine.run(15 * kSecond);
   EXPECT_EQ(machine.report.state, AlState::kOp) << machine.said();
 }

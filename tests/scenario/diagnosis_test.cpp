@@ -60,7 +60,7 @@ TEST_F(Diagnosis, NamesLostFramesAsTheCauseOfMissedEvents) {
 TEST_F(Diagnosis, CallsNoFrameLostThatCameBehindItsCycle) {
   for (int i = 0; i < 6; ++i) {
     const auto from = 5 * kSecond + i * 400 * kMillisecond;
-    machine.held_up.push_back({from, from + kMillisecond, 1300 * kMicrosecond});
+    machine.hold_frames(from, from + kMillisecond, 1300 * kMicrosecond);
   }
   machine.run(9 * kSecond);
   EXPECT_EQ(machine.report.lost_frames, 0U);

@@ -60,9 +60,11 @@ TEST_P(ShownFaults, AreFound) {
 }
 
 constexpr ShownFault kShownFaults[] = {
+    {"adapter-off", "adapter-was-away", -1},
     {"bit-errors", "port-errors", 4},
     {"cable-break", "slave-was-absent", 6},
     {"clock-step", "sync-window-left", 3},
+    {"held-frames", "frames-late", -1},
     {"host-stall", "host-stalled", -1},
     {"hung-firmware", "firmware-hung", 3},
     {"lost-frames", "frames-lost", -1},

@@ -23,7 +23,9 @@ class SimulatedSegment final : public Link {
   SimulatedSegment(VirtualClock& clock, const SimConfig& config) : clock_(clock) {
     auto bus = sim::SimBus::create(config, clock.now()).value();
     bus_ = bus.get();
-    inner_ = make_simulated_link("sim", std::move(bus), clock);
+    SimulatedHost host;
+    host.adapter = AdapterFaults::of(config, clock.now());
+    inner_ = make_simulated_link("sim", std::move(bus), clock, host);
   }
 
   /// The next so many frames go into nothing: no slave sees them.

@@ -8253,6 +8253,10 @@
         <translation>{fault} desselben Slaves, das bei {time} ms beginnt, ist dann noch nicht vorbei</translation>
     </message>
     <message>
+        <source>the {fault} that begins at {time} ms is not over then</source>
+        <translation>{fault}, das bei {time} ms beginnt, ist dann noch nicht vorbei</translation>
+    </message>
+    <message>
         <source>must be "none", "quiet", "desktop" or "bad"</source>
         <translation>er muss "none", "quiet", "desktop" oder "bad" sein</translation>
     </message>

@@ -8253,6 +8253,10 @@
         <translation>同一从站在 {time} ms 开始的 {fault} 届时尚未结束</translation>
     </message>
     <message>
+        <source>the {fault} that begins at {time} ms is not over then</source>
+        <translation>在 {time} ms 开始的 {fault} 那时尚未结束</translation>
+    </message>
+    <message>
         <source>must be "none", "quiet", "desktop" or "bad"</source>
         <translation>必须是 "none"、"quiet"、"desktop" 或 "bad"</translation>
     </message>

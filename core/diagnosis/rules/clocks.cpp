@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "channels/values/absent_after.h"
 #include "channels/values/sync_obstacle_text.h"
 #include "config/dcm_settings.h"
 #include "dc/dcm/dcm_controller.h"
@@ -193,6 +194,14 @@ bool without_time(const RunReport& report, const RunHistory::SyncLoss& loss) {
   });
 }
 
+/// While no frame comes back, or none in time, nobody hears the time either: told with the frames.
+bool without_frames(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  if (!loss.back || (loss.obstacle != dc::SyncObstacle::kNoReading && loss.obstacle != dc::SyncObstacle::kSettling))
+    return false;
+  const Spell silence{loss.time - kAbsentAfter, loss.time, 0, 0};
+  return report.history.lost_frames.near(silence, kTogether) || report.history.late_frames.near(silence, kTogether);
+}
+
 /// Of those who are not in sync at the end what came before is told as well, by others than `culprit`.
 void find_left_window(const RunReport& report, std::optional<int> culprit, Findings& findings) {
   const auto& all = report.history.slave_losses;
@@ -297,7 +306,7 @@ void find_master_sync(const RunReport& report, Findings& findings) {
     // Where nobody controls, the schedule leaves its place as a matter of course; what steps is told all the same.
     const bool wanders = !is_controlled(report) && (!loss.back || loss.obstacle == dc::SyncObstacle::kControlError);
     return !told && !wanders && !dc::is_of_external_clock(loss.obstacle) && !leader_was_away(report, loss) &&
-           !without_adapter(report, loss);
+           !without_adapter(report, loss) && !without_frames(report, loss);
   });
   const auto drift = Figure{"drift", Unit::kPpm, std::llround(dcm.drift_ppm * 1000)};
   if (std::abs(dcm.drift_ppm) > dc::kMostDriftPpm) {

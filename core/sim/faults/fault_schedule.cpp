@@ -120,8 +120,11 @@ void FaultSchedule::add_fault(const FaultConfig& fault) {
       return add(
           fault, [&target, slave, begin] { target.set_power(slave, false, begin); },
           [&target, slave, end] { target.set_power(slave, true, end); });
-    case FaultKind::kCalendarStep:
-    case FaultKind::kHostStall:  // not the segment's: link/simulated_host
+    case FaultKind::kHoldFrames:  // not the segment's: link/adapter_faults
+    case FaultKind::kHoldAnswers:
+    case FaultKind::kAdapterOff:
+    case FaultKind::kCalendarStep:  // nor these: link/simulated_host
+    case FaultKind::kHostStall:
     case FaultKind::kClockSlew:  // sim/dc/rate_changes
     case FaultKind::kTemperatureRamp:
       return;

@@ -185,8 +185,10 @@ void ScenarioFaults::check_time(Table& table, const FaultConfig& fault) {
     return other.kind == fault.kind && same_place && lasts(other, rule) && overlap(other, fault);
   });
   if (same == faults_.end()) return;
-  table.fail_at("at_ms", "the {fault} of the same slave that begins at {time} ms is not over then", rule.name,
-                static_cast<double>(same->at) / 1e6);
+  const auto begin = static_cast<double>(same->at) / 1e6;
+  if (fault.slave < 0)
+    return table.fail_at("at_ms", "the {fault} that begins at {time} ms is not over then", rule.name, begin);
+  table.fail_at("at_ms", "the {fault} of the same slave that begins at {time} ms is not over then", rule.name, begin);
 }
 
 /// One host stands still once at a time: two stalls that overlap would be one of a length that nobody wrote.

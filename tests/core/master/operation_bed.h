@@ -17,7 +17,6 @@
 #include "master/master_service.h"
 #include "protocol/al_state.h"
 #include "tests/support/event_match.h"
-#include "tests/support/holding_link.h"
 #include "tests/support/own_devices.h"
 #include "tests/support/sample_devices.h"
 #include "tests/support/simulated_segment.h"
@@ -36,7 +35,6 @@ class OperationBed : public ::testing::Test {
   SimulatedSegment* link = nullptr;
   std::unique_ptr<MasterService> service;
   NetworkConfig config;
-  std::vector<HeldSpan> held;  // frames that come later, since the bus was switched on
   std::vector<Event> events;
   std::vector<CycleSample> samples;
   Snapshot snapshot;
@@ -74,9 +72,7 @@ class OperationBed : public ::testing::Test {
     auto segment = std::make_unique<SimulatedSegment>(clock, network.sim);
     link = segment.get();
     begin_ = clock.now();
-    std::unique_ptr<Link> used = std::move(segment);
-    if (!held.empty()) used = std::make_unique<HoldingLink>(std::move(used), clock, held);
-    service = std::make_unique<MasterService>(std::move(used), clock);
+    service = std::make_unique<MasterService>(std::move(segment), clock);
   }
   void go_online(AlState target = AlState::kOp) {
     make_service();

@@ -87,7 +87,9 @@ TEST_F(RunningBusTest, LossesAreToldToTheEndOfOperation) {
 }
 
 TEST_F(RunningBusTest, AFrameThatComesAfterItsDeadlineIsLateAndNotLost) {
-  held = {{kLater, kLater + 2 * kMillisecond, 2'500'000}};
+  auto& held = fault(FaultKind::kHoldFrames, -1);
+  held.until = kLater + 2 * kMillisecond;
+  held.value_ns = 2'500'000;
   go_online();
   run_until(kLater - kMillisecond);
   samples.clear();

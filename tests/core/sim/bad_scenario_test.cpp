@@ -212,6 +212,23 @@ TEST(BadScenario, ADeviceThatItsFileDoesNotHaveIsToldWhereItIsNamed) {
   EXPECT_EQ(config.error().line, 3) << describe(config.error());
 }
 
+/// A card holds frames up for so long, not for two lengths at once; what it does to frames and answers are two things.
+TEST(BadScenario, WhatTheAdapterDoesHasOneLengthAtATime) {
+  const std::string first = "kind = \"hold-frames\"\nat_ms = 5\nuntil_ms = 9\nvalue_ns = 100_000\n[[fault]]\n";
+  expect_wrong(fault(first + "kind = \"hold-frames\"\nat_ms = 8\nvalue_ns = 1\n", "at_ms", 12,
+                     "the hold-frames that begins at 5 ms is not over then"));
+  expect_wrong(fault("kind = \"hold-answers\"\nat_ms = 5\n", "value_ns", 5, "is missing"));
+  expect_wrong(fault("kind = \"hold-frames\"\nvalue_ns = 1_000_000_001\n", "value_ns", 7, "1000000000"));
+  expect_wrong(fault("kind = \"adapter-off\"\nslave = 0\n", "slave", 7, "it is no slave's"));
+  expect_wrong(fault("kind = \"adapter-off\"\nvalue_ns = 1\n", "value_ns", 7, "does not go with adapter-off"));
+  for (const auto* fine :
+       {"kind = \"hold-answers\"\nat_ms = 8\nvalue_ns = 1_000_000_000\n",
+        "kind = \"hold-frames\"\nat_ms = 9\nvalue_ns = 1\n", "kind = \"adapter-off\"\nat_ms = 8\n"}) {
+    const auto config = load(servo() + terminal() + "[[fault]]\n" + first + fine);
+    EXPECT_TRUE(config) << fine << describe(config.error());
+  }
+}
+
 TEST(BadScenario, StallsOfTheHostThatOverlap) {
   const std::string first = "kind = \"host-stall\"\nat_ms = 8000\nvalue_ns = 40_000_000\n[[fault]]\n";
   const auto second = [&](const char* at, const char* length) {
