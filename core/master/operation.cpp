@@ -23,6 +23,14 @@
 namespace syncline {
 namespace {
 
+/// As events call it: a simulated one by its file alone, wherever that lies.
+std::string adapter_name(const Link& link) {
+  const auto described = link.describe();
+  if (described.kind != "simulated") return described.name;
+  const auto folder = described.name.rfind('/');
+  return folder == std::string::npos ? described.name : "sim:" + described.name.substr(folder + 1);
+}
+
 /// An adapter that goes away each time is no adapter.
 constexpr int kMostOutages = 10;
 
@@ -33,7 +41,7 @@ Operation::Operation(NetworkConfig config, FrameExchange& exchange, Clock& clock
       exchange_(exchange),
       clock_(clock),
       bus_(exchange, clock, &channels.cancel),
-      run_(config_, channels, SharedText(exchange.link().describe().name)),
+      run_(config_, channels, SharedText(adapter_name(exchange.link()))),
       sync_(config_, run_.snapshot, run_.states, run_.teller, channels.timer_adjust_permil),
       task_(exchange, clock, run_, sync_),
       delays_(config_, run_.snapshot, run_.states, run_.teller),
