@@ -182,16 +182,27 @@ bool without_adapter(const RunReport& report, const RunHistory::SyncLoss& loss) 
   return loss.back && adapter_was_away(report, {loss.time, loss.time, 0, 0});
 }
 
-/// While the host stands still nobody tells the slaves the time, and their quartzes run apart; nor the reference clock
-/// that it leads, which takes all with it when it is put right: no more than that, and told as what the host did.
+/// While the host stands still, or all frames get lost, nobody tells the slaves the time, and their quartzes run apart;
+/// nor the reference clock that the host leads, which takes all with it when it is put right: no more than that, and
+/// told as what the host did, or with the frames.
 bool without_time(const RunReport& report, const RunHistory::SyncLoss& loss) {
   constexpr std::int64_t kApart = 10'000;  // standing still for so much longer than the deviation: 100 ppm
   const bool led = is_controlled(report) && steers_reference_clock(report.dcm.mode);
   if (!loss.back || (loss.obstacle == dc::SyncObstacle::kClockStep && !led)) return false;
-  return std::ranges::any_of(report.history.stalls.list(), [&](const Spell& stall) {
-    const bool then = loss.time + kTogether >= stall.from && loss.time <= stall.to + kTogether;
-    return then && std::abs(loss.size) * kApart <= stall.largest;
-  });
+  const auto explains = [&](const Spell& spell, Nanoseconds length) {
+    const bool then = loss.time + kTogether >= spell.from && loss.time <= spell.to + kTogether;
+    return then && std::abs(loss.size) * kApart <= length;
+  };
+  const auto& history = report.history;
+  return std::ranges::any_of(history.stalls.list(), [&](const Spell& s) { return explains(s, s.largest); }) ||
+         std::ranges::any_of(history.lost_frames.list(), [&](const Spell& s) { return explains(s, s.to - s.from); });
+}
+
+/// Too short for anybody to be missed, long enough for those behind it to be told the time by another way.
+bool by_lost_link(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  constexpr std::int64_t kLongestWay = 10 * kMicrosecond;
+  return loss.back && loss.obstacle != dc::SyncObstacle::kClockStep && std::abs(loss.size) <= kLongestWay &&
+         lost_link_after(report, {loss.time, loss.time, 0, 0}) >= 0;
 }
 
 /// While no frame comes back, or none in time, nobody hears the time either: told with the frames.
@@ -210,7 +221,8 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
     const bool lasts = culprit && !loss.back && &loss == &all.back();
     const bool told =
         lasts || (loss.slave >= 0 && loss.slave == culprit) || was_written_late(report, loss, Left::kSlaves);
-    return !told && !came_back(report, loss) && !without_adapter(report, loss) && !without_time(report, loss);
+    return !told && !came_back(report, loss) && !without_adapter(report, loss) && !without_time(report, loss) &&
+           !by_lost_link(report, loss);
   });
   if (losses.empty()) return;
   const auto& first = losses.front();
