@@ -84,8 +84,10 @@ std::uint32_t DcmMonitor::error_code() {
   const auto& drift = own_drift();
   drift_too_high_ = drift.proven() && std::abs(drift.ppm()) > (drift_too_high_ ? kDriftBelowPpm : kMostDriftPpm);
   if (running_away_ || drift_too_high_) return kDcmErrorDriftTooHigh;
-  // Where nothing is moved the schedule leaves its place, which is no error of the control.
-  if (controls_ && judge_.was_in_sync() && !judge_.in_sync()) return kDcmErrorOutOfLimit;
+  // Where nothing is moved the schedule leaves its place, which is no error of the control; nor is it one that nobody
+  // hears the time.
+  const bool left = judge_.was_in_sync() && !judge_.in_sync() && !judge_.lost_by_silence();
+  if (controls_ && left) return kDcmErrorOutOfLimit;
   return 0;
 }
 

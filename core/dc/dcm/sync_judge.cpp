@@ -18,7 +18,7 @@ void SyncJudge::start(Nanoseconds time) {
   bad_since_.reset();
   silent_since_.reset();
   after_.reset();
-  in_sync_ = false;
+  in_sync_ = lost_by_silence_ = false;
 }
 
 void SyncJudge::observe(Nanoseconds time, Nanoseconds error) {
@@ -41,7 +41,7 @@ void SyncJudge::observe_silence(Nanoseconds time) {
 }
 
 void SyncJudge::lose() {
-  in_sync_ = false;
+  in_sync_ = lost_by_silence_ = false;
   good_since_.reset();
 }
 
@@ -49,9 +49,11 @@ void SyncJudge::lose() {
 void SyncJudge::endure(std::optional<Nanoseconds>& since, Nanoseconds time) {
   if (!since) since = time;
   // A single lost frame says nothing about the error, in sync or not.
-  const bool at_once = !in_sync_ && &since == &bad_since_;
-  if (!at_once && time - *since < kPatience) return;
+  const bool silent = &since == &silent_since_;
+  if ((in_sync_ || silent) && time - *since < kPatience) return;
+  const bool by_silence = silent && (in_sync_ || lost_by_silence_);
   lose();
+  lost_by_silence_ = by_silence;
 }
 
 }  // namespace syncline::dc

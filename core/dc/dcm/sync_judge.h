@@ -29,6 +29,8 @@ class SyncJudge {
   void lose();
   [[nodiscard]] bool in_sync() const { return in_sync_; }
   [[nodiscard]] bool was_in_sync() const { return after_.has_value(); }
+  /// Not in sync any more because nothing was heard, and since then nothing has been beyond the limit.
+  [[nodiscard]] bool lost_by_silence() const { return lost_by_silence_; }
   /// From start until the first time in sync, settle time included.
   [[nodiscard]] std::optional<Nanoseconds> in_sync_after() const { return after_; }
 
@@ -38,7 +40,7 @@ class SyncJudge {
   Nanoseconds limit_, settle_, delay_;
   Nanoseconds start_ = 0;
   std::optional<Nanoseconds> good_since_, bad_since_, silent_since_, after_;
-  bool in_sync_ = false;
+  bool in_sync_ = false, lost_by_silence_ = false;
 };
 
 }  // namespace syncline::dc

@@ -117,7 +117,7 @@ TEST(BusShift, SilenceOfTheReferenceClockLosesTheLock) {
   DcmPlant plant(options);
   plant.run_until(5.5);
   EXPECT_FALSE(plant.last().state.in_sync);
-  EXPECT_EQ(plant.last().state.error_code, kDcmErrorOutOfLimit);
+  EXPECT_EQ(plant.last().state.error_code, 0U) << "nobody knows of an error";
   plant.run_until(9);
   EXPECT_TRUE(plant.last().state.in_sync);
 }

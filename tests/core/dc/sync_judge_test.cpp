@@ -95,6 +95,26 @@ TEST_F(SyncJudgeTest, SilenceThatLastsIsALoss) {
   EXPECT_FALSE(judge.in_sync());
 }
 
+/// Of what was not heard nobody knows that it was beyond the limit; of what comes afterwards he does.
+TEST_F(SyncJudgeTest, ALossBySilenceIsTheSilencesUntilSomethingIsBeyondTheLimit) {
+  silence(0, 1000);
+  EXPECT_FALSE(judge.lost_by_silence()) << "there was nothing to lose";
+  run(1000, 3000, 0);
+  silence(3000, 3300);
+  EXPECT_TRUE(judge.lost_by_silence());
+  run(3300, 3400, 0);
+  silence(3400, 3700);
+  EXPECT_TRUE(judge.lost_by_silence());
+  run(3700, 3701, 9'000);
+  EXPECT_FALSE(judge.lost_by_silence());
+  silence(3701, 4000);
+  EXPECT_FALSE(judge.lost_by_silence()) << "it was lost already";
+  run(4000, 6000, 0);
+  ASSERT_TRUE(judge.in_sync());
+  run(6000, 6300, 9'000);
+  EXPECT_FALSE(judge.in_sync() || judge.lost_by_silence());
+}
+
 TEST_F(SyncJudgeTest, ALostFrameDoesNotStartTheSettleTimeAgain) {
   run(0, 700, 0);
   silence(700, 703);
