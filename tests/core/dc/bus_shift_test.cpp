@@ -111,6 +111,24 @@ TEST(BusShift, ABurstOfLostFramesDisturbsNobody) {
   EXPECT_LT(plant.worst(&PlantCycle::slave_error, 6), 100);
 }
 
+/// What it says of itself: what it writes beyond the forecast, of it what it has learned, and all of it in one.
+TEST(BusShift, SaysWhatItWrites) {
+  constexpr Nanoseconds kLag = 500;
+  BusShift shift(settings_for(DcmMode::kBusShift), kMillisecond, 400'000);
+  shift.start(0, 10'600'000, 10 * kMillisecond);
+  Nanoseconds total = 0;
+  for (auto time = 10 * kMillisecond; time < kSecond; time += kMillisecond) {
+    (void)shift.observe({time, time, time + 600'000 + kLag});
+    const auto& state = shift.state();
+    EXPECT_NEAR(static_cast<double>(state.adjust), -0.2 * kLag + state.output_sum, 0.5);
+    total += state.adjust;
+    EXPECT_EQ(state.output_total, total);
+    EXPECT_EQ(shift.reference_write(time + kMillisecond, time + kMillisecond),
+              time + kMillisecond + 600'000 + kLag + state.adjust);
+  }
+  EXPECT_NEAR(shift.state().output_sum, -kLag * 0.96 / 2.5, 5) << "7.5 s by the drift error gain";
+}
+
 TEST(BusShift, SilenceOfTheReferenceClockLosesTheLock) {
   auto options = bus_shifted(JitterProfile::quiet());
   options.lost = [](int cycle) { return cycle >= 5'000 && cycle < 6'000; };

@@ -72,6 +72,24 @@ TEST(ClockStepDetector, WrongStampsAreNoSteps) {
   EXPECT_TRUE(readings.steps.empty());
 }
 
+/// Whoever measures how much later frames come gets used to it, and says less and less.
+TEST(ClockStepDetector, WhatBeganAsAHeldFrameStaysOneWhileItIsAsLate) {
+  Readings readings(30);
+  readings.run(500);
+  EXPECT_FALSE(readings.read(30'000, 30'000));
+  for (int i = 0; i < 10; ++i) EXPECT_FALSE(readings.read(30'000, 16'000)) << i;
+  EXPECT_FALSE(readings.read(30'000, 14'000));
+  EXPECT_FALSE(readings.read(30'000, 14'000));
+  EXPECT_TRUE(readings.read(30'000, 14'000)) << "more than twice as late as the frame explains";
+  // Another lateness is no longer the same frame's.
+  Readings other(30);
+  other.run(500);
+  EXPECT_FALSE(other.read(30'000, 30'000));
+  EXPECT_FALSE(other.read(40'000, 21'000));
+  EXPECT_FALSE(other.read(40'000, 21'000));
+  EXPECT_TRUE(other.read(40'000, 21'000));
+}
+
 TEST(ClockStepDetector, WrongStampsThatAgreeAreNoStepWhereTheirFramesCameBackLate) {
   Readings readings(30, 300);
   readings.run(500);

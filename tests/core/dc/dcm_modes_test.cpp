@@ -195,6 +195,23 @@ TEST(DcmModes, TheGainSaysHowMuchOfTheNoiseComesThrough) {
   EXPECT_EQ(rms(0), rms(2)) << "zero leaves the default";
 }
 
+/// Of the first frames their mean, and later a little of each.
+TEST(DcmModes, TheUsualLatenessOfFramesIsKnownAtOnce) {
+  const auto controller = make_dcm_controller(settings_for(DcmMode::kMasterRefClock), kMillisecond, 400'000);
+  controller->start(0, 10'600'000, 10 * kMillisecond);
+  auto time = 10 * kMillisecond;
+  const auto late = [&](Nanoseconds by) {
+    (void)controller->observe({time + by, time, time + 600'000});
+    time += kMillisecond;
+    return controller->state().usual_lateness;
+  };
+  EXPECT_EQ(late(5'000), 5'000);
+  EXPECT_EQ(late(7'000), 6'000);
+  EXPECT_EQ(late(9'000), 7'000);
+  for (int i = 0; i < 5'000; ++i) (void)late(7'000);
+  EXPECT_NEAR(static_cast<double>(late(900'000)), 7'000 + 2'000.0 / 32, 1) << "no more of one";
+}
+
 TEST(DcmModes, TheDriftErrorGainSaysHowFastAChangeOfRateIsFollowed) {
   // A quartz that warms up: 0.1 ppm a second, as a growing error of the stamps would look.
   const auto lag = [](std::uint32_t drift_gain) {
