@@ -100,6 +100,21 @@ TEST(DiagnosisOfOneDrive, SaysByHowMuchSync0ComesTooEarly) {
   EXPECT_FALSE(mended.found(code::kShiftTooShort)) << "what it advises is enough: " << mended.said();
 }
 
+/// Thousands of outputs that are too late are not the doing of one frame that is held up and makes it miss an event.
+TEST(DiagnosisOfOneDrive, SaysThatAlsoWhereAFrameWasHeldUp) {
+  for (const auto longer : {988 * kMicrosecond, 993 * kMicrosecond}) {
+    test::DiagnosedRun machine;
+    machine.network.add(test::io8());
+    machine.network.add(sample::own("SL-XE2"), "drive-c");
+    machine.network.project.slaves[1].dc.sync0.shift = -640 * kMicrosecond;
+    machine.network.project.master.dc.dcm.mode = DcmMode::kMasterShift;
+    machine.hold_frames(6 * kSecond, 6 * kSecond + kMillisecond, longer);
+    machine.run(9 * kSecond);
+    EXPECT_TRUE(machine.found(code::kMissedByHeldFrames, 1)) << "else it says nothing\n" << machine.said();
+    EXPECT_TRUE(machine.found(code::kShiftTooShort, 1)) << machine.said();
+  }
+}
+
 TEST(DiagnosisOfAGateway, TellsCanCyclesThatAreSkipped) {
   test::DiagnosedRun machine;
   machine.network.add(test::io8());

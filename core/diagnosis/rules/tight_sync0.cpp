@@ -96,9 +96,9 @@ Finding came_held(const RunReport& report, const RunReport::Slave& slave, Nanose
 void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& outputs = slave.evidence.outputs.shift_too_short;
   const auto& spells = report.history.slaves[slave.position].shift_too_short;
-  const bool by_misses = misses_told(findings, slave) && !is_mostly_late(report, slave, findings);
-  const bool told = by_misses || came_with_misses(report, findings, slave) || fell_unlocked(report, findings, slave) ||
-                    sync0_had_moved(report, slave, spells);
+  const bool by_misses = (misses_told(findings, slave) || came_with_misses(report, findings, slave)) &&
+                         !is_mostly_late(report, slave, findings);
+  const bool told = by_misses || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
   if (outputs.total > 0 && !told && !was_locked(report, spells)) {
     findings.push_back(slid(report, slave));
   } else if (const auto held = outputs.total > 0 && !told ? held_up(report, slave) : std::nullopt) {
