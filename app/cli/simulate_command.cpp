@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "findings/fold.h"
 #include "link/pcap_link.h"
 #include "protocol/al_state.h"
+#include "sim/faults/fault_rules.h"
 #include "support/counted.h"
 
 namespace syncline::cli {
@@ -44,6 +46,8 @@ void print_served(std::ostream& out, const SimConfig& segment, const AdapterInfo
     out << fmt::format("{:>3} {:<20} {:<32} {:>6} {}\n", i, name_of(slave), to_string(slave.device.identity),
                        slave.alias, behind);
   }
+  if (const auto faults = sim::host_faults(segment); !faults.empty())
+    out << fmt::format("passed over, because the host is the master's own: {}\n", fmt::join(faults, ", "));
   out.flush();
 }
 
@@ -59,7 +63,11 @@ Json served_json(const SimConfig& segment, const AdapterInfo& adapter) {
                     {"serial_no", slave.serial_no},
                     {"alias", slave.alias}});
   }
-  return {{"scenario", segment.name}, {"adapter", adapter.name}, {"mac", mac_text(adapter.mac)}, {"slaves", rows}};
+  return {{"scenario", segment.name},
+          {"adapter", adapter.name},
+          {"mac", mac_text(adapter.mac)},
+          {"slaves", rows},
+          {"host_faults", sim::host_faults(segment)}};
 }
 
 double microseconds(Nanoseconds time) { return static_cast<double>(time) / 1'000.0; }

@@ -20,7 +20,6 @@ struct AdapterFaults {
 
   /// `begin`: when the bus is switched on.
   [[nodiscard]] static AdapterFaults of(const SimConfig& config, Nanoseconds begin);
-  [[nodiscard]] bool empty() const { return holds_frames.empty() && holds_answers.empty() && off.empty(); }
   /// So much later than it is handed over at `time` does a frame leave; and is one handed to the host.
   [[nodiscard]] Nanoseconds frame_held(Nanoseconds time) const;
   [[nodiscard]] Nanoseconds answer_held(Nanoseconds time) const;

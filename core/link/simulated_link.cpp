@@ -81,7 +81,7 @@ class SimulatedLink final : public Link {
   }
 
   [[nodiscard]] LinkDescription describe() const override {
-    return {name_, "simulated", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x01}, true, true};
+    return {name_, "simulated", {0x00, 0x53, 0x4C, 0x00, 0x00, 0x01}, !adapter_.is_off(clock_.now()), true};
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "tests/scenario/two_axes_run.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/machine_devices.h"
 #include "tests/support/small_machines.h"
@@ -126,7 +127,7 @@ TEST(HeldFramesUnmonitored, AccuseNoClock) {
 INSTANTIATE_TEST_SUITE_P(Modes, HeldFrames, ::testing::Values(DcmMode::kBusShift, DcmMode::kMasterShift));
 
 /// In every cycle and in the modes that move the host, or the reference clock with or without its error in mind.
-class HeldSeries : public ::testing::TestWithParam<std::tuple<DcmMode, Nanoseconds>> {};
+class HeldSeries : public test::TwoAxesRun {};
 
 TEST_P(HeldSeries, IsTheCauseOfWhatItDoesToTheClocks) {
   const auto [mode, cycle] = GetParam();
@@ -136,12 +137,7 @@ TEST_P(HeldSeries, IsTheCauseOfWhatItDoesToTheClocks) {
         // Of a cycle of 500 us all come too late for a tenth of a second, and on which way they were held up nobody
         // sees.
         if (coming_back && cycle == 500 * kMicrosecond && us == 450 && frames == 200) continue;
-        test::DiagnosedRun run;
-        test::add_two_axes(run.network);
-        auto& master = run.network.project.master;
-        master.cycle_time = cycle;
-        master.dc.dcm.mode = mode;
-        master.dc.sync_window.enabled = true;
+        auto run = machine;
         run.hold_frames(5 * kSecond, 5 * kSecond + frames * cycle, us * kMicrosecond, coming_back);
         run.run(12 * kSecond);
         SCOPED_TRACE(std::to_string(frames) + " frames, " + std::to_string(us) + " us, " +

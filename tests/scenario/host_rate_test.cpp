@@ -4,34 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <tuple>
 
-#include "tests/support/diagnosed_run.h"
-#include "tests/support/small_machines.h"
+#include "tests/scenario/two_axes_run.h"
 
 namespace syncline {
 namespace {
 
-class OfModeAndCycle : public ::testing::TestWithParam<std::tuple<DcmMode, Nanoseconds>> {
- protected:
-  test::DiagnosedRun machine;
-  void SetUp() override {
-    test::add_two_axes(machine.network);
-    auto& master = machine.network.project.master;
-    master.dc.dcm.mode = std::get<0>(GetParam());
-    master.cycle_time = std::get<1>(GetParam());
-    master.dc.sync_window.enabled = true;
-  }
-};
-
 /// Who follows the reference clock by its readings sees the other rate in them, however long the cycle is.
-class HostRate : public OfModeAndCycle {};
+class HostRate : public test::TwoAxesRun {};
 
 TEST_P(HostRate, IsFollowedWithoutLeavingTheReferenceClock) {
   for (const auto& jitter : {JitterProfile::none(), JitterProfile::quiet()}) {
     for (const double ppm : {-5.0, 20.0, -60.0}) {
       auto run = machine;
-      run.jitter = jitter;
+      run.jitter = run.network.sim.host_jitter = jitter;
       auto& fault = run.fault(FaultKind::kTemperatureRamp, 10 * kSecond);
       fault.until = 10 * kSecond + kMillisecond;
       fault.ppm = ppm;
@@ -50,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(MasterShift, HostRate,
                                                               4 * kMillisecond)));
 
 /// What the clocks ran apart meanwhile is taken back at once: no clock has stepped, and no time service was at work.
-class HostAsleep : public OfModeAndCycle {};
+class HostAsleep : public test::TwoAxesRun {};
 
 TEST_P(HostAsleep, ForSecondsIsWhatIsTold) {
   for (const auto length : {300 * kMillisecond, kSecond, 3 * kSecond}) {

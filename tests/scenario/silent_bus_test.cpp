@@ -6,27 +6,16 @@
 #include <tuple>
 
 #include "protocol/al_state.h"
-#include "tests/support/diagnosed_run.h"
-#include "tests/support/small_machines.h"
+#include "tests/scenario/two_axes_run.h"
 
 namespace syncline {
 namespace {
 
-class SilentBus : public ::testing::TestWithParam<std::tuple<DcmMode, Nanoseconds>> {
- protected:
-  test::DiagnosedRun machine;
-  void SetUp() override {
-    test::add_two_axes(machine.network);
-    auto& master = machine.network.project.master;
-    master.dc.dcm.mode = std::get<0>(GetParam());
-    master.cycle_time = std::get<1>(GetParam());
-    master.dc.sync_window.enabled = true;
-  }
-};
+class SilentBus : public test::TwoAxesRun {};
 
 /// No link was lost and nobody was without power: no plug is loose and no supply is weak.
 TEST_P(SilentBus, WhoseFramesGetLostAccusesNoSlave) {
-  const auto [mode, cycle] = GetParam();
+  const auto cycle = std::get<1>(GetParam());
   for (const int slave : {-1, 0, 2}) {
     auto run = machine;
     run.fault(FaultKind::kLoseFrames, 8 * kSecond, slave).count =

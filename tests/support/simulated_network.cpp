@@ -32,7 +32,7 @@ NetworkConfig SimulatedNetwork::compiled(const CompileOptions& options) const {
 std::unique_ptr<Link> SimulatedNetwork::link(Clock& clock) const {
   if (auto* own = dynamic_cast<VirtualClock*>(&clock)) add_standstills(*own, sim);
   auto bus = sim::SimBus::create(sim, clock.now());
-  SimulatedHost host;
+  auto host = SimulatedHost::with(sim.host_jitter, sim.seed);
   host.adapter = AdapterFaults::of(sim, clock.now());
   return bus ? make_simulated_link("sim", std::move(*bus), clock, host) : nullptr;
 }

@@ -95,8 +95,9 @@ void Dcx::judge_external() {
                              : SyncObstacle::kNone;
 }
 
-/// Who leads now has its own rate, and what was pushed was another one's.
+/// Who leads now has its own rate, and what was pushed was another one's, unless the same one is back.
 void Dcx::set_led_by_substitute(bool substitute) {
+  if (!substitute && !substitute_) return;
   substitute_ = substitute;
   push_ = integral_ = 0;
 }

@@ -46,8 +46,7 @@ void find_earlier(const RunReport& report, Findings& findings) {
   for (std::size_t i = 0; i < report.slaves.size(); ++i) {
     const auto& absences = report.history.slaves[i].absences;
     const auto explained = [&](const Spell& spell) {
-      return adapter_was_away(report, spell) || was_noise(report, spell) || were_held_up(report, spell) ||
-             was_lost_on_the_way(report, spell);
+      return adapter_was_away(report, spell) || was_noise(report, spell) || was_seeming(report, spell);
     };
     if (!absences.empty() && std::ranges::all_of(absences.list(), explained)) continue;
     if (absences.empty() || is_absent(report, i) || report.slaves[i].optional) continue;

@@ -86,6 +86,8 @@ enum class Left : std::uint8_t { kSlaves, kMaster };
 /// The same, and nobody was without power: frames were lost on their way, which is told as lost frames. Nothing of it
 /// where the counters of the first slave were not read since.
 [[nodiscard]] bool was_lost_on_the_way(const RunReport& report, const Spell& silence);
+/// One of these two: nobody was away in such an absence.
+[[nodiscard]] bool was_seeming(const RunReport& report, const Spell& absence);
 /// The slave was away in the spell, and not only as it seemed.
 [[nodiscard]] bool was_absent(const RunReport& report, int slave, const Spell& spell);
 /// Who lost the link over which frames came to it, shortly after the spell; -1: nobody. Its counters are read in turn.

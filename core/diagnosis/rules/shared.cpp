@@ -87,11 +87,14 @@ bool was_lost_on_the_way(const RunReport& report, const Spell& silence) {
          report.history.lost_frames.near(before, 0) && std::ranges::none_of(report.history.slaves, restarted);
 }
 
+bool was_seeming(const RunReport& report, const Spell& absence) {
+  return were_held_up(report, absence) || was_lost_on_the_way(report, absence);
+}
+
 bool was_absent(const RunReport& report, int slave, const Spell& spell) {
   const auto& absences = report.history.slaves[static_cast<std::size_t>(slave)].absences.list();
   return std::ranges::any_of(absences, [&](const Spell& absence) {
-    return absence.from <= spell.to && spell.from <= absence.to && !were_held_up(report, absence) &&
-           !was_lost_on_the_way(report, absence);
+    return absence.from <= spell.to && spell.from <= absence.to && !was_seeming(report, absence);
   });
 }
 

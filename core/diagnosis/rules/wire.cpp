@@ -96,7 +96,7 @@ struct LostAt {
 /// Some time of the run, and not only as it seemed.
 bool was_away(const RunReport& report, const RunHistory::Slave& slave) {
   return !std::ranges::all_of(slave.absences.list(),
-                              [&](const Spell& absence) { return was_lost_on_the_way(report, absence); });
+                              [&](const Spell& absence) { return was_seeming(report, absence); });
 }
 
 /// Behind the last in frame order whose counter says that it had its outputs all the same, or in front of the first one

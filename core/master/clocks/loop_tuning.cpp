@@ -52,13 +52,12 @@ void LoopTuning::prepare(const Job& job) {
   frame_.clear();
   depth_ = {job.step == Step::kHold ? kHoldingDepth : job.depth};
   ahead_ = job.ahead;
-  if (job.step == Step::kAskDepth) depth_access_ = {Command::kFprd, depth, depth_};
-  if (job.step == Step::kHold || job.step == Step::kSetDepth) depth_access_ = {Command::kFpwr, depth, depth_};
-  if (job.step == Step::kHold) time_access_ = {Command::kFprd, time, time_};
-  if (job.step == Step::kTell) time_access_ = {Command::kFpwr, time, time_};
-  time_access_.stamped = job.step == Step::kTell;
-  if (job.step != Step::kTell) (void)frame_.add(depth_access_);
-  if (job.step == Step::kHold || job.step == Step::kTell) (void)frame_.add(time_access_);
+  tells_ = job.step == Step::kTell;
+  depth_access_ = {job.step == Step::kAskDepth ? Command::kFprd : Command::kFpwr, depth, depth_};
+  time_access_ = {tells_ ? Command::kFpwr : Command::kFprd, time, time_};
+  time_access_.stamped = tells_;
+  if (!tells_) (void)frame_.add(depth_access_);
+  if (tells_ || job.step == Step::kHold) (void)frame_.add(time_access_);
 }
 
 Status LoopTuning::step(FrameExchange& exchange, Nanoseconds deadline) {
@@ -74,10 +73,7 @@ Status LoopTuning::step(FrameExchange& exchange, Nanoseconds deadline) {
 
 /// True when that was the last step.
 bool LoopTuning::take(Job& job) {
-  const auto done = [&](const Datagram& datagram) { return frame_.answered() && datagram.done(); };
-  const bool answered = (job.step == Step::kTell || done(depth_access_)) &&
-                        (job.step == Step::kAskDepth || job.step == Step::kSetDepth || done(time_access_));
-  if (!answered) return false;
+  if (!frame_.answered() || !std::ranges::all_of(frame_.datagrams(), &Datagram::done)) return false;
   job.tries = 0;
   switch (job.step) {
     case Step::kAskDepth:
@@ -99,7 +95,7 @@ bool LoopTuning::take(Job& job) {
 
 void LoopTuning::stamp(Nanoseconds send_time) {
   stamped_at_ = send_time;
-  if (time_access_.stamped) store_le(std::span(time_), static_cast<std::uint32_t>(send_time + ahead_));
+  if (tells_) store_le(std::span(time_), static_cast<std::uint32_t>(send_time + ahead_));
 }
 
 }  // namespace syncline

@@ -55,6 +55,7 @@ class LoopTuning final : private SendStamp {
   std::array<std::uint8_t, 4> time_{};
   Datagram depth_access_, time_access_;
   PendingFrame frame_;
+  bool tells_ = false;  // the frame, the clock its time
   Nanoseconds stamped_at_ = 0, ahead_ = 0;
 };
 

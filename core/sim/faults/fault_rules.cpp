@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/faults/fault_rules.h"
 
+#include <algorithm>
 #include <array>
 
 #include "support/types.h"
@@ -60,6 +61,18 @@ constexpr std::array kRules{
 }  // namespace
 
 std::span<const FaultRule> fault_rules() { return kRules; }
+
+std::vector<std::string_view> host_faults(const SimConfig& config) {
+  constexpr std::array kKinds{FaultKind::kHoldFrames, FaultKind::kHoldAnswers, FaultKind::kAdapterOff,
+                              FaultKind::kHostStall, FaultKind::kCalendarStep};
+  std::vector<std::string_view> names;
+  for (const auto& rule : kRules) {
+    const bool of_host = std::ranges::find(kKinds, rule.kind) != kKinds.end();
+    if (of_host && std::ranges::find(config.faults, rule.kind, &FaultConfig::kind) != config.faults.end())
+      names.push_back(rule.name);
+  }
+  return names;
+}
 
 std::string_view name_of(FaultRule::Key key) {
   switch (key) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "config/sim_config.h"
 
@@ -41,6 +42,9 @@ struct FaultRule {
 };
 
 [[nodiscard]] std::span<const FaultRule> fault_rules();
+/// Kinds of the scenario's faults that only a simulated host has, once each, by their names: who serves the segment to
+/// a master with a host of its own passes them over.
+[[nodiscard]] std::vector<std::string_view> host_faults(const SimConfig& config);
 /// Its TOML name.
 [[nodiscard]] std::string_view name_of(FaultRule::Key key);
 

@@ -38,6 +38,7 @@ class Bridged {
     (void)cycle(ahead);
     return written.value_or(-1) - (now_ - kMillisecond + 600'000);
   }
+  void set_led_by_substitute(bool substitute) { dcx_.set_led_by_substitute(substitute); }
   [[nodiscard]] const DcmState& state() const { return dcx_.state(); }
 
   std::optional<Nanoseconds> written;
@@ -89,6 +90,20 @@ TEST(Dcx, LearnsWhatStays) {
   far.cycles(1'000, 100'000);
   far.cycles(400, 0);
   EXPECT_NEAR(static_cast<double>(far.push(0)), 0, 1) << "a way to go is no rate";
+}
+
+/// By an eighth, because it learns quickly; and what one clock needed to keep its place the next one need not.
+TEST(Dcx, PushesASubstituteLessAndForgetsWhatTheOtherClockNeeded) {
+  Bridged bridge;
+  bridge.cycles(1'000, 1'000);
+  bridge.set_led_by_substitute(false);
+  EXPECT_NEAR(static_cast<double>(bridge.push(1'000)), 200 + 400, 4) << "the same clock is back";
+  bridge.set_led_by_substitute(true);
+  bridge.cycles(100, 1'000);
+  EXPECT_NEAR(static_cast<double>(bridge.push(1'000)), 200 / 8 + 40, 4);
+  bridge.set_led_by_substitute(false);
+  bridge.cycles(150, 1'000);
+  EXPECT_NEAR(static_cast<double>(bridge.push(1'000)), 200 + 60, 4);
 }
 
 /// Only the phase in the cycle counts: half a cycle is the most.

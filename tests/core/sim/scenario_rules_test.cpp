@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "findings/error_text.h"
+#include "sim/faults/fault_rules.h"
 #include "tests/core/sim/sim_probe.h"
 
 namespace syncline::test {
@@ -154,6 +156,17 @@ TEST(ScenarioRules, AStallIsTheHostsAndHasALength) {
   EXPECT_FALSE(load_alone("at_ms = 8000\n"));
   EXPECT_FALSE(load_alone("value_ns = -1\n"));
   EXPECT_FALSE(load_alone("slave = 0\nvalue_ns = 30000000\n"));
+}
+
+/// Of a scenario that is served to somebody else's host.
+TEST(ScenarioRules, WhatTheAdapterDoesIsTheHostsAsItsStallsAre) {
+  SimConfig config;
+  EXPECT_THAT(sim::host_faults(config), testing::IsEmpty());
+  for (const auto kind : {FaultKind::kHostStall, FaultKind::kHoldFrames, FaultKind::kClockSlew, FaultKind::kHoldFrames,
+                          FaultKind::kLoseFrames}) {
+    config.faults.emplace_back().kind = kind;
+  }
+  EXPECT_THAT(sim::host_faults(config), testing::ElementsAre("hold-frames", "host-stall"));
 }
 
 }  // namespace
