@@ -21,7 +21,7 @@ namespace {
 class Outage : public test::MachineRun {
  protected:
   /// A terminal, two drives, and a terminal (or a bridge) at the end.
-  void make(DcmMode mode, std::uint64_t seed) {
+  void make(DcmMode mode, std::uint64_t seed, Nanoseconds cycle = kMillisecond) {
     network = {};
     network.add(test::io8());
     network.add(test::servo(), "servo-y");
@@ -39,6 +39,7 @@ class Outage : public test::MachineRun {
     // The host's jitter reaches the reference clock as it is: 127 ns is too narrow for that with or without an outage.
     if (mode == DcmMode::kMasterRefClock) dc.sync_window.exponent = 9;
     dc.dcm.mode = mode;
+    network.project.master.cycle_time = cycle;
   }
   /// The first drive leads and hangs alone at port D of the terminal, which has no part in the clocks.
   void branch() {
@@ -77,25 +78,29 @@ class Outage : public test::MachineRun {
     int slave = 0;
     Nanoseconds length = 0;
     std::uint64_t seed = 1;
+    Nanoseconds cycle = kMillisecond;
     [[nodiscard]] std::string name() const {
-      return fmt::format("{}{}, {} of slave {} for {} ms, seed {}\n", dcm_mode_name(mode), branch ? " (branch)" : "",
-                         kind == FaultKind::kCableBreak ? "cable" : "power", slave, length / kMillisecond, seed);
+      return fmt::format("{}{}, {} of slave {} for {} ms, cycle {} us, seed {}\n", dcm_mode_name(mode),
+                         branch ? " (branch)" : "", kind == FaultKind::kCableBreak ? "cable" : "power", slave,
+                         length / kMillisecond, cycle / kMicrosecond, seed);
     }
   };
-  static Case random_case(int number);
+  static Case random_case(int number, Nanoseconds cycle = kMillisecond);
   void expect_sync_after(const Case& c);
   void expect_quiet_after(const Case& c, Nanoseconds begin, Nanoseconds end);
 };
 
 void Outage::expect_sync_after(const Case& c) {
-  make(c.mode, c.seed);
+  make(c.mode, c.seed, c.cycle);
   if (c.branch) branch();
   // In DCX the external clock is to be met first.
-  const auto settled = c.mode == DcmMode::kDcx ? 20 * kSecond : 6 * kSecond;
+  const auto more = c.cycle > kMillisecond ? 6 * kSecond : 0;
+  const auto settled = more + (c.mode == DcmMode::kDcx ? 20 * kSecond : 6 * kSecond);
   const auto begin = settled + static_cast<Nanoseconds>(c.seed * 7'654'321 % 1'000'000'000), end = begin + c.length;
   fault(c.kind, c.slave, begin, end);
   go_online();
-  run_until(begin - 2 * kMillisecond);  // the cycle that runs over the end would have seen the outage
+  run_until(begin -
+            std::max(2 * kMillisecond, c.cycle));  // the cycle that runs over the end would have seen the outage
   ASSERT_EQ(snapshot.state, AlState::kOp) << c.name() << log();
   ASSERT_EQ(snapshot.dc.state, SyncState::kInSync) << c.name() << log();
   ASSERT_EQ(snapshot.dcm.state, SyncState::kInSync) << c.name() << log();
@@ -126,7 +131,7 @@ void Outage::expect_quiet_after(const Case& c, Nanoseconds begin, Nanoseconds en
     bool open = false;
     for (const auto& event : events) {
       const bool bad = is_bad(event), of_all = is_good(event) && event.slave < 0;
-      if (event.time < begin || !(bad || of_all)) continue;
+      if (event.time - start < begin || !(bad || of_all)) continue;
       spells += bad && !open ? 1 : 0;
       open = bad;
     }
@@ -143,7 +148,7 @@ void Outage::expect_quiet_after(const Case& c, Nanoseconds begin, Nanoseconds en
 }
 
 /// The case with this number, out of random ones.
-Outage::Case Outage::random_case(int number) {
+Outage::Case Outage::random_case(int number, Nanoseconds cycle) {
   constexpr std::array kModes{DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kDcx, DcmMode::kMasterRefClock,
                               DcmMode::kLinkLayerRefClock};
   Random random(1);
@@ -158,15 +163,52 @@ Outage::Case Outage::random_case(int number) {
     if (c.mode == DcmMode::kDcx) c.slave = std::min(c.slave, 2);
     c.length = static_cast<Nanoseconds>(5e7 * std::pow(200.0, random.uniform()));
     c.seed = static_cast<std::uint64_t>(i) + 1;
+    c.cycle = cycle;
   }
   return c;
 }
 
+int outages(int usually) {
+  const char* wish = std::getenv("SYNCLINE_OUTAGES");
+  return wish != nullptr ? std::atoi(wish) : test::cases(usually);
+}
+
 /// SYNCLINE_OUTAGES=n tries n of them.
 TEST_F(Outage, EndsInSyncWhateverGoesAwayForHowLongInWhichMode) {
-  const char* wish = std::getenv("SYNCLINE_OUTAGES");
-  const int count = wish != nullptr ? std::atoi(wish) : test::cases(30);
-  for (int number = 1; number <= count; ++number) expect_sync_after(random_case(number));
+  for (int number = 1; number <= outages(30); ++number) expect_sync_after(random_case(number));
+}
+
+TEST_F(Outage, EndsInSyncInShorterAndLongerCycles) {
+  for (int number = 1; number <= outages(10); ++number) {
+    for (const auto cycle : {500 * kMicrosecond, 2 * kMillisecond}) {
+      const auto c = random_case(number, cycle);
+      // The host's jitter is in the reference clock there, and more of it in longer cycles.
+      if (c.mode != DcmMode::kMasterRefClock) expect_sync_after(c);
+    }
+  }
+}
+
+/// Slaves follow a changed rate a number of cycles behind: what may change by so much in cycles of 1 ms took them out
+/// of their window in longer ones.
+TEST_F(Outage, TheExternalClockIsMetMoreSlowlyInLongerCycles) {
+  for (const int number : {143, 178}) expect_sync_after(random_case(number, 2 * kMillisecond));
+  for (const int number : {8, 13, 18, 28, 33, 63}) expect_sync_after(random_case(number, 4 * kMillisecond));
+}
+
+/// With the quick loop of those who follow it ran after each stamp, and all others a microsecond behind it for each
+/// millisecond of the cycle.
+TEST_F(Outage, ASubstituteThatTheHostSteersLeadsWithinTheWindow) {
+  for (const auto cycle : {500 * kMicrosecond, kMillisecond, 4 * kMillisecond}) {
+    make(DcmMode::kBusShift, 1, cycle);
+    branch();
+    fault(FaultKind::kSlaveOff, 1, 12 * kSecond);
+    go_online();
+    for (auto time = 15 * kSecond; time < 30 * kSecond; time += 50 * kMillisecond) {
+      run_until(time);
+      ASSERT_EQ(snapshot.dc.reference_clock, 2) << log();
+      ASSERT_EQ(snapshot.dc.state, SyncState::kInSync) << cycle << "\n" << log();
+    }
+  }
 }
 
 /// In front of its substitute it is told what the master believes: while that was the host's jitter and the time from

@@ -14,12 +14,26 @@ namespace {
 constexpr double kSharePerPpt = 0.1;
 /// For the integral, ns: its time stands well above the ESC's, so that the two loops do not fight.
 constexpr double kFilterTime = 20e6;
-constexpr double kIntegralTime = 7.5e9;    // divided by the drift error gain
+constexpr double kIntegralTime = 7.5e9;  // divided by the drift error gain
+/// With reset values (0x0930, 0x0935) an ESC runs 16.7 ppm faster for each us that it is told to be behind, and makes
+/// what it is told for so many cycles its own rate.
+constexpr double kEscGain = 16.7e-9, kEscCycles = 4096;  // 1/ns
+/// Two integrals and the clock itself do not swing while gain x share x (share x integral time + the ESC's) is above 1;
+/// there is noise, too. What the share is ahead has to be more than the filters are behind: ours, and the ESC's of 64
+/// cycles (0x0934).
+constexpr double kLoopReserve = 2.5, kFilterCycles = 100, kOurFilter = 2 * kFilterTime;
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
 constexpr Nanoseconds kStandstill = kSecond / 2;
 constexpr int kBlocksAway = 10;
 constexpr int kKnown = 100;  // readings before an outlier can be told
 constexpr double kAwayPpm = 3;
+
+/// ns. Whatever the gains are set to: with less time the clock would swing, by tens of microseconds.
+double shortest_integral_time(double share, Nanoseconds cycle_time) {
+  const auto cycle = static_cast<double>(cycle_time);
+  const double beside_esc = kLoopReserve / (kEscGain * share) - kEscCycles * cycle;
+  return std::max(beside_esc, kFilterCycles * cycle + kOurFilter) / share;
+}
 
 }  // namespace
 
@@ -28,8 +42,9 @@ BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseco
       monitor_(settings, cycle_time, set_value, least),
       forecast_(static_cast<double>(settings.max_valid_value)),
       limit_(settings.in_sync_limit),
-      share_(std::min(1.0, kSharePerPpt * settings.gain_ppt)),
-      integral_time_(kIntegralTime / std::max(1U, settings.drift_error_gain)) {}
+      share_(std::clamp(kSharePerPpt * settings.gain_ppt, kSharePerPpt, 1.0)),
+      integral_time_(std::max(kIntegralTime / std::max(1U, settings.drift_error_gain),
+                              shortest_integral_time(share_, cycle_time))) {}
 
 void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) {
   target_.base = base;

@@ -11,6 +11,9 @@
 namespace syncline::dc {
 namespace {
 
+/// Slaves follow a changed rate a number of cycles behind. In longer ones than this they are farther behind and may be
+/// farther off while it changes, by the square of the length, so all that changes it takes its time.
+constexpr double kUsualCycle = 1e6;  // ns
 /// ns in which what is left is gone: the way ends slowly.
 constexpr double kApproach = 0.6e9;
 /// ns that are written for each ppm of another rate. An ESC takes some 60 ns for one at once, and what is written for
@@ -25,9 +28,10 @@ constexpr Nanoseconds kMeasured = 500 * kMillisecond;  // the rate is known by t
 constexpr double kNear = 3'000;                        // ns: only what stays there is learned
 constexpr double kDcxIntegralTime = 2.5e9;             // ns
 constexpr double kDcxMaxIntegral = 5'000;              // ns
-constexpr double kPushChange = 2e-6;       // ns a ns: a rate that changes at once takes slaves out of their window
-constexpr double kDcxMaxCorrection = 600;  // ns: moves an ESC by some 10 ppm at once
-constexpr std::uint32_t kLeastGain = 20;   // ppt: the clock that the host follows is being moved
+constexpr double kPushChange = 2e-6;  // ns a ns: a rate that changes at once takes slaves out of their window
+constexpr double kBrake = 0.8 * kPushChange / kPushPerPpm;  // ppm a ns: less than the push can change
+constexpr double kDcxMaxCorrection = 600;                   // ns: moves an ESC by some 10 ppm at once
+constexpr std::uint32_t kLeastGain = 20;                    // ppt: the clock that the host follows is being moved
 constexpr Nanoseconds kPatience = kSecond;
 
 DcmSettings for_host(DcmSettings settings) {
@@ -41,6 +45,7 @@ Dcx::Dcx(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_va
     : control_off_(settings.control_off),
       cycle_(cycle_time),
       limit_(settings.in_sync_limit),
+      slowness_(std::max(1.0, static_cast<double>(cycle_time) / kUsualCycle)),
       host_(for_host(settings), cycle_time, set_value, least),
       forecast_(static_cast<double>(settings.max_valid_value)) {}
 
@@ -62,12 +67,21 @@ void Dcx::forget() {
   met_ = apart_ = false;
 }
 
+/// The rate at which to come nearer, ppm: as fast as can still be braked, and the last bit in proportion to what is
+/// left.
+double Dcx::wanted_closing() const {
+  const double approach = kApproach * slowness_, brake = kBrake / (slowness_ * slowness_);
+  const double distance = std::abs(*behind_), last_bit = brake * approach * approach * 1e-6;
+  const double speed =
+      distance <= last_bit ? distance / approach * 1e6 : std::sqrt(2e6 * brake * (distance - last_bit / 2));
+  return std::copysign(std::min(speed, kDcxFastestPpm), *behind_);
+}
+
 /// For the rate that it takes to come nearer.
 void Dcx::steer(Nanoseconds passed) {
-  const double wanted = std::clamp(*behind_ / kApproach * 1e6, -kDcxFastestPpm, kDcxFastestPpm);
   const double per_ppm = substitute_ ? kPushPerPpm * kOfSubstitute : kPushPerPpm;
-  const double push = std::clamp(per_ppm * (wanted - closing_), -kDcxMaxCorrection, kDcxMaxCorrection);
-  const double most = kPushChange * static_cast<double>(passed);
+  const double push = std::clamp(per_ppm * (wanted_closing() - closing_), -kDcxMaxCorrection, kDcxMaxCorrection);
+  const double most = kPushChange / (slowness_ * slowness_) * static_cast<double>(passed);
   push_ += std::clamp(push - push_, -most, most);
 }
 
@@ -155,8 +169,9 @@ void Dcx::take(const DcmObservation& observation) {
   steer(passed);
   // What is further away is a distance to go, and no rate to learn.
   if (std::abs(*behind_) > kNear) return;
-  integral_ = std::clamp(integral_ + static_cast<double>(cycle_) / kDcxIntegralTime * *behind_, -kDcxMaxIntegral,
-                         kDcxMaxIntegral);
+  const double integral_time = kDcxIntegralTime * slowness_ * slowness_;
+  integral_ =
+      std::clamp(integral_ + static_cast<double>(cycle_) / integral_time * *behind_, -kDcxMaxIntegral, kDcxMaxIntegral);
 }
 
 }  // namespace syncline::dc

@@ -27,11 +27,13 @@ class Dcx final : public DcmController {
   void take(const DcmObservation& observation);
   void forget();
   void note_closing(double moved, Nanoseconds passed);
+  [[nodiscard]] double wanted_closing() const;
   void steer(Nanoseconds passed);
   void judge_external();
 
   bool control_off_, substitute_ = false;
   Nanoseconds cycle_, limit_;
+  double slowness_;  // 1, or more in longer cycles
   MasterShift host_;
   DcmState state_;
   WriteForecast forecast_;

@@ -29,6 +29,10 @@ constexpr int kNearInARow = 4;
 /// A clock that is not near by then steps the others when it leads again; they bear it.
 constexpr Nanoseconds kLeadPatience = 10 * kSecond;
 
+/// What it is told is where it will be by itself, and a push. One that is told a time to be at would swing, who learns
+/// as quickly as a follower and averages.
+bool is_pushed(DcmMode mode) { return mode == DcmMode::kBusShift || mode == DcmMode::kDcx; }
+
 }  // namespace
 
 /// Below SAFEOP a slave's clock may be in the middle of being set up.
@@ -95,15 +99,15 @@ void ReferenceClock::lead(std::uint16_t position, Nanoseconds time) {
 
 /// The last message to a clock that follows was what the master believed, with the noise of a send stamp: in front of
 /// the leader always, and of anybody where the leader was gone already. Where the master steers the clock that leads,
-/// it goes on telling it the time, with the host's jitter; the one that has come home learned quickly
-/// (DcLoopRole::kReturning) and averages as a leader now. A substitute keeps its quick loop in bus shift: with that
-/// filter in front of it, it would swing. DCX pushes less, and must not push everybody with its stamps.
+/// it goes on telling it the time, with the host's jitter: the one that has come home learned quickly
+/// (DcLoopRole::kReturning) and averages as a leader now. So does a substitute, or all who follow it would run after
+/// each stamp.
 void ReferenceClock::tune(std::uint16_t position) {
-  const auto& settings = config_.dc.dcm;
-  if (settings.standard_loop_values) return;
-  if (!steers_reference_clock(settings.mode)) {
+  const auto mode = config_.dc.dcm.mode;
+  if (config_.dc.dcm.standard_loop_values) return;
+  if (!steers_reference_clock(mode)) {
     tuning_.settle(position);
-  } else if (settings.mode == DcmMode::kDcx) {
+  } else if (is_pushed(mode)) {
     tuning_.settle(position, difference_depth(config_, true));
   } else if (position == home_) {
     tuning_.set_depth(position, difference_depth(config_, true));
@@ -114,7 +118,7 @@ void ReferenceClock::lose_lead() {
   if (!leader_) return;
   snapshot_.slaves[*leader_].is_reference_clock = false;
   const auto& settings = config_.dc.dcm;
-  if (settings.mode == DcmMode::kDcx && leader_ != home_ && !settings.standard_loop_values)
+  if (is_pushed(settings.mode) && leader_ != home_ && !settings.standard_loop_values)
     tuning_.set_depth(*leader_, difference_depth(config_, false));
   leader_.reset();
 }

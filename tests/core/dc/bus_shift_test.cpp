@@ -74,6 +74,25 @@ TEST(BusShift, DoesNotSwingWhereTheEscsGainIsHigh) {
   }
 }
 
+/// In cycles the ESC's filter has its share in the loop, in seconds its rate: with an integral of a fixed time the
+/// clock swung by tens of microseconds in long cycles, and in short ones with a small gain.
+TEST(BusShift, SwingsInNoCycleWithNoGain) {
+  for (const auto& [gain, drift_gain] : {std::pair{1U, 3U}, {1U, 16U}, {2U, 3U}, {2U, 16U}, {8U, 16U}}) {
+    for (const Nanoseconds cycle : {62'500, 125'000, 500'000, 2'000'000, 10'000'000, 20'000'000}) {
+      auto options = bus_shifted(JitterProfile::quiet());
+      options.settings.gain_ppt = gain;
+      options.settings.drift_error_gain = drift_gain;
+      options.cycle = cycle;
+      options.set_value = cycle * 2 / 3;
+      DcmPlant plant(options);
+      const double seconds = std::max(30.0, static_cast<double>(cycle) * 10'000 / 1e9);
+      plant.run_until(seconds);
+      EXPECT_EQ(plant.times_lost(), 0) << gain << " " << drift_gain << " " << cycle;
+      EXPECT_LT(plant.worst(&PlantCycle::grid_error, seconds / 2), 50) << gain << " " << drift_gain << " " << cycle;
+    }
+  }
+}
+
 TEST(BusShift, MovesToTheGridWithoutAStep) {
   for (const double error : {-200e3, 100e3}) {
     auto options = bus_shifted(JitterProfile::quiet());
