@@ -86,6 +86,77 @@ TEST(ChangedWayBehind, IsNoStepOfOneOfThem) {
   }
 }
 
+/// The branch with the reference clock goes and is back before the line has settled at its substitute, which frames
+/// reach microseconds later then.
+TEST_F(ChangedWay, ToASubstituteIsNoStepOfIt) {
+  for (const auto cycle : {kMillisecond, 2 * kMillisecond, 4 * kMillisecond}) {
+    for (int number = 0; number < 6; ++number) {
+      machine.network = {};
+      machine.events.clear();
+      for (int i = 0; i < 8; ++i) machine.network.add(i % 4 == 1 ? test::servo() : test::io8(), "generic");
+      auto& master = machine.network.project.master;
+      master.cycle_time = cycle;
+      master.dc.dcm.mode = DcmMode::kMasterShift;
+      master.dc.sync_window.enabled = true;
+      master.dc.reference_clock = 1;
+      machine.network.project.slaves[0].dc.op_mode = "";
+      machine.network.sim.slaves[1].parent_port = 3;
+      machine.network.project.slaves[1].previous = PreviousPort{0, 3};
+      machine.network.sim.slaves[6].parent = 0;
+      machine.network.project.slaves[6].previous = PreviousPort{0, 1};
+      Random random(static_cast<std::uint64_t>(number));
+      test::give_random_clocks(machine.network, random);
+      const auto begin = 14 * kSecond + number * 37 * kMillisecond;
+      machine.fault(FaultKind::kSlaveOff, begin, 1).until = begin + (50 + 10 * number) * kMillisecond;
+      machine.run(17 * kSecond);
+      EXPECT_TRUE(std::ranges::any_of(machine.events, [](const Event& event) {
+        const auto* change = event.as<events::ReferenceClockChanged>();
+        return change != nullptr && change->what == events::ReferenceClockChanged::What::kTookOver;
+      }));
+      EXPECT_FALSE(std::ranges::any_of(machine.events,
+                                       [](const Event& event) {
+                                         const auto* out = event.as<events::MasterOutOfSync>();
+                                         return out != nullptr && out->obstacle == dc::SyncObstacle::kClockStep;
+                                       }))
+          << cycle << " " << number << " " << machine.said();
+    }
+  }
+}
+
+/// Asked by its place, the clock that leads is told the time as one that follows, in the frames in which a branch in
+/// front of it is gone and nobody knows: nobody told it anything any more, and it ran on with that at 775 ppm.
+TEST_F(ChangedWay, OfABranchThatGoesMakesNobodyRunAway) {
+  for (const auto cycle : {kMillisecond, 4 * kMillisecond}) {
+    for (const std::size_t others : {2U, 8U, 16U}) {
+      machine.network = {};
+      machine.events.clear();
+      machine.jitter = JitterProfile::quiet();
+      for (std::size_t i = 0; i < others + 4; ++i) machine.network.add(i > others ? test::servo() : test::io8());
+      auto& master = machine.network.project.master;
+      master.cycle_time = cycle;
+      master.dc.dcm.mode = DcmMode::kMasterShift;
+      master.dc.sync_window.enabled = true;
+      master.dc.reference_clock = static_cast<std::uint16_t>(others + 1);
+      for (std::size_t i = 0; i <= others; ++i) machine.network.project.slaves[i].dc.op_mode = "";
+      auto& sim = machine.network.sim.slaves;
+      sim[1].parent_port = 3;
+      machine.network.project.slaves[1].previous = PreviousPort{0, 3};
+      sim[others + 1].parent = 0;
+      machine.network.project.slaves[others + 1].previous = PreviousPort{0, 1};
+      Random random(1);
+      test::give_random_clocks(machine.network, random);
+      machine.fault(FaultKind::kCableBreak, 14 * kSecond, 1).until = 16 * kSecond;
+      machine.run(20 * kSecond);
+      const auto trouble = [](const Event& e) {
+        return e.is<events::DcmError>() || (e.time > 14 * kSecond && e.is<events::MasterOutOfSync>());
+      };
+      EXPECT_FALSE(std::ranges::any_of(machine.events, trouble)) << others << " " << machine.said();
+      EXPECT_TRUE(machine.found(code::kSlaveWasAbsent)) << machine.said();
+      EXPECT_FALSE(machine.found(code::kSlaveLeftWindow)) << others << " " << machine.said();
+    }
+  }
+}
+
 TEST_F(ChangedWay, AStepOfTheReferenceClockIsStillToldAsThat) {
   machine.fault(FaultKind::kClockStep, 6 * kSecond, 0).value_ns = 2 * kMillisecond;
   machine.run(10 * kSecond);

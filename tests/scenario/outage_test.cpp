@@ -256,6 +256,28 @@ TEST_F(Outage, AWayThatBecomesLongerMovesNobodyWhoIsToldTheAdaptersTime) {
   for (const int number : {205, 405, 650, 795, 905}) expect_sync_after(random_case(number));
 }
 
+/// It comes back as it was where the clock is gone that would have put its own into it.
+TEST_F(Outage, TheTimeThatTheMasterHasSentIsNoReading) {
+  make(DcmMode::kMasterShift, 1);
+  branch();
+  const auto begin = 6 * kSecond;
+  fault(FaultKind::kSlaveOff, 1, begin);
+  go_online();
+  run_until(8 * kSecond);
+  const auto changed =
+      times(test::with(&events::ReferenceClockChanged::what, events::ReferenceClockChanged::What::kTookOver), begin);
+  ASSERT_EQ(changed.size(), 1U) << log();
+  int between = 0, read = 0;
+  for (const auto& sample : samples) {
+    const auto time = sample.send_time - start;
+    if (time <= begin || time > changed[0]) continue;
+    ++between;
+    read += (sample.flags & CycleSample::kReferenceValid) != 0 ? 1 : 0;
+  }
+  EXPECT_GT(between, 0);
+  EXPECT_EQ(read, 0);
+}
+
 /// The or-ed AL status is the same before and after the second fall.
 TEST_F(Outage, ADriveThatFallsBehindAnotherOneIsSeen) {
   make(DcmMode::kBusShift, 1);

@@ -27,6 +27,7 @@ class BusShift final : public DcmController {
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
   bool observe_second_write(const DcmObservation& observation) override;
+  void note_other_way() override { monitor_.note_other_way(); }
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:

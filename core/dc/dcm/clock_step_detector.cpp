@@ -15,12 +15,18 @@ constexpr double kStepScatters = 7.5;  // six standard deviations of a normal di
 constexpr double kStepMemory = 0.02;
 /// An ESC that is led back to its place after a step moves no faster: its speed counter ends at 763 ppm.
 constexpr double kFastestRate = 1e-3;
+/// Readings until frames go to the clock that leads now, and its loop has been told that it leads.
+constexpr int kUnsettled = 8;
 constexpr int kLost = 20;  // strange readings in a row that do not agree: the line is begun anew
 
 }  // namespace
 
 ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nanoseconds reference_time,
                                                       Nanoseconds doubt) {
+  if (unsettled_ > 0) {
+    --unsettled_;
+    return {};
+  }
   if (!started_) {
     started_ = true;
     host_ = host_time;
@@ -60,6 +66,11 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
   scatter_ += std::max(kStepMemory, 1.0 / readings_) * (std::min(std::abs(surprise), gate) - scatter_);
   follow(surprise, static_cast<double>(passed));
   return {};
+}
+
+void ClockStepDetector::look_elsewhere() {
+  start();
+  unsettled_ = kUnsettled;
 }
 
 /// Whoever measures how much later frames come back gets used to it in time; so what has begun as a held frame stays

@@ -19,6 +19,8 @@ class ClockStepDetector {
  public:
   explicit ClockStepDetector(Nanoseconds limit) : limit_(static_cast<double>(limit)) {}
   void start() { *this = ClockStepDetector(static_cast<Nanoseconds>(limit_)); }
+  /// Readings are elsewhere from now on, or soon will be: what was learned of them is no more worth anything.
+  void look_elsewhere();
   struct Reading {
     std::optional<Nanoseconds> step;  // by how much the reference clock has stepped forward, when that is now sure, ns
     double doubt = 0;                 // so much of it, ns, may be its stamp's alone, which then is all that is strange
@@ -43,6 +45,7 @@ class ClockStepDetector {
   double fraction_ = 0;                   // of a nanosecond, to the reference time
   double rate_ = 0;                       // reference clock's rate minus host's
   double scatter_ = 0;                    // mean of |surprise|, ns
+  int unsettled_ = 0;                     // readings of which nothing is learned yet
   int readings_ = 0, strange_ = 0;
   std::array<Strange, kSure> last_strange_{};
   std::optional<double> held_;  // surprise of the last reading, where its frame was held up

@@ -77,6 +77,8 @@ class DcmController {
   /// Another clock leads from now on than was to: one whose control loop is that of those who follow, and learns
   /// quickly what it is told; or no longer. Nobody's after start().
   virtual void set_led_by_substitute(bool /*substitute*/) {}
+  /// Slaves in front of the clock that leads have come or gone, or another one leads: its readings are elsewhere.
+  virtual void note_other_way() {}
   [[nodiscard]] virtual const DcmState& state() const = 0;
 };
 

@@ -21,6 +21,7 @@ class Dcx final : public DcmController {
   DcmAction observe(const DcmObservation& observation) override;
   bool observe_second_write(const DcmObservation& observation) override;
   void set_led_by_substitute(bool substitute) override;
+  void note_other_way() override { host_.note_other_way(); }
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:

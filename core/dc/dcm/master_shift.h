@@ -21,6 +21,7 @@ class MasterShift final : public DcmController {
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds, Nanoseconds) override { return std::nullopt; }
   DcmAction observe(const DcmObservation& observation) override;
+  void note_other_way() override { monitor_.note_other_way(); }
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:

@@ -27,6 +27,7 @@ class WrittenClock final : public DcmController {
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
+  void note_other_way() override { monitor_.note_other_way(); }
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:

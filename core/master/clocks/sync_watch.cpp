@@ -269,10 +269,15 @@ void SyncWatch::leader_lost(Nanoseconds) { led_ = false; }
 void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time, bool substitute) {
   if (!controller_) return;
   controller_->set_led_by_substitute(substitute);
+  controller_->note_other_way();
   led_ = true;
   line_.start_place_anew();
   verdict_.distrust(time);
   snapshot_.dc.reference_clock = position;
+}
+
+void SyncWatch::way_changed() {
+  if (controller_) controller_->note_other_way();
 }
 
 void SyncWatch::leader_moved(std::uint16_t position) {

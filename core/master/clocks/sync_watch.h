@@ -82,6 +82,8 @@ class SyncWatch {
   void leader_lost(Nanoseconds time);
   /// `substitute`: not the one that is to lead whenever it is there.
   void leader_found(std::uint16_t position, Nanoseconds time, bool substitute);
+  /// Slaves in front of the clock that leads have come or gone.
+  void way_changed();
   /// The one that is to lead does so again, and went with the one before: nobody has noticed.
   void leader_moved(std::uint16_t position);
 

@@ -18,6 +18,8 @@ namespace {
 
 /// Inputs of a datagram that did not come back for so long are no present ones.
 constexpr Nanoseconds kOldInputs = 100 * kMillisecond;
+/// Cycles by which it is known who has gone; what stays away longer is no slave that has gone.
+constexpr int kMostDoubted = 20;
 
 /// How many bits of the image there are from `bit` on.
 std::size_t bits_from(std::span<const std::uint8_t> image, std::uint32_t bit) {
@@ -276,6 +278,24 @@ CyclicFrameSet::Reading CyclicFrameSet::evaluate() {
   return reading;
 }
 
+void CyclicFrameSet::take_attendance() {
+  for (auto& entry : entries_) {
+    entry.wkc_of_all = 0;
+    entry.doubted = 0;
+  }
+}
+
+/// Where somebody does not answer any more, it may be the clock that leads: then the time is the one that the master
+/// has sent, or of the one who has its place now.
+bool CyclicFrameSet::answered_by_leader(Entry& entry) {
+  const auto wkc = entry.datagram.wkc;
+  if (wkc == 0) return false;
+  if (wkc < entry.wkc_of_all && ++entry.doubted <= kMostDoubted) return false;
+  entry.wkc_of_all = wkc;
+  entry.doubted = 0;
+  return true;
+}
+
 void CyclicFrameSet::read(Entry& entry, Reading& reading) {
   const auto& datagram = entry.datagram;
   switch (entry.role) {
@@ -289,7 +309,7 @@ void CyclicFrameSet::read(Entry& entry, Reading& reading) {
       reading.al_status_wkc = datagram.wkc;
       break;
     case Role::kReferenceTime:
-      if (datagram.wkc == 0) return;
+      if (!answered_by_leader(entry)) return;
       reading.reference_is_64bit = entry.data.size() >= 8;
       reading.reference_time =
           reading.reference_is_64bit ? load_le<std::uint64_t>(entry.data) : load_le<std::uint32_t>(entry.data);

@@ -52,6 +52,8 @@ class CyclicFrameSet {
   };
   void follow(Leader leader);
   [[nodiscard]] Leader leader() const { return leader_; }
+  /// It is known again who is there: whoever answers the reference clock's command now is who it means.
+  void take_attendance();
   /// The commands as they are configured read and steer this slave's clock.
   [[nodiscard]] bool configured_for(std::uint16_t position, std::uint16_t station) const;
 
@@ -128,6 +130,8 @@ class CyclicFrameSet {
     bool read = false;              // its answer was taken since it was selected
     std::uint32_t unread = 0;       // times that it was sent without, since then
     std::uint16_t wkc_without = 0;  // part of the expected counter that does not come now
+    std::uint16_t wkc_of_all = 0;   // of the reference clock's command: the most since attendance was taken
+    int doubted = 0;                // cycles in a row in which it was less
     std::vector<std::uint8_t> data;
     Datagram datagram;
   };
@@ -147,6 +151,7 @@ class CyclicFrameSet {
   void add_task(const CyclicTask& task, Nanoseconds base_cycle);
   void size_images(const NetworkConfig& config);
   void share_counters(const NetworkConfig& config);
+  [[nodiscard]] static bool answered_by_leader(Entry& entry);
   void address_leader(Entry& entry);
   void fill(Entry& entry, bool steer);
   static void fill_time(Entry& entry, Nanoseconds time);

@@ -266,6 +266,7 @@ Status CyclicTaskRunner::amend_clock() {
 /// Slaves were looked at: what is expected of the bus from now on.
 void CyclicTaskRunner::after_sweep() {
   sweeps_seen_ = slaves_.sweeps();
+  frames_.take_attendance();
   reference_.look(send_time_);
   if (working_counter_.judging()) expect_present();
 }

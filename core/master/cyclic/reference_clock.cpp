@@ -45,6 +45,7 @@ void ReferenceClock::start(std::uint16_t home, std::uint16_t leader, bool by_pla
   home_ = home;
   leader_ = leader;
   by_place_ = places_right_ = by_place;
+  on_way_ = on_way();
   approach_.reset();
   address(true);
 }
@@ -68,7 +69,14 @@ void ReferenceClock::look(Nanoseconds time) {
   if (!home_) return;
   auto& slaves = snapshot_.slaves;
   places_right_ = std::all_of(slaves.begin(), slaves.begin() + *home_, [](const SlaveStatus& s) { return s.present; });
-  if (leader_ && slaves[*leader_].present) return;
+  if (leader_ && slaves[*leader_].present) {
+    const auto there = on_way();
+    if (std::exchange(on_way_, there) == there) return;
+    sync_.way_changed();
+    // Its place was another's until that was seen, and it was told the time as one that follows.
+    if (!steers_reference_clock(config_.dc.dcm.mode)) tune(*leader_);
+    return;
+  }
   if (leader_) {
     teller_.tell(time, *leader_, events::ReferenceClockChanged{What::kLost});
     lose_lead();
@@ -79,6 +87,11 @@ void ReferenceClock::look(Nanoseconds time) {
   for (std::size_t i = 0; i < slaves.size(); ++i) {
     if (can_lead(i)) return lead(static_cast<std::uint16_t>(i), time);
   }
+}
+
+std::ptrdiff_t ReferenceClock::on_way() const {
+  const auto& slaves = snapshot_.slaves;
+  return std::count_if(slaves.begin(), slaves.begin() + *leader_, [](const SlaveStatus& s) { return s.present; });
 }
 
 std::optional<std::uint16_t> ReferenceClock::candidate(std::span<const std::size_t> slaves) const {
@@ -127,6 +140,7 @@ void ReferenceClock::hand_over(std::uint16_t position) {
   lose_lead();
   tune(position);
   leader_ = position;
+  on_way_ = on_way();
   snapshot_.slaves[position].is_reference_clock = true;
   approach_.reset();
 }

@@ -66,6 +66,7 @@ class ReferenceClock {
   [[nodiscard]] bool is_near();
   [[nodiscard]] bool follows_near();
   [[nodiscard]] bool compares_near();
+  [[nodiscard]] std::ptrdiff_t on_way() const;
   void hand_over(std::uint16_t position);
   void tune(std::uint16_t position);
   void lose_lead();
@@ -79,6 +80,7 @@ class ReferenceClock {
   std::optional<std::uint16_t> home_, leader_;
   bool by_place_ = false;      // the configuration's commands mean the home clock by its place or address
   bool places_right_ = false;  // everybody in front of it is there
+  std::ptrdiff_t on_way_ = 0;  // slaves that are there in front of the one that leads
   std::optional<Approach> approach_;
   Comparison comparison_;
 };
