@@ -99,8 +99,8 @@ void Outage::expect_sync_after(const Case& c) {
   const auto begin = settled + static_cast<Nanoseconds>(c.seed * 7'654'321 % 1'000'000'000), end = begin + c.length;
   fault(c.kind, c.slave, begin, end);
   go_online();
-  run_until(begin -
-            std::max(2 * kMillisecond, c.cycle));  // the cycle that runs over the end would have seen the outage
+  // The cycle that runs over the end would have seen the outage.
+  run_until(begin - std::max(2 * kMillisecond, c.cycle));
   ASSERT_EQ(snapshot.state, AlState::kOp) << c.name() << log();
   ASSERT_EQ(snapshot.dc.state, SyncState::kInSync) << c.name() << log();
   ASSERT_EQ(snapshot.dcm.state, SyncState::kInSync) << c.name() << log();
@@ -191,8 +191,7 @@ TEST_F(Outage, EndsInSyncInShorterAndLongerCycles) {
 /// Slaves follow a changed rate a number of cycles behind: what may change by so much in cycles of 1 ms took them out
 /// of their window in longer ones.
 TEST_F(Outage, TheExternalClockIsMetMoreSlowlyInLongerCycles) {
-  for (const int number : {143, 178}) expect_sync_after(random_case(number, 2 * kMillisecond));
-  for (const int number : {8, 13, 18, 28, 33, 63}) expect_sync_after(random_case(number, 4 * kMillisecond));
+  for (const int number : {8, 63, 208, 378}) expect_sync_after(random_case(number, 4 * kMillisecond));
 }
 
 /// With the quick loop of those who follow it ran after each stamp, and all others a microsecond behind it for each
