@@ -10,8 +10,8 @@
 #include <map>
 
 #include "channels/cycle_sample.h"
-#include "protocol/al_state.h"
 #include "support/counted.h"
+#include "trace/sending_time.h"
 
 namespace syncline::cli {
 namespace {
@@ -43,8 +43,7 @@ void LatenessReport::add(std::span<const CycleSample> samples) {
   for (const auto& sample : samples) {
     ++cycles_;
     if ((sample.flags & CycleSample::kOverrun) != 0) ++overruns_;
-    if (sample.master_state != static_cast<std::uint8_t>(AlState::kOp)) continue;
-    ++in_op_;
+    if (!sending_time_matters(sample)) continue;
     histogram_.add(sample.wake_lateness_ns);
   }
 }
@@ -54,12 +53,13 @@ double LatenessReport::cpu_us_per_cycle() const {
 }
 
 Json LatenessReport::json() const {
-  return {{"cycles", in_op_},
-          {"p50_ns", histogram_.percentile(0.5)},
-          {"p90_ns", histogram_.percentile(0.9)},
-          {"p99_ns", histogram_.percentile(0.99)},
-          {"p99_9_ns", histogram_.percentile(0.999)},
-          {"max_ns", histogram_.max()},
+  const auto measured = [this](std::int64_t value) { return histogram_.count() == 0 ? Json(nullptr) : Json(value); };
+  return {{"cycles", histogram_.count()},
+          {"p50_ns", measured(histogram_.percentile(0.5))},
+          {"p90_ns", measured(histogram_.percentile(0.9))},
+          {"p99_ns", measured(histogram_.percentile(0.99))},
+          {"p99_9_ns", measured(histogram_.percentile(0.999))},
+          {"max_ns", measured(histogram_.max())},
           {"sleep_alone_p50_ns", or_null(host_.wake_p50)},
           {"sleep_alone_p99_ns", or_null(host_.wake_p99)},
           {"spin_ns", host_.spin},
@@ -74,11 +74,15 @@ Json LatenessReport::json() const {
 std::string LatenessReport::text() const {
   std::string text;
   const auto out = std::back_inserter(text);
-  const auto us = [this](double fraction) { return static_cast<double>(histogram_.percentile(fraction)) / 1000; };
-  fmt::format_to(out,
-                 "lateness of {} in OP: p50 {:.3f}  p90 {:.3f}  p99 {:.3f}  p99.9 {:.3f} us   overruns {}   "
-                 "processor {:.1f} us a cycle (whole process)\n",
-                 counted(in_op_, "cycle"), us(0.5), us(0.9), us(0.99), us(0.999), overruns_, cpu_us_per_cycle());
+  const auto us = [this](double fraction) {
+    return histogram_.count() == 0 ? "-"
+                                   : fmt::format("{:.3f}", static_cast<double>(histogram_.percentile(fraction)) / 1000);
+  };
+  fmt::format_to(
+      out,
+      "lateness of {} with clock control or process data: p50 {}  p90 {}  p99 {}  p99.9 {} us   overruns {}   "
+      "processor {:.1f} us a cycle (whole process)\n",
+      counted(histogram_.count(), "cycle"), us(0.5), us(0.9), us(0.99), us(0.999), overruns_, cpu_us_per_cycle());
   if (host_.wake_p50 > 0) {
     const auto in_us = [](Nanoseconds value) { return static_cast<double>(value) / 1000; };
     fmt::format_to(
@@ -93,7 +97,7 @@ std::string LatenessReport::text() const {
         bin.count;
   }
   for (const auto& [exponent, count] : octaves) {
-    const auto share = static_cast<double>(count) / static_cast<double>(in_op_);
+    const auto share = static_cast<double>(count) / static_cast<double>(histogram_.count());
     fmt::format_to(out, "  below {:>12.3f} us {:>10} {:>9.4f} % {}\n",
                    static_cast<double>(std::uint64_t{1} << exponent) / 1000, count, share * 100,
                    std::string(static_cast<std::size_t>(share * 50), '#'));

@@ -15,7 +15,7 @@ struct CycleSample;
 
 namespace syncline::cli {
 
-/// How late the cyclic thread sent, over all cycles in OP, and what the process cost.
+/// How late the cyclic thread sent, over all cycles where sending_time_matters(), and what the process cost.
 class LatenessReport {
  public:
   LatenessReport();
@@ -31,7 +31,7 @@ class LatenessReport {
 
   Histogram histogram_;
   HostStatus host_;
-  std::uint64_t cycles_ = 0, in_op_ = 0, overruns_ = 0;
+  std::uint64_t cycles_ = 0, overruns_ = 0;
   double cpu_at_start_ = 0;  // seconds of the process
 };
 

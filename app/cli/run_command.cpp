@@ -179,13 +179,14 @@ Json in_order(std::vector<std::pair<Nanoseconds, Json>> events) {
 void save_host(Context& context, const RunOptions& options, const HostRecorder& host, const NetworkConfig& config) {
   if (host.cycles() < HostRecorder::kLeastCycles) {
     return context.fail_with_words(
-        fmt::format("{} was not written: a host profile needs {} cycles in OP, the run had {}{}", options.save_host,
-                    HostRecorder::kLeastCycles, host.cycles() == 0 ? "none" : fmt::format("{}", host.cycles()),
+        fmt::format("{} was not written: a host profile needs {} cycles with process data, the run had {}{}",
+                    options.save_host, HostRecorder::kLeastCycles,
+                    host.cycles() == 0 ? "none" : fmt::format("{}", host.cycles()),
                     host.cycles() == 0 ? "" : "; run longer (--for)"),
         kFailed);
   }
-  const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us in OP.", options.link,
-                                 host.cycles(), config.cycle_time() / kMicrosecond);
+  const auto about = fmt::format("Measured by synclinectl run on {}: {} cycles of {} us with process data.",
+                                 options.link, host.cycles(), config.cycle_time() / kMicrosecond);
   const auto status = write_whole_file(options.save_host, sim::host_profile_text(host.profile(), about));
   if (!status) context.fail_with(status.error());
 }

@@ -36,7 +36,7 @@ QuantileCurve curve(const Histogram& histogram, std::int64_t less = 0) {
 
 void HostRecorder::add(std::span<const CycleSample> samples) {
   for (const auto& sample : samples) {
-    if (static_cast<AlState>(sample.master_state) != AlState::kOp) continue;
+    if (!has_process_data_communication(static_cast<AlState>(sample.master_state))) continue;
     if (last_ != 0) {
       const auto gap = sample.send_time - last_;
       if (gap > cycle_time_ + cycle_time_ / 2) stalls_.add(gap - cycle_time_);

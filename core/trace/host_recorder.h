@@ -15,7 +15,8 @@ namespace syncline {
 struct CycleSample;
 struct JitterProfile;
 
-/// Learns from the cycles of a run in OP what its host does to times; feed every sample that is drained.
+/// Learns from the cycles with process data (SAFEOP, OP) what their host does to times; feed every sample that is
+/// drained.
 class HostRecorder {
  public:
   explicit HostRecorder(Nanoseconds cycle_time) : cycle_time_(cycle_time) {}
@@ -23,7 +24,7 @@ class HostRecorder {
 
   /// From so many on a profile says something: the latest of a thousand is in it.
   static constexpr std::uint64_t kLeastCycles = 1'000;
-  /// Those in OP.
+  /// Those with process data.
   [[nodiscard]] std::uint64_t cycles() const { return wake_up_.count(); }
   /// Where the reference clock's time came with the frames, the stamp error is how much later than its neighbours a
   /// frame passed that clock; without, how much longer than the shortest its way out and back took, which takes the

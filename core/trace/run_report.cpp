@@ -11,6 +11,7 @@
 #include "config/network_config.h"
 #include "dc/sync0_arrival.h"
 #include "protocol/assign_activate.h"
+#include "trace/sending_time.h"
 
 namespace syncline {
 
@@ -54,8 +55,7 @@ void RunRecorder::add(std::span<const CycleSample> samples) {
     master_settled_ = master_settled_ || sample.master_sync == SyncState::kInSync;
     constexpr auto kMeasured = CycleSample::kDcmActive | CycleSample::kReferenceValid;
     if (master_settled_ && (sample.flags & kMeasured) == kMeasured) dcm_error_.add(sample.dcm_error_ns);
-    if (sample.master_state == static_cast<std::uint8_t>(AlState::kOp))
-      lateness_histogram_.add(sample.wake_lateness_ns);
+    if (sending_time_matters(sample)) lateness_histogram_.add(sample.wake_lateness_ns);
     if (sample.slave_position < 0 || static_cast<std::size_t>(sample.slave_position) >= readings_.size()) continue;
     auto& readings = readings_[static_cast<std::size_t>(sample.slave_position)];
     // What the reference clock shows, or a slave in front of it, is no deviation from the reference clock.

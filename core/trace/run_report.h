@@ -67,7 +67,7 @@ struct RunReport {
   bool sync_window_enabled = false;  // configured
   Statistics dcm_error;              // ns, of the cycles that read the reference clock since the master came in sync
   Statistics lateness;               // ns, every cycle
-  Histogram lateness_histogram;      // in OP
+  Histogram lateness_histogram;      // where sending_time_matters()
   RunHistory history;
   Nanoseconds told_from = 0;  // host clock: from here on findings count their moments; 0: from history.begin on
   HostStatus host;

@@ -329,16 +329,35 @@ TEST(CliRun, SavesWhatTheRunShowedOfItsHost) {
   std::ifstream file(host);
   std::ostringstream text;
   text << file.rdbuf();
-  EXPECT_THAT(text.str(),
-              testing::AllOf(HasSubstr("cycles of 1000 us in OP"), HasSubstr("[wake_up]"), HasSubstr("[stamp_error]")));
+  EXPECT_THAT(text.str(), testing::AllOf(HasSubstr("cycles of 1000 us with process data"), HasSubstr("[wake_up]"),
+                                         HasSubstr("[stamp_error]")));
   const auto nothing = cli_run({"run", eni, "--link", demo(), "--for", "6s", "--state", "PREOP", "--save-host", host});
   EXPECT_NE(nothing.code, cli::kDone);
-  EXPECT_THAT(nothing.err, HasSubstr("needs 1000 cycles in OP, the run had none"));
+  EXPECT_THAT(nothing.err, HasSubstr("needs 1000 cycles with process data, the run had none"));
   const auto little = folder.file("little.toml");
   const auto few = cli_run({"run", eni, "--link", demo(), "--for", "2500ms", "--save-host", little});
   EXPECT_EQ(few.code, cli::kFailed);
-  EXPECT_THAT(few.err, HasSubstr("a host profile needs 1000 cycles in OP, the run had "));
+  EXPECT_THAT(few.err, HasSubstr("a host profile needs 1000 cycles with process data, the run had "));
   EXPECT_FALSE(std::filesystem::exists(little));
+}
+
+/// A host that is late keeps a machine from OP, or makes it fall: it is measured wherever its lateness matters. What
+/// was not measured is no lateness of 0.
+TEST(CliRun, TellsTheLatenessOfAMachineThatDoesNotComeToOp) {
+  const TemporaryFolder folder;
+  const auto eni = export_demo(folder, "master");
+  const auto lateness = [&](const std::string& state) {
+    const auto run = cli_run({"run", eni, "--link", demo(), "--for", "5s", "--state", state, "--lateness", "--json"});
+    return nlohmann::json::parse(run.out)["lateness"];
+  };
+  const auto in_preop = lateness("PREOP");
+  EXPECT_GT(in_preop["cycles"], 2'000) << "the clocks are controlled there";
+  EXPECT_GT(in_preop["p99_9_ns"], 0);
+  EXPECT_GE(in_preop["max_ns"], in_preop["p99_9_ns"]);
+  const auto in_init = lateness("INIT");
+  EXPECT_EQ(in_init["cycles"], 0);
+  for (const auto* figure : {"p50_ns", "p90_ns", "p99_ns", "p99_9_ns", "max_ns"})
+    EXPECT_TRUE(in_init[figure].is_null());
 }
 
 /// The frames of a thousand terminals of 4 bytes need 333 us on the wire and 290 us to pass them all.

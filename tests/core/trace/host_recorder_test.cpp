@@ -84,13 +84,17 @@ TEST(HostRecorder, GapsAreStalls) {
   EXPECT_NEAR(profile.stall.at(0.5), 5e6, 0.2e6);
 }
 
-TEST(HostRecorder, CyclesBeforeOpDoNotCount) {
+TEST(HostRecorder, CyclesWithoutProcessDataDoNotCount) {
   auto samples = run_with(known(), 100);
-  for (auto& sample : samples) sample.master_state = static_cast<std::uint8_t>(AlState::kSafeop);
+  for (auto& sample : samples) sample.master_state = static_cast<std::uint8_t>(AlState::kPreop);
   HostRecorder recorder(kCycle);
   recorder.add(samples);
   EXPECT_EQ(recorder.cycles(), 0U);
   EXPECT_EQ(recorder.profile(), JitterProfile::none());
+  // A host that makes a machine fall is that host.
+  for (auto& sample : samples) sample.master_state = static_cast<std::uint8_t>(AlState::kSafeop);
+  recorder.add(samples);
+  EXPECT_EQ(recorder.cycles(), 100U);
 }
 
 }  // namespace

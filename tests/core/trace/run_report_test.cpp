@@ -9,6 +9,7 @@
 #include "config/frame_time.h"
 #include "config/network_config.h"
 #include "config/process_image.h"
+#include "protocol/al_state.h"
 #include "protocol/command.h"
 
 namespace syncline {
@@ -69,6 +70,22 @@ TEST(RunReportTest, ASlavesReadingIsTheNewestThatTheSnapshotHas) {
   EXPECT_EQ(recorder.finish(snapshot).deviation_max_ns, 400);
   status.follows = false;
   EXPECT_FALSE(recorder.finish(snapshot).slaves[1].deviation_ns) << "it leads by now";
+}
+
+TEST(RunReportTest, LatenessIsThatOfControlledClocksAndProcessDataInAnyState) {
+  CycleSample sample;
+  const auto counted = [&](AlState state, std::uint16_t flags) {
+    RunRecorder recorder{NetworkConfig{}};
+    sample.master_state = static_cast<std::uint8_t>(state);
+    sample.flags = flags;
+    recorder.add(std::span(&sample, 1));
+    return recorder.finish(Snapshot{}).lateness_histogram.count();
+  };
+  EXPECT_EQ(counted(AlState::kInit, 0), 0U);
+  EXPECT_EQ(counted(AlState::kPreop, 0), 0U);
+  EXPECT_EQ(counted(AlState::kPreop, CycleSample::kDcmActive), 1U);
+  EXPECT_EQ(counted(AlState::kSafeop, 0), 1U);
+  EXPECT_EQ(counted(AlState::kOp, 0), 1U);
 }
 
 /// Also what a slave's counter said before it went; of a slave without one nothing is reported.
