@@ -5136,8 +5136,8 @@ Einstellung %2</translation>
             <translation>Burst, Frames je Zyklus</translation>
         </message>
         <message>
-            <source>Frames of that burst in one cycle.</source>
-            <translation>Frames dieses Bursts in einem Zyklus.</translation>
+            <source>Frames of that burst in one cycle; where cycles are longer than 1 ms, in a tenth of one or in 1 ms.</source>
+            <translation>Frames dieses Bursts in einem Zyklus; bei Zyklen über 1 ms in einem Zehntel davon oder in 1 ms.</translation>
         </message>
         <message>
             <source>Burst ends early</source>

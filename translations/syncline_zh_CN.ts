@@ -5116,8 +5116,8 @@ Setting %2</source>
             <translation>突发，每周期帧数</translation>
         </message>
         <message>
-            <source>Frames of that burst in one cycle.</source>
-            <translation>该突发在一个周期内的帧数。</translation>
+            <source>Frames of that burst in one cycle; where cycles are longer than 1 ms, in a tenth of one or in 1 ms.</source>
+            <translation>该突发在一个周期内的帧数；周期长于 1 ms 时，为周期的十分之一或 1 ms 内的帧数。</translation>
         </message>
         <message>
             <source>Burst ends early</source>

@@ -99,7 +99,8 @@ std::vector<Setting> start_rows() {
       field_setting(
           "master.dc.burst_bulk", integer(1, 1000, "frames"),
           {.label = "Burst, frames a cycle",
-           .help = "Frames of that burst in one cycle.",
+           .help =
+               "Frames of that burst in one cycle; where cycles are longer than 1 ms, in a tenth of one or in 1 ms.",
            .no_eni = not_in_eni::kClocks,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return bus_dc(p).burst_bulk; }),

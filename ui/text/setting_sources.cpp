@@ -122,7 +122,9 @@ constexpr const char* kSettingSources[] = {
     QT_TRANSLATE_NOOP("Setting", "Burst, frames"),
     QT_TRANSLATE_NOOP("Setting", "Frames of the first drift compensation (FRMW or ARMW of 0x0910)."),
     QT_TRANSLATE_NOOP("Setting", "Burst, frames a cycle"),
-    QT_TRANSLATE_NOOP("Setting", "Frames of that burst in one cycle."),
+    QT_TRANSLATE_NOOP(
+        "Setting",
+        "Frames of that burst in one cycle; where cycles are longer than 1 ms, in a tenth of one or in 1 ms."),
     QT_TRANSLATE_NOOP("Setting", "Burst ends early"),
     QT_TRANSLATE_NOOP("Setting", "The burst ends when all slaves have settled."),
     QT_TRANSLATE_NOOP("Setting", "Lead of the start time"),

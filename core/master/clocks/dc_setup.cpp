@@ -21,6 +21,13 @@ namespace syncline {
 namespace {
 
 constexpr Nanoseconds kSetupReplyTimeout = 10 * kMillisecond;
+/// Nobody waits for the frames of the burst, which takes a thousand of its cycles: in long ones minutes. At a tenth of
+/// the cycle a slave still learns its quartz so well that it does not run off until the next frame.
+constexpr Nanoseconds burst_cycle(Nanoseconds cycle) {
+  constexpr Nanoseconds kUsual = kMillisecond;
+  constexpr int kSooner = 10;
+  return std::min(cycle, std::max(kUsual, cycle / kSooner));
+}
 
 }  // namespace
 
@@ -230,7 +237,7 @@ Status DcSetup::burst() {
   plan.total = config_.dc.burst_total;
   plan.bulk = config_.dc.burst_bulk;
   plan.ends_early = config_.dc.burst_ends_early;
-  plan.cycle = config_.cycle_time();
+  plan.cycle = burst_cycle(config_.cycle_time());
   const auto outcome = DcBurst(bus_, plan).run();
   if (!outcome) return tl::unexpected(outcome.error());
   if (!outcome->answered) {

@@ -247,6 +247,24 @@ TEST(DcSetup, BurstSendsWhatItIsToldWhenItMayNotEndEarly) {
   EXPECT_LT(bed.clock.now() - begin, 1000 / 6 * kMillisecond);
 }
 
+/// In the pace of such cycles it would take 33 s in bus shift; and near they are all the same.
+TEST(DcSetup, BurstDoesNotWaitForLongCycles) {
+  auto network = random_tree(20, 5, false);
+  network.project.master.cycle_time = 20 * kMillisecond;
+  for (std::size_t i = 0; i < 20; ++i) network.sim.slaves[i].oscillator.ppm = i % 2 == 0 ? 50 : -50;
+  for (const auto mode : {DcmMode::kMasterShift, DcmMode::kBusShift}) {
+    network.project.master.dc.dcm.mode = mode;
+    ClockBed bed(network);
+    const auto begin = bed.clock.now();
+    const auto clocks = bed.set_up();
+    ASSERT_TRUE(clocks);
+    EXPECT_LT(bed.largest_clock_difference(), 100);
+    EXPECT_LT(bed.clock.now() - begin, 4 * kSecond);
+    const auto cycles = clocks->burst_frames / 12;
+    EXPECT_GE(bed.clock.now() - begin, cycles * 2 * kMillisecond) << "a tenth of the cycle";
+  }
+}
+
 TEST(DcSetup, WithoutABurstTheReferenceClockIsAskedAllTheSame) {
   auto network = random_tree(5, 5, false);
   network.project.master.dc.burst_total = 0;
