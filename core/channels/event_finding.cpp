@@ -315,6 +315,8 @@ Finding delay_finding(int slave, dc::DelayWarning warning, std::int64_t value) {
       return of.tell("event-delay/untimed", of.subject(), std::move(port));
     case dc::DelayWarning::kImplausibleHop:
       return of.tell("event-delay/implausible", of.subject(), std::move(delay));
+    case dc::DelayWarning::kUnmeasuredWay:
+      return of.tell("event-delay/unmeasured", of.subject(), std::move(delay));
     case dc::DelayWarning::kNotIncreasing:
       return of.tell("event-delay/not-increasing", of.subject(), std::move(delay));
     case dc::DelayWarning::kNegativeHop:

@@ -61,15 +61,14 @@ class Measurement {
   }
 
   DelayResult run() {
-    bool have_root = false;
+    std::optional<std::size_t> root;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (!has_times(i)) continue;
-      if (!have_root) {
-        arrival_[i] = 0;
-        have_root = true;
-      } else {
-        measure(i);
-      }
+      if (root) measure(i);
+      if (arrival_[i]) continue;
+      arrival_[i] = root ? behind(*root) : 0;
+      if (root) report(i, DelayWarning::kUnmeasuredWay, *arrival_[i]);
+      root = i;
     }
     take_delays();
     return std::move(result_);
@@ -105,6 +104,12 @@ class Measurement {
     return way > 0 && way <= kMaxRoundTripNs ? way : 0;
   }
 
+  /// Where no time is known of the slave at which two branches part: the frame was through with one when it came to the
+  /// other. What it spent on both their cables is guessed.
+  [[nodiscard]] std::int64_t behind(std::size_t root) const {
+    constexpr std::int64_t kUsualHop = 300;
+    return *arrival_[root] + inside(root) + 2 * kUsualHop;
+  }
   [[nodiscard]] bool has_times(std::size_t i) const { return nodes_[i].kind != DcKind::kNone; }
   void report(std::size_t i, DelayWarning warning, std::int64_t value) {
     result_.findings.push_back({static_cast<std::uint16_t>(i), warning, value});
@@ -158,7 +163,7 @@ class Measurement {
       branch = *ancestor;
       ancestor = nodes_[*ancestor].parent;
     }
-    if (!ancestor || !arrival_[*ancestor]) return;  // nothing upstream has measured anything
+    if (!ancestor || !arrival_[*ancestor]) return;  // nobody on the way to it has receive times
 
     const std::size_t a = *ancestor;
     const auto& ports = ports_[a];

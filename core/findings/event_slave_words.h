@@ -131,7 +131,10 @@ inline constexpr FindingWords kEventSlaves[] = {
        "{subject}: connected by port {port} instead of A: swap its cables IN and OUT; its delay is right here, but "
        "other masters take it wrong without a word"},
       {"unexplained", "{subject}: port {port} has a link and no slave behind it: a closed ring or another master"},
-      {"untimed", "{subject}: the receive time of its port {port} contradicts all others and is left out"}}},
+      {"untimed", "{subject}: the receive time of its port {port} contradicts all others and is left out"},
+      {"unmeasured",
+       "{subject}: the delay to it and to those behind it cannot be measured, because the slave at which their branch "
+       "parts has no receive times; {delay} is taken, which is wrong by the cables of both branches (some 100 ns)"}}},
     {"event-delays-measured",
      Severity::kNote,
      "Propagation delays were measured again",

@@ -37,7 +37,7 @@ struct FindingWords {
     std::string_view variant;  // "" = the usual one; a finder names another as "code/variant"
     std::string_view text;
   };
-  static constexpr std::size_t kMostFacts = 6;
+  static constexpr std::size_t kMostFacts = 7;
 
   std::string_view code;
   Severity severity = Severity::kNote;  // what it usually is; a finder of runs weighs by size

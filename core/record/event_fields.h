@@ -16,7 +16,7 @@ inline constexpr int kLargest<AlState> = 15;
 template <>
 inline constexpr int kLargest<dc::SyncObstacle> = static_cast<int>(dc::SyncObstacle::kExternalClock);
 template <>
-inline constexpr int kLargest<dc::DelayWarning> = static_cast<int>(dc::DelayWarning::kUntimedPort);
+inline constexpr int kLargest<dc::DelayWarning> = static_cast<int>(dc::DelayWarning::kUnmeasuredWay);
 template <>
 inline constexpr int kLargest<DiagnosisMessageType> = static_cast<int>(DiagnosisMessageType::kError);
 template <>

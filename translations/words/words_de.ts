@@ -4677,6 +4677,10 @@
         <translation>{subject}: die Empfangszeit seines Ports {port} widerspricht allen anderen und bleibt außer Betracht</translation>
     </message>
     <message>
+        <source>{subject}: the delay to it and to those behind it cannot be measured, because the slave at which their branch parts has no receive times; {delay} is taken, which is wrong by the cables of both branches (some 100 ns)</source>
+        <translation>{subject}: Die Laufzeit dorthin und zu den Slaves dahinter ist nicht messbar, weil der Slave, an dem sich ihr Zweig teilt, keine Empfangszeiten hat; angenommen wird {delay}, falsch um die Kabel beider Zweige (einige 100 ns)</translation>
+    </message>
+    <message>
         <source>{subject}: {from} -&gt; {to} without an error, and not asked by this master</source>
         <translation>{subject}: {from} -&gt; {to} ohne Fehler und nicht von diesem Master verlangt</translation>
     </message>

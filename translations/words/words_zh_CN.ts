@@ -4677,6 +4677,10 @@
         <translation>{subject}：其端口 {port} 的接收时间与所有其他时间矛盾，不予采用</translation>
     </message>
     <message>
+        <source>{subject}: the delay to it and to those behind it cannot be measured, because the slave at which their branch parts has no receive times; {delay} is taken, which is wrong by the cables of both branches (some 100 ns)</source>
+        <translation>{subject}：无法测量到它及其后从站的延迟，因为其分支所在的从站没有接收时间；取 {delay}，误差为两条分支的电缆（约几百 ns）</translation>
+    </message>
+    <message>
         <source>{subject}: {from} -&gt; {to} without an error, and not asked by this master</source>
         <translation>{subject}：{from} -&gt; {to}，没有错误，也不是此主站请求的</translation>
     </message>

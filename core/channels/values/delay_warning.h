@@ -13,6 +13,7 @@ enum class DelayWarning : std::uint8_t {
   kNotIncreasing,
   kUnexplainedPort,  // value: a port with a link behind which no slave is: a ring that is closed, another master
   kUntimedPort,      // value: a port whose receive time contradicts all others
+  kUnmeasuredWay,    // value: its delay as it is taken, ns; the slave at which its branch parts has no receive times
 };
 
 }  // namespace syncline::dc

@@ -80,6 +80,10 @@ TEST(EventFinding, ADelayIsToldInItsUnit) {
             "slave 4: port C has a link and no slave behind it: a closed ring or another master");
   EXPECT_EQ(facts_text(delay_finding(4, dc::DelayWarning::kUntimedPort, 1)),
             "slave 4: the receive time of its port B contradicts all others and is left out");
+  EXPECT_EQ(facts_text(delay_finding(4, dc::DelayWarning::kUnmeasuredWay, 12'000)),
+            "slave 4: the delay to it and to those behind it cannot be measured, because the slave at which their "
+            "branch parts has no receive times; 12 us is taken, which is wrong by the cables of both branches (some "
+            "100 ns)");
   EXPECT_EQ(facts_text(delay_finding(4, dc::DelayWarning::kImplausibleHop, 1'500'000)),
             "slave 4: the delay to it is implausible (1.5 ms); 0 is taken");
 }

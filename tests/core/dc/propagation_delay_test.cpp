@@ -172,6 +172,24 @@ TEST(PropagationDelay, HopOfMoreThanAMillisecondIsToldAndNotUsed) {
   EXPECT_LT(result.delay_ns[1].value_or(UINT32_MAX), 1'000U);
 }
 
+/// A coupler without receive times, with a branch of two at port D in front of a line of three at port B: the line's
+/// own cables are measured, and how far behind the branch it is can be told but for two cables.
+TEST(PropagationDelay, BranchesOfASlaveWithoutReceiveTimesFollowOneAnother) {
+  const std::vector nodes{node({}, 0, {{0, 0}, {3, 0}, {1, 0}}, DcKind::kNone),
+                          node(0, 3, {{0, 700'000}, {1, 701'000}}),
+                          node(1, 1, {{0, 90'000}}),
+                          node(0, 1, {{0, 5'000}, {1, 7'000}}),
+                          node(3, 1, {{0, 40'000}, {1, 40'700}}),
+                          node(4, 1, {{0, 1'000'000}})};
+  const auto result = propagation_delays(nodes);
+  const std::uint32_t line = 1'000 + 600;
+  EXPECT_THAT(result.delay_ns, ElementsAre(std::nullopt, 0, 500, line, line + 670, line + 670 + 350));
+  ASSERT_THAT(result.findings, SizeIs(1));
+  EXPECT_EQ(result.findings[0].position, 3);
+  EXPECT_EQ(result.findings[0].warning, DelayWarning::kUnmeasuredWay);
+  EXPECT_EQ(result.findings[0].value_ns, line);
+}
+
 TEST(PropagationDelay, NothingForNoSlaves) { EXPECT_THAT(propagation_delays({}).delay_ns, IsEmpty()); }
 
 }  // namespace

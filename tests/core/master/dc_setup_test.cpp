@@ -71,6 +71,30 @@ TEST(DcSetup, RecoversTheDelaysBehindSlavesWithoutClocksToo) {
   }));
 }
 
+/// A coupler without receive times, ten terminals at its port D, and five drives in a line at its port B, which all had
+/// a delay of 0: from one branch to the other nobody's times say how far it is, but for two cables all is known.
+TEST(DcSetup, MeasuresBranchesOfASlaveWithoutReceiveTimes) {
+  for (const bool leads_line : {false, true}) {
+    SimulatedNetwork network;
+    for (int i = 0; i < 16; ++i) network.add(test::io8());
+    network.sim.slaves[0].dc.system_time = network.sim.slaves[0].dc.receive_times = false;
+    network.project.slaves[0].dc.op_mode = "";
+    network.sim.slaves[1].parent_port = 3;
+    network.project.slaves[1].previous = PreviousPort{0, 3};
+    network.sim.slaves[11].parent = 0;
+    network.project.slaves[11].previous = PreviousPort{0, 1};
+    for (auto& slave : network.sim.slaves) slave.cable_m = 20;
+    network.project.master.dc.reference_clock = leads_line ? 11 : 1;
+    ClockBed bed(network);
+    const auto clocks = bed.set_up();
+    ASSERT_TRUE(clocks) << describe(clocks.error());
+    EXPECT_LE(worst_delay_error(bed, *clocks), leads_line ? 20 : 500);
+    const auto told =
+        std::ranges::count(clocks->findings, dc::DelayWarning::kUnmeasuredWay, &dc::DelayFinding::warning);
+    EXPECT_EQ(told, leads_line ? 0 : 1) << "all who follow the drive are measured from it";
+  }
+}
+
 /// Whether each slave whose cables are swapped is told, and nobody else.
 bool told_as_swapped(const SimulatedNetwork& network, const DcNetwork& clocks) {
   for (std::size_t i = 0; i < network.sim.slaves.size(); ++i) {
