@@ -164,6 +164,8 @@ void Compilation::run(const Project& project, const CompileOptions& options, con
   NetworkConfig& config = result_.config;
   config.recovery = project.master.recovery;
   config.real_time = project.master.real_time;
+  config.frmw_unknown = std::ranges::any_of(
+      project.slaves, [](const SlaveSettings& slave) { return slave.device.dc && slave.device.dc->unknown_frmw; });
   config.master = master_config(project.master, plans_, config.dc, cyclic_options_.mailbox_state_count);
   config.cyclic = cyclic_tasks(project.master, cyclic_);
   fill_image();

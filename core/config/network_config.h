@@ -31,6 +31,8 @@ struct NetworkConfig {
   /// As `dc`: the project's, or the defaults when an ENI is run.
   RecoverySettings recovery;
   RealTimeSettings real_time;
+  /// Run time, too: a device says that it does not know FRMW (ESI, Dc@UnknownFRMW; ETG.2000), so that it follows ARMW.
+  bool frmw_unknown = false;
   bool operator==(const NetworkConfig&) const = default;
 
   [[nodiscard]] Nanoseconds cycle_time() const { return cyclic.empty() ? kMillisecond : cyclic.front().cycle_time; }

@@ -2,6 +2,8 @@
 // What a slave that goes does to those behind it, and where frames are lost.
 #include <gtest/gtest.h>
 
+#include "channels/event_text.h"
+#include "protocol/frame.h"
 #include "support/random.h"
 #include "tests/support/cases.h"
 #include "tests/support/diagnosed_run.h"
@@ -154,6 +156,73 @@ TEST_F(ChangedWay, OfABranchThatGoesMakesNobodyRunAway) {
       EXPECT_TRUE(machine.found(code::kSlaveWasAbsent)) << machine.said();
       EXPECT_FALSE(machine.found(code::kSlaveLeftWindow)) << others << " " << machine.said();
     }
+  }
+}
+
+/// Forty terminals in front of the reference clock make the way to it 11 us longer. In every mode that was a step of
+/// that clock, or a frame that had been held up, and with bus shift and written clocks it moved the machine.
+TEST_F(ChangedWay, OfALargeBranchMovesNobody) {
+  for (const auto mode :
+       {DcmMode::kBusShift, DcmMode::kMasterShift, DcmMode::kMasterRefClock, DcmMode::kLinkLayerRefClock}) {
+    for (const auto cycle : {500 * kMicrosecond, kMillisecond, 4 * kMillisecond}) {
+      // The host's jitter alone takes slaves out of their window there.
+      if (mode == DcmMode::kMasterRefClock && cycle > kMillisecond) continue;
+      constexpr std::size_t kOthers = 40;
+      machine.network = {};
+      machine.events.clear();
+      machine.jitter = JitterProfile::quiet();
+      for (std::size_t i = 0; i < kOthers + 4; ++i) machine.network.add(i > kOthers ? test::servo() : test::io8());
+      auto& master = machine.network.project.master;
+      master.cycle_time = cycle;
+      master.dc.dcm.mode = mode;
+      master.dc.sync_window.enabled = true;
+      master.dc.reference_clock = kOthers + 1;
+      for (std::size_t i = 0; i <= kOthers; ++i) machine.network.project.slaves[i].dc.op_mode = "";
+      auto& sim = machine.network.sim.slaves;
+      sim[1].parent_port = 3;
+      machine.network.project.slaves[1].previous = PreviousPort{0, 3};
+      sim[kOthers + 1].parent = 0;
+      machine.network.project.slaves[kOthers + 1].previous = PreviousPort{0, 1};
+      Random random(1);
+      test::give_random_clocks(machine.network, random);
+      const auto begin = machine.fault(FaultKind::kCableBreak, 14 * kSecond, 1).at;
+      machine.network.sim.faults.back().until = 16 * kSecond;
+      machine.run(20 * kSecond);
+      for (const auto& event : machine.events) {
+        if (event.time < VirtualClock::kDefaultStart + begin) continue;
+        EXPECT_FALSE(event.is<events::DcmError>() || event.is<events::MasterOutOfSync>() ||
+                     event.is<events::SlavesOutOfSync>())
+            << static_cast<int>(mode) << " " << cycle << " " << event_words(event);
+      }
+      EXPECT_TRUE(machine.found(code::kSlaveWasAbsent)) << machine.said();
+      EXPECT_FALSE(machine.found(code::kReferenceWrittenLate)) << machine.said();
+      EXPECT_LT(machine.report.slaves.back().deviation_max_ns, 127U) << static_cast<int>(mode) << " " << cycle;
+    }
+  }
+}
+
+/// By its place only where somebody does not know FRMW: a place is another's as soon as somebody in front of it goes.
+TEST_F(ChangedWay, TheClockThatLeadsIsAskedByItsStationAddress) {
+  for (const bool frmw_unknown : {false, true}) {
+    int by_place = 0, by_station = 0;
+    machine.network = test::two_axes();
+    machine.network.project.slaves[1].device.dc->unknown_frmw = frmw_unknown;
+    machine.loses = [&](std::span<const std::uint8_t> sent) {
+      std::vector<std::uint8_t> bytes(sent.begin(), sent.end());
+      FrameReader frame(bytes);
+      bool cyclic = false, places = false, stations = false;
+      while (const auto datagram = frame.next()) {
+        cyclic = cyclic || is_logical(datagram->header.command);
+        places = places || datagram->header.command == Command::kArmw;
+        stations = stations || datagram->header.command == Command::kFrmw;
+      }
+      by_place += cyclic && places ? 1 : 0;
+      by_station += cyclic && stations ? 1 : 0;
+      return false;
+    };
+    machine.run(4 * kSecond);
+    EXPECT_GT(frmw_unknown ? by_place : by_station, 500);
+    EXPECT_LT(frmw_unknown ? by_station : by_place, 20) << "while the master begins";
   }
 }
 

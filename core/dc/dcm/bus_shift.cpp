@@ -40,6 +40,7 @@ double shortest_integral_time(double share, Nanoseconds cycle_time) {
 BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least)
     : target_{0, set_value, cycle_time},
       monitor_(settings, cycle_time, set_value, least),
+      way_(cycle_time, settings.in_sync_limit / ChangedWay::kPartOfLimit),
       forecast_(static_cast<double>(settings.max_valid_value)),
       limit_(settings.in_sync_limit),
       share_(std::clamp(kSharePerPpt * settings.gain_ppt, kSharePerPpt, 1.0)),
@@ -50,6 +51,7 @@ void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanosec
   target_.base = base;
   monitor_.start(first_send_time);
   state_ = {};
+  way_.start();
   filtered_ = integral_ = 0;
   blocks_away_ = 0;
   working_off_.reset();
@@ -60,7 +62,16 @@ void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanosec
 }
 
 Nanoseconds BusShift::wanted_at(Nanoseconds host_time) const {
-  return anchor_.reference_time + (host_time - anchor_.host_time);
+  return anchor_.reference_time + (host_time - anchor_.host_time) + way_.offset();
+}
+
+Nanoseconds BusShift::lag_of(const DcmObservation& observation) const {
+  return *observation.reference_time - wanted_at(observation.send_time);
+}
+
+void BusShift::note_other_way() {
+  monitor_.note_other_way();
+  if (monitor_.in_sync()) way_.note();
 }
 
 std::optional<Nanoseconds> BusShift::reference_write(Nanoseconds send_time, Nanoseconds) {
@@ -74,11 +85,12 @@ DcmAction BusShift::observe(const DcmObservation& observation) {
   DcmAction action;
   if (observation.reference_time) {
     // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
-    auto lag = *observation.reference_time - wanted_at(observation.send_time);
+    const bool another_way = way_.take(lag_of(observation) + way_.offset() - std::llround(filtered_));
+    auto lag = lag_of(observation);
     const bool new_block = monitor_.observe(observation, lag);
     monitor_.lead_back();
     if (monitor_.step()) lag = begin_anew(observation);
-    action.write_again = take(observation, lag) == OutlierGate::Verdict::kOutlier;
+    action.write_again = take(observation, lag) == OutlierGate::Verdict::kOutlier || another_way;
     if (new_block) watch_runaway();
     state_.adjust = static_cast<Nanoseconds>(std::llround(-(share_ * lag_ + integral_)));
     state_.output_sum = -integral_;
@@ -102,8 +114,7 @@ OutlierGate::Verdict BusShift::take(const DcmObservation& observation, Nanosecon
 
 bool BusShift::observe_second_write(const DcmObservation& observation) {
   if (!observation.reference_time) return false;
-  const auto lag = *observation.reference_time - wanted_at(observation.send_time);
-  return forecast_.take_again(observation, static_cast<double>(lag) - filtered_);
+  return forecast_.take_again(observation, static_cast<double>(lag_of(observation)) - filtered_);
 }
 
 /// The reference clock has stepped: from where it is now it is led to the nearest place in the grid. Whole cycles are
@@ -111,8 +122,9 @@ bool BusShift::observe_second_write(const DcmObservation& observation) {
 Nanoseconds BusShift::begin_anew(const DcmObservation& observation) {
   const auto time = *observation.reference_time - (observation.send_time - observation.scheduled_time);
   anchor_ = {observation.scheduled_time, target_.nearest(time)};
+  way_.start();
   forecast_.forget();
-  const auto lag = *observation.reference_time - wanted_at(observation.send_time);
+  const auto lag = lag_of(observation);
   filtered_ = static_cast<double>(lag);
   working_off_ = WorkingOff{std::abs(filtered_), 0};
   return lag;

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "dc/dcm/changed_way.h"
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
@@ -27,7 +28,7 @@ class BusShift final : public DcmController {
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
   bool observe_second_write(const DcmObservation& observation) override;
-  void note_other_way() override { monitor_.note_other_way(); }
+  void note_other_way() override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
@@ -40,6 +41,8 @@ class BusShift final : public DcmController {
     Nanoseconds stands_for = 0;
   };
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const;
+  /// Of an observation with a reading.
+  [[nodiscard]] Nanoseconds lag_of(const DcmObservation& observation) const;
   [[nodiscard]] Nanoseconds begin_anew(const DcmObservation& observation);
   OutlierGate::Verdict take(const DcmObservation& observation, Nanoseconds lag);
   void integrate(double lag);
@@ -50,6 +53,7 @@ class BusShift final : public DcmController {
   PhaseTarget target_;
   DcmMonitor monitor_;
   DcmState state_;
+  ChangedWay way_;
   Reading anchor_;  // host time and what the reference clock is to show then
   double lag_ = 0;  // behind (< 0) or ahead of the place in the grid, without outliers, ns
   WriteForecast forecast_;

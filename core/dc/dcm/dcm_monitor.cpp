@@ -55,6 +55,11 @@ bool DcmMonitor::observe(const DcmObservation& observation, Nanoseconds error) {
   return new_drift;
 }
 
+void DcmMonitor::note_other_way() {
+  steps_.look_elsewhere();
+  drift_.leave_gap();
+}
+
 void DcmMonitor::read(const DcmObservation& observation, Nanoseconds error) {
   error_ = error;
   const auto reading = steps_.observe(observation.send_time, *observation.reference_time, observation.stamp_doubt);

@@ -24,8 +24,8 @@ class DcmMonitor {
   /// One cycle; `error` of the schedule in the SYNC grid, ns. Without a reference time the error is not read.
   /// True when a new reading of the drift is there.
   bool observe(const DcmObservation& observation, Nanoseconds error);
-  /// Frames go another way to the clock that is read, or another one is: that is no step of it.
-  void note_other_way() { steps_.look_elsewhere(); }
+  /// Frames may go another way to the clock that is read, or another one is: that is no step of it, nor drift.
+  void note_other_way();
   /// The reference clock moves away although it is told to come.
   void set_running_away(bool running_away) { running_away_ = running_away; }
   /// Behind observe(), by who leads the clock to its place: after a step, until it is there, the rate at which it goes

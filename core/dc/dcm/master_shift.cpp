@@ -33,21 +33,26 @@ MasterShift::MasterShift(const DcmSettings& settings, Nanoseconds cycle_time, Na
     : moves_timer_(!settings.control_off && settings.mode != DcmMode::kMasterShiftByApp),
       target_{0, set_value, cycle_time},
       monitor_(settings, cycle_time, set_value, least),
-      tracker_(gains_of(settings), static_cast<double>(cycle_time), static_cast<double>(settings.max_valid_value)) {}
+      tracker_(gains_of(settings), static_cast<double>(cycle_time), static_cast<double>(settings.max_valid_value)),
+      way_(cycle_time, settings.in_sync_limit / ChangedWay::kPartOfLimit) {}
 
 void MasterShift::start(Nanoseconds base, Nanoseconds, Nanoseconds first_send_time) {
   target_.base = base;
   monitor_.start(first_send_time);
   tracker_.start();
+  way_.start();
   state_ = {};
   last_scheduled_.reset();
 }
 
 DcmAction MasterShift::observe(const DcmObservation& observation) {
-  const auto error = observation.reference_time ? target_.error(observation) : 0;
+  const auto error = observation.reference_time ? error_of(observation) : 0;
   monitor_.observe(observation, error);
   follow(observation);
-  if (monitor_.step()) tracker_.forget_phase();
+  if (monitor_.step()) {
+    tracker_.forget_phase();
+    way_.start();
+  }
   // Without a valid reading it coasts: the drift is known, and the phase as far as it was.
   if (observation.reference_time) tracker_.update(monitor_.without_doubt(tracker_.phase(), error));
   const auto cycle = static_cast<double>(target_.cycle);
@@ -59,6 +64,17 @@ DcmAction MasterShift::observe(const DcmObservation& observation) {
   if (!moves_timer_) return {};
   state_.output_total += state_.adjust;
   return {state_.adjust, {}};
+}
+
+void MasterShift::note_other_way() {
+  monitor_.note_other_way();
+  if (monitor_.in_sync()) way_.note();
+}
+
+Nanoseconds MasterShift::error_of(const DcmObservation& observation) {
+  const auto error = target_.error(observation);
+  (void)way_.take(error - std::llround(monitor_.filtered()));
+  return error - way_.offset();
 }
 
 /// What the schedule was really moved by, whoever did it, and cycles that were left out.

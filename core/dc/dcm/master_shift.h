@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "dc/dcm/changed_way.h"
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
@@ -21,17 +22,19 @@ class MasterShift final : public DcmController {
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds, Nanoseconds) override { return std::nullopt; }
   DcmAction observe(const DcmObservation& observation) override;
-  void note_other_way() override { monitor_.note_other_way(); }
+  void note_other_way() override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
   void follow(const DcmObservation& observation);
+  [[nodiscard]] Nanoseconds error_of(const DcmObservation& observation);
 
   bool moves_timer_;
   PhaseTarget target_;
   DcmMonitor monitor_;
   PhaseTracker tracker_;
   DcmState state_;
+  ChangedWay way_;
   std::optional<Nanoseconds> last_scheduled_;
 };
 

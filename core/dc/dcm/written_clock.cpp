@@ -28,6 +28,7 @@ WrittenClock::WrittenClock(Time time, const DcmSettings& settings, Nanoseconds c
     : time_(time),
       target_{0, set_value, cycle_time},
       monitor_(settings, cycle_time, set_value, least),
+      way_(cycle_time, time == Time::kOfSending ? kNoticed : settings.in_sync_limit / ChangedWay::kPartOfLimit),
       cycle_(cycle_time),
       in_sync_limit_(settings.in_sync_limit) {}
 
@@ -35,6 +36,7 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
   target_.base = base;
   monitor_.start(first_send_time);
   state_ = {};
+  way_.start();
   usual_lateness_ = 0;
   observed_ = 0;
   last_lag_ = last_time_ = way_changed_ = 0;
@@ -72,13 +74,24 @@ Nanoseconds WrittenClock::without_way(const DcmObservation& observation, Nanosec
   return lag;
 }
 
+void WrittenClock::note_other_way() {
+  monitor_.note_other_way();
+  if (monitor_.in_sync()) way_.note();
+}
+
 DcmAction WrittenClock::observe(const DcmObservation& observation) {
   DcmAction action;
   Nanoseconds lag = 0;
   learn_lateness(observation);
   const auto usual = static_cast<Nanoseconds>(std::llround(usual_lateness_));
-  if (observation.reference_time) lag = *observation.reference_time - wanted_at(observation.send_time - usual);
-  if (observation.reference_time && time_ == Time::kOfSending) lag = without_way(observation, lag, action);
+  if (observation.reference_time) {
+    const auto lag_now = [&] { return *observation.reference_time - wanted_at(observation.send_time - usual); };
+    const bool exact = time_ == Time::kOfSending;
+    const auto expected = exact ? last_lag_ : std::llround(monitor_.filtered());
+    const bool another_way = way_.take(lag_now() + way_.offset() - expected);
+    action.write_again = another_way && exact;
+    lag = exact ? without_way(observation, lag_now(), action) : lag_now();
+  }
   monitor_.observe(observation, lag);
   monitor_.lead_back();
   monitor_.report(state_);

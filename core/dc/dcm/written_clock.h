@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "dc/dcm/changed_way.h"
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
@@ -27,19 +28,22 @@ class WrittenClock final : public DcmController {
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
-  void note_other_way() override { monitor_.note_other_way(); }
+  void note_other_way() override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
   /// The clock was at `lag` from what it was told. What is left of that when the way has changed.
   [[nodiscard]] Nanoseconds without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action);
   void learn_lateness(const DcmObservation& observation);
-  [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const { return reference_ + (host_time - host_); }
+  [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const {
+    return reference_ + (host_time - host_) + way_.offset();
+  }
 
   Time time_;
   PhaseTarget target_;
   DcmMonitor monitor_;
   DcmState state_;
+  ChangedWay way_;
   Nanoseconds host_ = 0, reference_ = 0;  // host time and what the reference clock is to show then
   double usual_lateness_ = 0;             // ns
   Nanoseconds last_lag_ = 0, last_time_ = 0, way_changed_ = 0;

@@ -283,6 +283,7 @@ void SyncWatch::way_changed() {
 void SyncWatch::leader_moved(std::uint16_t position) {
   if (!controller_) return;
   controller_->set_led_by_substitute(false);
+  controller_->note_other_way();
   snapshot_.dc.reference_clock = position;
 }
 

@@ -231,8 +231,10 @@ void CyclicFrameSet::fill(Entry& entry, bool steer) {
   }
 }
 
-void CyclicFrameSet::stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write) {
+void CyclicFrameSet::stamp(const PendingFrame* frame, Nanoseconds reference_time,
+                           std::optional<Nanoseconds> reference_write) {
   for (auto& entry : entries_) {
+    if (&frames_[entry.frame] != frame) continue;
     if (entry.role == Role::kReferenceTime) fill_time(entry, reference_time);
     if (entry.role == Role::kReferenceWrite && reference_write) fill_time(entry, *reference_write);
   }
@@ -244,6 +246,7 @@ void CyclicFrameSet::fill_time(Entry& entry, Nanoseconds time) {
   } else {
     store_le(entry.data, static_cast<std::uint32_t>(time));
   }
+  entry.told = static_cast<std::uint32_t>(time);
 }
 
 bool CyclicFrameSet::brought_outputs(std::size_t slave) const {
@@ -290,7 +293,12 @@ void CyclicFrameSet::take_attendance() {
 bool CyclicFrameSet::answered_by_leader(Entry& entry) {
   const auto wkc = entry.datagram.wkc;
   if (wkc == 0) return false;
-  if (wkc < entry.wkc_of_all && ++entry.doubted <= kMostDoubted) return false;
+  if (wkc < entry.wkc_of_all) {
+    // By its station address nobody else puts a time into the datagram.
+    const bool by_station = entry.datagram.command == Command::kFrmw;
+    if (by_station && load_le<std::uint32_t>(entry.data) != entry.told) return true;
+    if (++entry.doubted <= kMostDoubted) return false;
+  }
   entry.wkc_of_all = wkc;
   entry.doubted = 0;
   return true;

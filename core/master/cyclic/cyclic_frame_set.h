@@ -33,9 +33,10 @@ class CyclicFrameSet {
   /// Fills the frames of cycle number `cycle`. `steer`: the reference clock is to be written (bus shift); if not, that
   /// command travels as a NOP, because any value written to 0x0910 steers the clock.
   void prepare(std::int64_t slot, bool steer);
-  /// Times that depend on the moment of sending, system time. `reference_time`: what the reference clock will show;
-  /// slaves in front of it are written what the master sends, before the clock has put its own time into the datagram.
-  void stamp(Nanoseconds reference_time, std::optional<Nanoseconds> reference_write);
+  /// Times in the frame that is being sent, which depend on that moment; system time. `reference_time`: what the
+  /// reference clock will show; slaves in front of it are written what the master sends, before the clock has put its
+  /// own time into the datagram.
+  void stamp(const PendingFrame* frame, Nanoseconds reference_time, std::optional<Nanoseconds> reference_write);
   [[nodiscard]] std::span<PendingFrame* const> frames() const { return active_; }
   /// Whether the frames of the configuration's task go out with this cycle. After prepare().
   [[nodiscard]] bool is_due(std::size_t task) const { return task < tasks_.size() && tasks_[task].due; }
@@ -132,6 +133,7 @@ class CyclicFrameSet {
     std::uint16_t wkc_without = 0;  // part of the expected counter that does not come now
     std::uint16_t wkc_of_all = 0;   // of the reference clock's command: the most since attendance was taken
     int doubted = 0;                // cycles in a row in which it was less
+    std::uint32_t told = 0;         // the lower half of the time that it was sent with
     std::vector<std::uint8_t> data;
     Datagram datagram;
   };

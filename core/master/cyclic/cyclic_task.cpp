@@ -158,7 +158,7 @@ void CyclicTaskRunner::stamp(Nanoseconds send_time) {
   if (!first_stamp_) first_stamp_ = send_time;
   if (!sync_.active()) return;
   const auto believed = sync_.reference_time_at(send_time);
-  frames_.stamp(sending_ == frames_.time_frame() ? told_.tell(believed) : believed,
+  frames_.stamp(sending_, sending_ == frames_.time_frame() ? told_.tell(believed) : believed,
                 steering_ ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
   // One behind the other, whatever the host's clock says when it hands them over.
   feed_.stamp(told_.tell_between(sync_.reference_time_at(std::max(send_time, wire_free_))));
@@ -197,6 +197,13 @@ Nanoseconds CyclicTaskRunner::cyclic_wire_time() {
   Nanoseconds sum = 0;
   for (const auto* frame : frames_.frames()) sum += wire_time_ns(frame->size() + kFrameOverhead);
   return sum;
+}
+
+/// Before anybody has been looked for, which takes some cycles where there are many.
+void CyclicTaskRunner::change_way(CycleSample& sample) {
+  sync_.way_changed();
+  travel_ = stamp_doubt_ = 0;
+  sample.stamp_doubt_ns = CycleSample{}.stamp_doubt_ns;
 }
 
 /// Four fifths of the cycle leave time for what follows; where the segment is so long that its frames need more, they
@@ -309,7 +316,7 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   } else {
     working_counter_.pause();
   }
-  if (reading.al_status) slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc);
+  if (reading.al_status && slaves_.observe_broadcast(*reading.al_status, *reading.al_status_wkc)) change_way(sample);
   const auto all = slaves_.take(send_time_, sample);
   slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();

@@ -76,6 +76,7 @@ class CyclicTaskRunner final : public CyclePump, private SendStamp {
   /// When the frames of this cycle count as lost.
   [[nodiscard]] Nanoseconds deadline();
   void learn_travel(const PendingFrame& frame);
+  void change_way(CycleSample& sample);
   Status send(PendingFrame& frame);
   void evaluate(CycleSample& sample);
   void after_sweep();

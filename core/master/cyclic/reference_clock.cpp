@@ -56,7 +56,7 @@ void ReferenceClock::address(bool settled) {
   if (leader_) wanted = {Leader::Who::kOther, config_.slaves[*leader_].station_address};
   // The frames of a file mean the clock that leads in that file; who leads here may have been chosen otherwise.
   const bool configured = leader_ == home_ && frames_.configured_for(*home_, config_.slaves[*home_].station_address);
-  if (configured && by_place_ && places_right_ && settled) wanted = {};
+  if (config_.frmw_unknown && configured && by_place_ && places_right_ && settled) wanted = {};
   if (frames_.leader() != wanted) frames_.follow(wanted);
 }
 

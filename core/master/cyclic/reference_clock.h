@@ -30,9 +30,10 @@ class ReferenceClock {
   void start(std::uint16_t home, std::uint16_t leader, bool by_place);
   /// After slaves were lost or found: a lost leader is replaced. Tells kReferenceClock.
   void look(Nanoseconds time);
-  /// Before each cycle. `settled`: nobody seems to have come or gone. If not, the leading clock is asked by its station
-  /// address and not by its place: the place may be another's now, and a device that was just switched on has no
-  /// address yet and a time that nobody must be told.
+  /// Before each cycle: the leading clock is asked by its station address and not by its place. That is another's as
+  /// soon as somebody comes or goes, which is known a cycle later: meanwhile all who follow would be told the time of
+  /// another, or what the master believes, by another way than frames go now. Only where a device does not know FRMW
+  /// the configured commands are sent as long as it is `settled` that nobody has come or gone.
   void address(bool settled);
   /// Station address of the clock that leads, if one does.
   [[nodiscard]] std::optional<std::uint16_t> station() const;

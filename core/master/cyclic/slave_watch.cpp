@@ -54,11 +54,13 @@ SlaveWatch::SlaveWatch(const NetworkConfig& config, Snapshot& snapshot, SlaveSta
   all_ = {Command::kBrd, device_address(0, reg::kSystemTimeDifference), all_bytes_};
 }
 
-void SlaveWatch::observe_broadcast(std::uint16_t al_status, std::uint16_t wkc) {
+bool SlaveWatch::observe_broadcast(std::uint16_t al_status, std::uint16_t wkc) {
+  const bool others = last_wkc_ && last_wkc_ != wkc;
   const bool changed = last_status_ != al_status || last_wkc_ != wkc;
   last_status_ = al_status;
   last_wkc_ = wkc;
   if (changed) refresh_al_status();
+  return others;
 }
 
 void SlaveWatch::observe_silence(bool silent, Nanoseconds time) {

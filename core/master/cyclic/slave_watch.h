@@ -38,8 +38,9 @@ class SlaveWatch {
 
   /// Slaves whose deviation is read in turn.
   void set_dc_slaves(std::vector<std::uint16_t> positions) { dc_slaves_ = std::move(positions); }
-  /// The cyclic broadcast of AL status: ored value and working counter.
-  void observe_broadcast(std::uint16_t al_status, std::uint16_t wkc);
+  /// The cyclic broadcast of AL status: ored value and working counter. True: others answer than in the one before, so
+  /// that frames may go another way; who it is a sweep will say.
+  bool observe_broadcast(std::uint16_t al_status, std::uint16_t wkc);
   /// No cyclic frame of this cycle came back. After a while no slave is there any more.
   void observe_silence(bool silent, Nanoseconds time);
   void refresh_al_status() { next_al_ = 0; }
