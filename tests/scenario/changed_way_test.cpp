@@ -201,6 +201,33 @@ TEST_F(ChangedWay, OfALargeBranchMovesNobody) {
   }
 }
 
+/// The terminals' branch parts from the drives at a slave without receive times. Those who follow the first drive are
+/// measured from it all the same, at the start and whenever somebody has come.
+TEST_F(ChangedWay, ThatNobodyCanMeasureIsOnlyToldOfWhoFollowsOverIt) {
+  for (const bool drive_leads : {false, true}) {
+    machine.network = {};
+    machine.events.clear();
+    for (int i = 0; i < 7; ++i) machine.network.add(i > 3 ? test::servo() : test::io8(), i > 3 ? "servo-y" : "generic");
+    auto& sim = machine.network.sim.slaves;
+    sim[0].dc.system_time = sim[0].dc.receive_times = false;
+    machine.network.project.slaves[0].dc.op_mode = "";
+    sim[1].parent_port = 3;
+    machine.network.project.slaves[1].previous = PreviousPort{0, 3};
+    sim[4].parent = 0;
+    machine.network.project.slaves[4].previous = PreviousPort{0, 1};
+    machine.network.project.master.dc.reference_clock = drive_leads ? 4 : 1;
+    machine.fault(FaultKind::kSlaveOff, 6 * kSecond, 3).until = 8 * kSecond;
+    machine.run(12 * kSecond);
+    std::vector<int> told;
+    for (const auto& event : machine.events) {
+      if (event.is<events::DelayFinding>()) told.push_back(event.slave);
+    }
+    EXPECT_GE(std::ranges::count_if(machine.events, [](const Event& e) { return e.is<events::DelaysMeasured>(); }), 2);
+    EXPECT_EQ(std::ranges::count(told, 4), drive_leads ? 0 : 3) << "at the start, without it, and with it again";
+    EXPECT_EQ(told.size(), drive_leads ? 0U : 3U);
+  }
+}
+
 /// By its place only where somebody does not know FRMW: a place is another's as soon as somebody in front of it goes.
 TEST_F(ChangedWay, TheClockThatLeadsIsAskedByItsStationAddress) {
   for (const bool frmw_unknown : {false, true}) {

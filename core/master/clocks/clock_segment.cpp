@@ -149,4 +149,8 @@ dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<c
   return result;
 }
 
+bool matters_behind(std::size_t leader, const dc::DelayFinding& finding) {
+  return finding.warning != dc::DelayWarning::kUnmeasuredWay || finding.position > leader;
+}
+
 }  // namespace syncline

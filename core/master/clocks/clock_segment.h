@@ -40,4 +40,8 @@ struct ClockSegment {
 [[nodiscard]] dc::DelayResult segment_delays(std::span<const dc::DelayNode> nodes, std::span<const SlaveWiring> wiring,
                                              bool whole, const dc::DelayOptions& options);
 
+/// Whether a finding of those delays says anything where this slave leads: all behind it are measured from it, however
+/// frames come to it.
+[[nodiscard]] bool matters_behind(std::size_t leader, const dc::DelayFinding& finding);
+
 }  // namespace syncline

@@ -146,10 +146,8 @@ Status DcSetup::measure() {
   segment_.wiring = segment_wiring(latch.nodes(), segment_.dl_status);
   auto delays = segment_delays(latch.nodes(), segment_.wiring, segment_.whole, delay_options(config_.dc));
   network_.findings = std::move(delays.findings);
-  // Those behind the reference clock are measured from it, however frames come to it.
-  std::erase_if(network_.findings, [&](const dc::DelayFinding& finding) {
-    return finding.warning == dc::DelayWarning::kUnmeasuredWay && finding.position <= network_.reference_clock;
-  });
+  std::erase_if(network_.findings,
+                [&](const auto& finding) { return !matters_behind(network_.reference_clock, finding); });
   const auto origin = delays.delay_ns[network_.reference_clock].value_or(0);
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     const auto delay = delays.delay_ns[i].value_or(origin);

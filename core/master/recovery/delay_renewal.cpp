@@ -10,6 +10,7 @@
 #include "config/dc_settings.h"
 #include "config/network_config.h"
 #include "config/slave_config.h"
+#include "master/clocks/clock_segment.h"
 #include "master/clocks/clock_survey.h"
 #include "master/clocks/dc_setup.h"
 #include "master/clocks/delay_compensation.h"
@@ -84,7 +85,9 @@ Status DelayRenewal::measure(std::uint16_t leader) {
   // Somebody moved meanwhile: what was latched is of two trees.
   if (last_move() != last || task_.reference().leader() != leader) return {};
   const auto now = snapshot_.time;
+  const auto leads = std::ranges::find((*members)->slaves, leader) - (*members)->slaves.begin();
   for (const auto& finding : survey->result.findings) {
+    if (!matters_behind(static_cast<std::size_t>(leads), finding)) continue;
     teller_.tell(now, static_cast<int>((*members)->slaves[finding.position]),
                  events::DelayFinding{finding.warning, finding.value_ns});
   }
