@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <span>
 
 namespace syncline::dc {
 namespace {
