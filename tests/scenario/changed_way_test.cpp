@@ -30,6 +30,27 @@ class ChangedWay : public ::testing::Test {
     machine.network.sim.slaves[2].parent = 0;
     machine.network.sim.slaves[2].parent_port = 2;
   }
+  /// So many terminals in a branch of the first one, which frames pass before they come to three drives; the first of
+  /// these leads.
+  void branch_in_front(std::size_t terminals, DcmMode mode, Nanoseconds cycle) {
+    machine.network = {};
+    machine.events.clear();
+    machine.jitter = JitterProfile::quiet();
+    for (std::size_t i = 0; i < terminals + 4; ++i) machine.network.add(i > terminals ? test::servo() : test::io8());
+    auto& master = machine.network.project.master;
+    master.cycle_time = cycle;
+    master.dc.dcm.mode = mode;
+    master.dc.sync_window.enabled = true;
+    master.dc.reference_clock = static_cast<std::uint16_t>(terminals + 1);
+    for (std::size_t i = 0; i <= terminals; ++i) machine.network.project.slaves[i].dc.op_mode = "";
+    auto& sim = machine.network.sim.slaves;
+    sim[1].parent_port = 3;
+    machine.network.project.slaves[1].previous = PreviousPort{0, 3};
+    sim[terminals + 1].parent = 0;
+    machine.network.project.slaves[terminals + 1].previous = PreviousPort{0, 1};
+    Random random(1);
+    test::give_random_clocks(machine.network, random);
+  }
   void lose_at(int slave) {
     auto& fault = machine.fault(FaultKind::kLoseFrames, 6 * kSecond, slave);
     fault.probability = 0.02;
@@ -130,23 +151,7 @@ TEST_F(ChangedWay, ToASubstituteIsNoStepOfIt) {
 TEST_F(ChangedWay, OfABranchThatGoesMakesNobodyRunAway) {
   for (const auto cycle : {kMillisecond, 4 * kMillisecond}) {
     for (const std::size_t others : {2U, 8U, 16U}) {
-      machine.network = {};
-      machine.events.clear();
-      machine.jitter = JitterProfile::quiet();
-      for (std::size_t i = 0; i < others + 4; ++i) machine.network.add(i > others ? test::servo() : test::io8());
-      auto& master = machine.network.project.master;
-      master.cycle_time = cycle;
-      master.dc.dcm.mode = DcmMode::kMasterShift;
-      master.dc.sync_window.enabled = true;
-      master.dc.reference_clock = static_cast<std::uint16_t>(others + 1);
-      for (std::size_t i = 0; i <= others; ++i) machine.network.project.slaves[i].dc.op_mode = "";
-      auto& sim = machine.network.sim.slaves;
-      sim[1].parent_port = 3;
-      machine.network.project.slaves[1].previous = PreviousPort{0, 3};
-      sim[others + 1].parent = 0;
-      machine.network.project.slaves[others + 1].previous = PreviousPort{0, 1};
-      Random random(1);
-      test::give_random_clocks(machine.network, random);
+      branch_in_front(others, DcmMode::kMasterShift, cycle);
       machine.fault(FaultKind::kCableBreak, 14 * kSecond, 1).until = 16 * kSecond;
       machine.run(20 * kSecond);
       const auto trouble = [](const Event& e) {
@@ -167,24 +172,7 @@ TEST_F(ChangedWay, OfALargeBranchMovesNobody) {
     for (const auto cycle : {500 * kMicrosecond, kMillisecond, 4 * kMillisecond}) {
       // The host's jitter alone takes slaves out of their window there.
       if (mode == DcmMode::kMasterRefClock && cycle > kMillisecond) continue;
-      constexpr std::size_t kOthers = 40;
-      machine.network = {};
-      machine.events.clear();
-      machine.jitter = JitterProfile::quiet();
-      for (std::size_t i = 0; i < kOthers + 4; ++i) machine.network.add(i > kOthers ? test::servo() : test::io8());
-      auto& master = machine.network.project.master;
-      master.cycle_time = cycle;
-      master.dc.dcm.mode = mode;
-      master.dc.sync_window.enabled = true;
-      master.dc.reference_clock = kOthers + 1;
-      for (std::size_t i = 0; i <= kOthers; ++i) machine.network.project.slaves[i].dc.op_mode = "";
-      auto& sim = machine.network.sim.slaves;
-      sim[1].parent_port = 3;
-      machine.network.project.slaves[1].previous = PreviousPort{0, 3};
-      sim[kOthers + 1].parent = 0;
-      machine.network.project.slaves[kOthers + 1].previous = PreviousPort{0, 1};
-      Random random(1);
-      test::give_random_clocks(machine.network, random);
+      branch_in_front(40, mode, cycle);
       const auto begin = machine.fault(FaultKind::kCableBreak, 14 * kSecond, 1).at;
       machine.network.sim.faults.back().until = 16 * kSecond;
       machine.run(20 * kSecond);
