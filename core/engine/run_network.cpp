@@ -52,8 +52,11 @@ class Drain {
     if (request_.on_samples && !news.samples.empty()) request_.on_samples(news.samples);
     for (const auto& event : news.events) {
       if (request_.on_event) request_.on_event(event);
-      if (const auto* failure = event.as<events::Failure>(); failure && !error_) error_ = failure->error;
-      if (event.is<events::Online>()) ask();
+      if (const auto* failure = event.as<events::Failure>()) note(failure->error);
+      if (event.is<events::Online>()) {
+        was_online_ = true;
+        ask();
+      }
     }
     take_answers(&session_.channels().requests);
   }
@@ -75,11 +78,16 @@ class Drain {
   /// As of now: the end of the run.
   [[nodiscard]] RunOutcome outcome() {
     end_ = session_.snapshot().time;
-    return {recorder_.finish(session_.snapshot()), error_, {}};
+    return {recorder_.finish(session_.snapshot()), failed() && !error_ ? ended_by_ : error_, {}};
   }
-  [[nodiscard]] bool failed() const { return error_ && !session_.snapshot().online; }
+  [[nodiscard]] bool failed() const { return (error_ || ended_by_) && !session_.snapshot().online; }
 
  private:
+  /// What one of several tries to bring a slave back came to is no failure of the run, as long as the bus is there.
+  void note(const Error& error) {
+    auto& first = was_online_ ? ended_by_ : error_;
+    if (!first) first = error;
+  }
   void ask() {
     for (std::size_t i = 0; i < request_.requests.size(); ++i) queue_.post(i, request_.requests[i]);
   }
@@ -99,7 +107,8 @@ class Drain {
   RequestQueue queue_{{RequestDesk::kCapacity, RequestDesk::kCapacity}};
   RunRecorder recorder_;
   Nanoseconds end_ = 0;
-  std::optional<Error> error_;
+  bool was_online_ = false;
+  std::optional<Error> error_, ended_by_;  // of the bring-up; of the bus that was online
 };
 
 /// While it lives the master asks for room in the sample ring (MasterChannels::relieve).

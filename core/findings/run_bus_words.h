@@ -114,13 +114,13 @@ inline constexpr FindingWords kRunBus[] = {
      Severity::kWarning,
      "Cycles of a slave were not finished because frames came too soon",
      "",
-     "Look for what makes the host send late: the frame behind a late one comes sooner after it. Its firmware is not "
-     "the "
-     "reason.",
+     "Look for what makes frames late, in the host or behind it: the frame behind a late one comes sooner after it. "
+     "Its "
+     "firmware is not the reason.",
      "",
      {{"",
        "{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at "
-       "{last}: the host sent frames less than a cycle one behind the other."}}},
+       "{last}: frames came less than a cycle one behind the other."}}},
     {"inputs-late",
      Severity::kWarning,
      "A slave does not renew its inputs in each cycle",
@@ -327,17 +327,19 @@ inline constexpr FindingWords kRunBus[] = {
     {"host-jitter-reaches-clock",
      Severity::kWarning,
      "The host's jitter reaches the reference clock",
-     "In this mode of the master synchronisation the reference clock is told the nominal time of each cycle, whenever "
-     "the frame really leaves.",
+     "In this mode of the master synchronisation the reference clock is told the host's time as it is, without a "
+     "control "
+     "loop in front of it.",
      "Choose bus shift or master shift, which keep the host's jitter away from the clocks; else a host with a more "
      "exact timer, or a wider sync window.",
      "master.dc.mode",
      {{"",
-       "The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or "
-       "earlier than usual shakes it, and all slaves with it."},
+       "The reference clock is told the host's time as it is (master-ref-clock): each frame that leaves later or "
+       "earlier than the host believes shakes it, and all slaves with it."},
       {"measured",
-       "The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or "
-       "earlier than usual shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a "
+       "The reference clock is told the host's time as it is (master-ref-clock): each frame that leaves later or "
+       "earlier than the host believes shakes it, and all slaves with it. Half of the frames left up to {p50} late, "
+       "one in a "
        "hundred {p99} or more, one in a thousand {p999}, at most {largest}."}}},
     {"working-counter",
      Severity::kWarning,

@@ -57,7 +57,8 @@ inline constexpr FindingWords kRunSlaves[] = {
        "reference clock, and frames slid through its SYNC0."},
       {"cut",
        "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}: it had been cut off from the master, "
-       "and its SYNC0 went on."}}},
+       "and its SYNC0 went on."},
+      {"cause", "{slave} is in {state} with AL status code {alcode}{alarm}, since {since}; just before: {why}."}}},
     {"slave-fell-by-missed-events",
      Severity::kError,
      "A slave has left OP after missed SM2 events",

@@ -57,6 +57,9 @@ bool Spells::near(const Spell& spell, Nanoseconds margin) const {
       spells_, [&](const Spell& mine) { return mine.from <= spell.to + margin && spell.from <= mine.to + margin; });
 }
 
+/// More than any schedule that is in sync is away from its place.
+constexpr Nanoseconds kOffItsGrid = 20 * kMicrosecond;
+
 // ---- samples ------------------------------------------------------------------------------------
 
 HistoryRecorder::HistoryRecorder(const NetworkConfig& config)
@@ -83,6 +86,8 @@ void HistoryRecorder::add(const CycleSample& sample) {
     history_.lost_frames.note(sample.send_time, std::max<std::uint16_t>(1, sample.frames_lost));
   }
   if ((sample.flags & CycleSample::kFrameLate) != 0) history_.late_frames.note(sample.send_time, 1, sample.late_by_ns);
+  if (history_.operated)
+    history_.largest_stamp_doubt = std::max<Nanoseconds>(history_.largest_stamp_doubt, sample.stamp_doubt_ns);
   if (held_frames_.note(sample.send_time, sample.stamp_doubt_ns))
     history_.held_frames.note(sample.send_time, 1, sample.stamp_doubt_ns);
   if (sample.skipped_cycles > 0) {
@@ -124,7 +129,11 @@ void HistoryRecorder::add_deviation(const CycleSample& sample) {
 void HistoryRecorder::add_arrival(const CycleSample& sample) {
   if (!grid_known_ || (sample.flags & CycleSample::kReferenceValid) == 0) return;
   const auto arrival = dc::sync0_arrival({base_ - set_value_, cycle_}, sample.reference_time);
-  history_.frame_lateness.add(dc::wrap_to_half(arrival.phase, cycle_));
+  const auto late = dc::wrap_to_half(arrival.phase, cycle_);
+  // Not by what the host was late: the grid itself is elsewhere, with a reference clock that has stepped.
+  const bool off = std::abs(late - sample.wake_lateness_ns) > kOffItsGrid;
+  if (off && sample.master_sync != SyncState::kInSync) return;
+  history_.frame_lateness.add(late);
 }
 
 // ---- events and snapshots -----------------------------------------------------------------------
@@ -239,6 +248,10 @@ struct HistoryRecorder::OfSlave {
     slave.fall = RunHistory::Fall{time, error.al_status, error.al_status_code};
     if (reached_op && slave.left_op == time && slave.falls.size() < RunHistory::kMostFalls)
       slave.falls.push_back(*slave.fall);
+  }
+  void operator()(const events::RecoveryStep& step) const {
+    const bool begun = step.stage == events::RecoveryStep::Stage::kBegun;
+    slave.recoveries.note(time, begun ? 1 : 0, 0, begun || slave.recoveries.empty() ? time : slave.recoveries.last());
   }
   void operator()(const events::LeftUnasked& left) const {
     if (!slave.unasked) slave.unasked = RunHistory::Unasked{time, left.from, left.to};

@@ -96,6 +96,7 @@ struct RunHistory {
     std::array<Spells, 4> port_errors, lost_links;  // when they were read
     std::array<Spells, 4> damage;                   // from the reading before, within which frames were damaged
     Spells unprocessed;                             // frames that its processing unit could not use (0x030C)
+    Spells recoveries;                              // tries to lead it up again
     Spells process_data_watchdog, pdi_watchdog;
     Spells pdi_silent;  // the PDI watchdog's status said so, as long as it did; no counts
     Spells outputs_exceeded, inputs_exceeded;
@@ -117,8 +118,9 @@ struct RunHistory {
   bool reached_op = false;
   Nanoseconds op_reached = 0;  // the first time
   bool operated = false;       // the way there is over: in OP, or as far as the slaves came
-  Spells lost_frames, late_frames, stalls, wrong_counters;   // stalls: cycles left out, size = standstill ns
-  Spells held_frames;                                        // came back so much later than usual, size in ns
+  Spells lost_frames, late_frames, stalls, wrong_counters;  // stalls: cycles left out, size = standstill ns
+  Nanoseconds largest_stamp_doubt = 0;  // in operation: CycleSample::stamp_doubt_ns, by which stamps may be wrong
+  Spells held_frames;                   // came back so much later than usual, size in ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one
   struct WayChange {
     Nanoseconds time = 0;

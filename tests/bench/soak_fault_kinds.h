@@ -27,6 +27,7 @@ struct SoakFaultKind {
   bool either_sign = false;
   std::uint32_t most_count = 1;
   double ppm = 0;
+  double probability = 0;
   std::uint8_t port = 0;
   AlState state = AlState::kNone;
   std::uint16_t code = 0;

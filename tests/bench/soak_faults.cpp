@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// soak_faults [HOURS [FAULTS [SEED [line|drawn|pairs [loud]]]]]: one master on one simulated machine for so many
+// soak_faults [HOURS [FAULTS [SEED [line|drawn|pairs|tree [loud]]]]]: one master on one simulated machine for so many
 // virtual hours (24), brought up anew for each of so many faults (200) of every kind at random times. Each must be told
 // by its kind and be seen in the plots, nothing else accused or seen there, and the memory stay what it was. With pairs
 // another fault comes minutes after the first, and both are told in one report. The machine is a line of six, or one
 // drawn by the seed: a branch with up to twelve more, some without SYNC0 or without a clock, clocks of 32 bits, another
 // reference clock, a second task, a branch that may be unplugged, noisy latches, cables whose ways differ, another
-// cycle time, limit, mode and host. Exit code 1 when a promise is missed.
+// cycle time, limit, mode and host; or a tree of any shape, led by any of its clocks. Exit code 1 when a promise is
+// missed.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -27,6 +28,7 @@
 #include "channels/command.h"
 #include "channels/cycle_sample.h"
 #include "channels/master_channels.h"
+#include "compile/compile.h"
 #include "config/sync_grid.h"
 #include "diagnosis/run_diagnosis.h"
 #include "link/simulated_host.h"
@@ -73,7 +75,11 @@ struct Segment {
   }
 };
 
-enum class Way { kLine, kDrawn, kPairs };
+enum class Way { kLine, kDrawn, kPairs, kTree };
+
+SoakShape shape_of(Way way) {
+  return way == Way::kLine ? SoakShape::kLine : way == Way::kTree ? SoakShape::kTree : SoakShape::kDrawn;
+}
 
 template <class Range, class Value>
 bool holds(const Range& range, const Value& value) {
@@ -84,7 +90,7 @@ class Soak {
  public:
   Soak(double hours, int faults, std::uint64_t seed, Way way)
       : random_(seed),
-        machine_(soak_machine(random_, way != Way::kLine)),
+        machine_(soak_machine(random_, shape_of(way))),
         kinds_(kinds_for(machine_)),
         length_(static_cast<Nanoseconds>(hours * 3.6e12 / faults)) {
     begin_ = clock_.now();
@@ -98,6 +104,10 @@ class Soak {
 
   int run(bool loud) {
     fmt::print("{}\n", text_of(machine_));
+    if (const auto result = compile(network_.project); !result) {
+      fmt::print(stderr, "this machine does not compile: {}\n", result.error().subject);
+      return 2;
+    }
     double at_first = 0, most = 0;
     const auto settled = std::min<std::size_t>(20, segments_.size() / 2);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
@@ -150,11 +160,14 @@ class Soak {
     if (kind.either_sign && random_.next() % 2 == 0) fault.value_ns = -fault.value_ns;
     if (kind.in_cycles) fault.value_ns = fault.value_ns * own_cycle(machine_, fault.slave) / kMillisecond;
     fault.ppm = kind.ppm;
+    fault.probability = kind.probability;
     fault.port = kind.port;
     fault.state = kind.state;
     fault.code = kind.code;
     fault.period = kind.period;
-    fault.until = std::min(fault.until, start + length_ - kSecond);
+    // Who comes back in a tree may have to be set up anew.
+    const bool long_after = machine_.shape == SoakShape::kTree && !kind.while_down;
+    fault.until = std::min(fault.until, start + length_ - (long_after ? 12 : 1) * kSecond);
     if (kind.switched_on_anew) {
       network_.sim.faults.push_back({.kind = FaultKind::kSlaveOff,
                                      .slave = fault.slave,
@@ -239,6 +252,7 @@ class Soak {
       segment.log += "plots: " + text_of(signal) + "\n";
       // A stamp that is off shows in the filtered error for as long as it is no loss of synchronisation.
       bool follows = signal.signal == Signal::kDcmErrorFiltered && !network_.sim.host_jitter.stamp_error.empty();
+      follows = follows || is_left_alone(segment, signal.slave, code::kMissedUnlocked);
       for (auto& one : segment.thrown) {
         const bool shows = one.concerns(signal.slave) && holds(one.kind->shows, signal.signal);
         one.shown = one.shown || shows;
@@ -248,13 +262,23 @@ class Soak {
     }
   }
 
+  /// In front of the clock that leads, which was away: nobody led it meanwhile, and that is told.
+  [[nodiscard]] bool is_left_alone(const Segment& segment, int slave, std::string_view told) const {
+    if (machine_.shape != SoakShape::kTree || slave < 0 || slave >= static_cast<int>(machine_.reference)) return false;
+    const bool away = std::ranges::any_of(segment.thrown, [](const Thrown& one) {
+      return one.fault.kind == FaultKind::kCableBreak || one.fault.kind == FaultKind::kSlaveOff ||
+             one.fault.kind == FaultKind::kAdapterOff;
+    });
+    return away && (told == code::kMissedUnlocked || told == code::kSlaveFellByMisses);
+  }
+
   /// What a clock is slewed by need not leave a wider window, nor one of slaves that are told the time more often. In
   /// DCX it is the external clock's distance that shows it, which is no signal.
   [[nodiscard]] bool is_small(const Thrown& one) const {
     constexpr std::uint8_t kUsualWindow = SyncWindowSettings{}.exponent;
     const auto& master = network_.project.master;
-    const bool wide = master.dc.sync_window.exponent > kUsualWindow || master.cycle_time < kMillisecond ||
-                      master.dc.dcm.mode == DcmMode::kDcx;
+    const bool wide = machine_.shape == SoakShape::kTree || master.dc.sync_window.exponent > kUsualWindow ||
+                      master.cycle_time < kMillisecond || master.dc.dcm.mode == DcmMode::kDcx;
     return one.kind->kind == FaultKind::kClockSlew && wide;
   }
 
@@ -297,9 +321,10 @@ class Soak {
       const auto words = fmt::format("{} {}: {}", finding.code, finding.place.slave, describe(finding));
       segment.log += words + "\n";
       // Who fell and was led up again, by what the other fault brought with it.
-      const bool is_explained = finding.code == code::kSlaveHadFallen &&
+      const bool is_explained = (finding.code == code::kSlaveHadFallen || finding.code == code::kSlaveFell) &&
                                 std::ranges::find(finding.figures, "why", &Figure::name) != finding.figures.end();
-      bool follows = finding.severity == Severity::kNote || is_explained;
+      bool follows = finding.severity == Severity::kNote || is_explained ||
+                     is_left_alone(segment, finding.place.slave, finding.code);
       for (auto& one : segment.thrown) {
         const bool its_kind = holds(one.kind->findings, finding.code) && one.concerns(finding.place.slave);
         const bool tells = its_kind && (one.next == INT64_MAX || finding.from < begin_ + one.next);
@@ -384,11 +409,12 @@ int main(int argc, char** argv) {
   const auto way = which == "line"    ? std::optional(Way::kLine)
                    : which == "drawn" ? std::optional(Way::kDrawn)
                    : which == "pairs" ? std::optional(Way::kPairs)
+                   : which == "tree"  ? std::optional(Way::kTree)
                                       : std::nullopt;
   if (!way || hours * 3'600 / std::max(faults, 1) < 60) {
     fmt::print(
         stderr,
-        "usage: soak_faults [HOURS [FAULTS [SEED [line|drawn|pairs [loud]]]]], a minute or more for each fault\n");
+        "usage: soak_faults [HOURS [FAULTS [SEED [line|drawn|pairs|tree [loud]]]]], a minute or more for each fault\n");
     return 2;
   }
   return syncline::bench::Soak(hours, faults, seed, *way).run(argc > 5);

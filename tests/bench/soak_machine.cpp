@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bench/soak_tree.h"
 #include "config/dcm_settings.h"
 #include "eni/esi/esi_reader.h"
 #include "support/jitter_profile.h"
@@ -14,7 +15,8 @@
 namespace syncline::bench {
 namespace {
 
-constexpr std::size_t kLine = 6;  // slaves that every machine has
+constexpr std::size_t kLine = 6;  // slaves that every line has
+constexpr std::array kBehaviours{"generic", "servo-y", "servo-y", "drive-c", "can-gateway", "generic"};
 constexpr std::uint16_t kGroupAlias = 1000;
 
 DeviceDescription device(const std::string& file) {
@@ -189,14 +191,40 @@ bool tells_by_itself(const SoakMachine& machine, int slave) {
   return network.project.slaves[static_cast<std::size_t>(slave)].output_unit.empty();
 }
 
+bool has_clock(const test::SimulatedNetwork& network, std::size_t slave) {
+  return network.sim.slaves[slave].dc.system_time;
+}
+
+/// Whether a fault of this kind at the kind's port has anything to do there, and can be seen.
+bool has_there(const SoakMachine& machine, std::size_t slave, const SoakFaultKind& kind) {
+  const auto& network = machine.network;
+  std::size_t wired = 0, clocks = 0;
+  for (std::size_t i = slave + 1; i < network.sim.slaves.size(); ++i) {
+    if (network.sim.slaves[i].parent != slave) continue;
+    ++wired;
+    // Two of a kind that have changed places look like two that have not.
+    const bool other = network.sim.slaves[i].behaviour != network.sim.slaves[slave].behaviour;
+    const bool fixed = network.project.slaves[i].hot_connect.empty();
+    if (network.sim.slaves[i].parent_port == kind.port && has_clock(network, i) && other && fixed) ++clocks;
+  }
+  // Nothing but the times of its frames tells a ring that is closed from a branch.
+  if (kind.kind == FaultKind::kClosedRing) return false;
+  return wired == 1 && clocks == 1 && has_clock(network, slave);
+}
+
 }  // namespace
 
-SoakMachine soak_machine(Random& random, bool drawn) {
+SoakMachine soak_machine(Random& random, SoakShape shape) {
   SoakMachine machine;
+  machine.shape = shape;
   auto& network = machine.network;
   network.sim.host_jitter.wake_up = JitterProfile::quiet().wake_up;
-  add_line(network);
-  if (drawn) draw_machine(machine, random);
+  if (shape == SoakShape::kTree) {
+    draw_whole_tree(machine, random);
+  } else {
+    add_line(network);
+  }
+  if (shape == SoakShape::kDrawn) draw_machine(machine, random);
   for (auto& slave : network.sim.slaves) {
     slave.oscillator.ppm = random.uniform(-45, 45);
     slave.oscillator.start_offset = static_cast<Nanoseconds>(random.uniform(0, 4e9));
@@ -226,13 +254,14 @@ Nanoseconds own_cycle(const SoakMachine& machine, int slave) {
 std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind) {
   if (kind.of_reference) return {static_cast<int>(machine.reference)};
   const auto& slaves = machine.network.sim.slaves;
-  auto all = kind.victims;
+  const bool is_tree = machine.shape == SoakShape::kTree;
+  auto all = is_tree ? std::vector<int>{} : kind.victims;
   // What concerns another port than the one to the master asks for somebody there.
-  for (std::size_t i = kLine; kind.port == 0 && i < slaves.size(); ++i) {
-    const bool is_like_one = std::ranges::any_of(kind.victims, [&](int victim) {
-      return slaves[static_cast<std::size_t>(victim)].behaviour == slaves[i].behaviour;
-    });
-    if (is_like_one) all.push_back(static_cast<int>(i));
+  const auto first = is_tree ? std::size_t{kind.victims.empty() || kind.victims.front() > 0} : kLine;
+  for (std::size_t i = first; (is_tree || kind.port == 0) && i < slaves.size(); ++i) {
+    const bool is_like_one = std::ranges::any_of(
+        kind.victims, [&](int victim) { return kBehaviours[static_cast<std::size_t>(victim)] == slaves[i].behaviour; });
+    if (is_like_one && (kind.port == 0 || has_there(machine, i, kind))) all.push_back(static_cast<int>(i));
   }
   std::erase_if(all, [&](int slave) {
     return (kind.of_clock && !follows(machine, slave)) || (kind.with_sync0 && !has_sync0(machine, slave)) ||
@@ -253,6 +282,7 @@ std::string text_of(const SoakMachine& machine) {
       jitter == JitterProfile::desktop() ? "a desktop" : "a quiet");
   if (jitter.stamp_error.empty()) text += " with exact stamps";
   if (!master.tasks.empty()) text += fmt::format(", a task every {} cycles", master.tasks.front().multiple);
+  if (machine.shape == SoakShape::kTree) return text + tree_text(network);
   if (!network.project.slaves[2].output_unit.empty()) text += " with a servo";
   if (network.sim.slaves.size() > kLine && !network.project.slaves[kLine].hot_connect.empty())
     text += ", the branch may be unplugged";

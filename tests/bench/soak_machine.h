@@ -12,18 +12,26 @@
 
 namespace syncline::bench {
 
+/// What a machine looks like.
+enum class SoakShape {
+  kLine,   // a terminal, two servos, a drive, a gateway and a terminal in a line
+  kDrawn,  // with what the seed adds: a branch, a task, a hot-connect group, and all that faults must be told on all
+           // the same
+  kTree,   // such slaves in any order, in branches of branches; any clock leads
+};
+
 /// What faults are thrown at.
 struct SoakMachine {
+  SoakShape shape = SoakShape::kLine;
   test::SimulatedNetwork network;
   std::array<DcmMode, 2> modes{DcmMode::kBusShift, DcmMode::kMasterShift};  // one segment after the other
   std::size_t reference = 0;                                                // who leads
 };
 
-/// A terminal, two servos, a drive, a gateway and a terminal in a line. `drawn`: with what `random` adds: a branch, a
-/// task, a hot-connect group, and all that faults must be told on all the same.
-[[nodiscard]] SoakMachine soak_machine(Random& random, bool drawn);
+[[nodiscard]] SoakMachine soak_machine(Random& random, SoakShape shape);
 
-/// Whom a fault of this kind can hit: those that the kind names, and those behind the line that are like them.
+/// Whom a fault of this kind can hit: those that the kind names, and those behind the line, or of a tree, that are like
+/// them.
 [[nodiscard]] std::vector<int> victims(const SoakMachine& machine, const SoakFaultKind& kind);
 
 /// Kinds that can hit somebody.

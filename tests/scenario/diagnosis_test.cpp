@@ -203,7 +203,8 @@ TEST_F(Diagnosis, NamesTheHostWhoseJitterTheModeHandsToTheReferenceClock) {
   auto& dc = machine.network.project.master.dc;
   dc.dcm.mode = DcmMode::kMasterRefClock;
   dc.sync_window.enabled = true;
-  machine.jitter = JitterProfile::desktop();
+  machine.network.project.master.cycle_time = 2 * kMillisecond;
+  machine.jitter = machine.network.sim.host_jitter = JitterProfile::bad();
   machine.run(15 * kSecond);
   EXPECT_TRUE(machine.found(code::kJitterReachesClock)) << machine.said();
   dc.dcm.mode = DcmMode::kBusShift;

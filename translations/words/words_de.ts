@@ -2153,8 +2153,8 @@
         <translation>Nach dem Gerät dahinter sehen.</translation>
     </message>
     <message>
-        <source>Look for what makes the host send late: the frame behind a late one comes sooner after it. Its firmware is not the reason.</source>
-        <translation>Suchen Sie, was den Rechner spät senden lässt: Der Frame nach einem späten folgt ihm zu bald. Die Firmware ist nicht der Grund.</translation>
+        <source>Look for what makes frames late, in the host or behind it: the frame behind a late one comes sooner after it. Its firmware is not the reason.</source>
+        <translation>Suchen Sie, was Frames verspätet, im Rechner oder dahinter: Der Frame nach einem späten folgt ihm zu bald. Die Firmware ist nicht der Grund.</translation>
     </message>
     <message>
         <source>Look for what stops it: an interrupt storm, a debugger, a crash.</source>
@@ -3977,20 +3977,20 @@
         <translation>Der Jitter des Rechners erreicht die Referenzuhr</translation>
     </message>
     <message>
-        <source>In this mode of the master synchronisation the reference clock is told the nominal time of each cycle, whenever the frame really leaves.</source>
-        <translation>In dieser Art der Mastersynchronisation wird der Referenzuhr die nominelle Zeit jedes Zyklus mitgeteilt, wann immer das Frame wirklich abgeht.</translation>
+        <source>In this mode of the master synchronisation the reference clock is told the host&apos;s time as it is, without a control loop in front of it.</source>
+        <translation>In dieser Art der Mastersynchronisation wird der Referenzuhr die Zeit des Rechners mitgeteilt, wie sie ist, ohne einen Regelkreis davor.</translation>
     </message>
     <message>
         <source>Choose bus shift or master shift, which keep the host&apos;s jitter away from the clocks; else a host with a more exact timer, or a wider sync window.</source>
         <translation>Bus Shift oder Master Shift wählen, die den Jitter des Rechners von den Uhren fernhalten; sonst einen Rechner mit genauerem Zeitgeber oder ein weiteres Synchronfenster.</translation>
     </message>
     <message>
-        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it.</source>
-        <translation>Der Referenzuhr wird die nominelle Zeit jedes Zyklus mitgeteilt (master-ref-clock): jedes Frame, das später oder früher als gewöhnlich abgeht, erschüttert sie und mit ihr alle Slaves.</translation>
+        <source>The reference clock is told the host&apos;s time as it is (master-ref-clock): each frame that leaves later or earlier than the host believes shakes it, and all slaves with it.</source>
+        <translation>Der Referenzuhr wird die Zeit des Rechners mitgeteilt, wie sie ist (master-ref-clock): jedes Frame, das später oder früher abgeht, als der Rechner glaubt, erschüttert sie und mit ihr alle Slaves.</translation>
     </message>
     <message>
-        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a hundred {p99} or more, one in a thousand {p999}, at most {largest}.</source>
-        <translation>Der Referenzuhr wird die nominelle Zeit jedes Zyklus mitgeteilt (master-ref-clock): jedes Frame, das später oder früher als gewöhnlich abgeht, erschüttert sie und mit ihr alle Slaves. Die Hälfte der Frames ging bis zu {p50} zu spät ab, eines von hundert {p99} oder mehr, eines von tausend {p999}, höchstens {largest}.</translation>
+        <source>The reference clock is told the host&apos;s time as it is (master-ref-clock): each frame that leaves later or earlier than the host believes shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a hundred {p99} or more, one in a thousand {p999}, at most {largest}.</source>
+        <translation>Der Referenzuhr wird die Zeit des Rechners mitgeteilt, wie sie ist (master-ref-clock): jedes Frame, das später oder früher abgeht, als der Rechner glaubt, erschüttert sie und mit ihr alle Slaves. Die Hälfte der Frames ging bis zu {p50} zu spät ab, eines von hundert {p99} oder mehr, eines von tausend {p999}, höchstens {largest}.</translation>
     </message>
     <message>
         <source>The host sends late</source>
@@ -6997,8 +6997,8 @@
         <translation>{slave} zählt {missed:# fehlendes SM2-Ereignis|# fehlende SM2-Ereignisse} (0x1C32:{sub}), und bei {part} davon sah der Master gute Zyklen.</translation>
     </message>
     <message>
-        <source>{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at {last}: the host sent frames less than a cycle one behind the other.</source>
-        <translation>{slave} wurde mit {count:# Zyklus|# Zyklen} nicht fertig, bevor der nächste Frame kam ({object} Cycle exceeded), zuletzt bei {last}: Der Rechner sandte Frames in weniger als einem Zyklus hintereinander.</translation>
+        <source>{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at {last}: frames came less than a cycle one behind the other.</source>
+        <translation>{slave} wurde mit {count:# Zyklus|# Zyklen} nicht fertig, bevor der nächste Frame kam ({object} Cycle exceeded), zuletzt bei {last}: Frames kamen in weniger als einem Zyklus hintereinander.</translation>
     </message>
     <message>
         <source>{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input SyncManager names the same buffer again).</source>
@@ -7043,6 +7043,10 @@
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
         <translation>{slave} ist in {state} mit AL-Statuscode {alcode}{alarm}, seit {since}.</translation>
+    </message>
+    <message>
+        <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}; just before: {why}.</source>
+        <translation>{slave} ist seit {since} in {state} mit AL-Statuscode {alcode}{alarm}; kurz davor: {why}.</translation>
     </message>
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}: it had been cut off from the master, and its SYNC0 went on.</source>

@@ -2153,8 +2153,8 @@
         <translation>检查它后面的设备。</translation>
     </message>
     <message>
-        <source>Look for what makes the host send late: the frame behind a late one comes sooner after it. Its firmware is not the reason.</source>
-        <translation>请查找主机发送延迟的原因：迟到的帧之后，下一帧来得更快。固件并非原因。</translation>
+        <source>Look for what makes frames late, in the host or behind it: the frame behind a late one comes sooner after it. Its firmware is not the reason.</source>
+        <translation>请查找使帧迟到的原因（主机内部或其后）：迟到的帧之后，下一帧来得更快。固件并非原因。</translation>
     </message>
     <message>
         <source>Look for what stops it: an interrupt storm, a debugger, a crash.</source>
@@ -3977,20 +3977,20 @@
         <translation>主机的抖动传到了参考时钟</translation>
     </message>
     <message>
-        <source>In this mode of the master synchronisation the reference clock is told the nominal time of each cycle, whenever the frame really leaves.</source>
-        <translation>在这种主站同步模式下，写给参考时钟的是每个周期的标称时间，与帧实际发出的时刻无关。</translation>
+        <source>In this mode of the master synchronisation the reference clock is told the host&apos;s time as it is, without a control loop in front of it.</source>
+        <translation>在这种主站同步模式下，写给参考时钟的就是主机的时间，前面没有控制环。</translation>
     </message>
     <message>
         <source>Choose bus shift or master shift, which keep the host&apos;s jitter away from the clocks; else a host with a more exact timer, or a wider sync window.</source>
         <translation>请选择总线移位或主站移位，它们使主机的抖动不影响时钟；否则请使用定时器更精确的主机，或放宽同步窗口。</translation>
     </message>
     <message>
-        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it.</source>
-        <translation>写给参考时钟的是每个周期的标称时间（master-ref-clock）：每个比平常更晚或更早发出的帧都会扰动它，并波及所有从站。</translation>
+        <source>The reference clock is told the host&apos;s time as it is (master-ref-clock): each frame that leaves later or earlier than the host believes shakes it, and all slaves with it.</source>
+        <translation>写给参考时钟的就是主机的时间（master-ref-clock）：每个实际发出时刻早于或晚于主机所认为的帧都会扰动它，并波及所有从站。</translation>
     </message>
     <message>
-        <source>The reference clock is told the nominal time of each cycle (master-ref-clock): each frame that leaves later or earlier than usual shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a hundred {p99} or more, one in a thousand {p999}, at most {largest}.</source>
-        <translation>写给参考时钟的是每个周期的标称时间（master-ref-clock）：每个比平常更晚或更早发出的帧都会扰动它，并波及所有从站。一半的帧晚发不超过 {p50}，百分之一晚 {p99} 以上，千分之一晚 {p999}，最多 {largest}。</translation>
+        <source>The reference clock is told the host&apos;s time as it is (master-ref-clock): each frame that leaves later or earlier than the host believes shakes it, and all slaves with it. Half of the frames left up to {p50} late, one in a hundred {p99} or more, one in a thousand {p999}, at most {largest}.</source>
+        <translation>写给参考时钟的就是主机的时间（master-ref-clock）：每个实际发出时刻早于或晚于主机所认为的帧都会扰动它，并波及所有从站。一半的帧晚发不超过 {p50}，百分之一晚 {p99} 以上，千分之一晚 {p999}，最多 {largest}。</translation>
     </message>
     <message>
         <source>The host sends late</source>
@@ -6997,8 +6997,8 @@
         <translation>{slave} 计到 {missed} 个错过的 SM2 事件 (0x1C32:{sub})，其中 {part} 个发生时主站看到的周期都正常。</translation>
     </message>
     <message>
-        <source>{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at {last}: the host sent frames less than a cycle one behind the other.</source>
-        <translation>{slave} 有 {count} 个周期在下一帧到来前未完成（{object} cycle exceeded），最近一次在 {last}：主机发送的帧间隔小于一个周期。</translation>
+        <source>{slave} did not finish {count:# cycle|# cycles} before the next frame came ({object} cycle exceeded), last at {last}: frames came less than a cycle one behind the other.</source>
+        <translation>{slave} 有 {count} 个周期在下一帧到来前未完成（{object} cycle exceeded），最近一次在 {last}：帧到达的间隔小于一个周期。</translation>
     </message>
     <message>
         <source>{slave} does not renew its inputs in every cycle, as it did before: from {since} on, {count} (0x0805 + 8 n of its input SyncManager names the same buffer again).</source>
@@ -7043,6 +7043,10 @@
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}.</source>
         <translation>从 {since} 起，{slave} 处于 {state}，AL 状态码为 {alcode}{alarm}。</translation>
+    </message>
+    <message>
+        <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}; just before: {why}.</source>
+        <translation>{slave} 自 {since} 起处于 {state}，AL 状态码 {alcode}{alarm}；在此之前不久：{why}。</translation>
     </message>
     <message>
         <source>{slave} is in {state} with AL status code {alcode}{alarm}, since {since}: it had been cut off from the master, and its SYNC0 went on.</source>

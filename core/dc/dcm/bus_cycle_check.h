@@ -16,13 +16,17 @@ class BusCycleCheck {
   void start() { *this = BusCycleCheck(cycle_); }
   /// One cycle, lost frames included; `answered`: the reference clock's time came back.
   void observe(Nanoseconds scheduled_time, bool answered);
-  /// The last second's mean period was more than 2 % off. A second with a silence of 50 ms in it does not count: an
+  /// The last second's mean period was more than 2 % off. The longest standstill of the host in it does not count: that
+  /// is told as what it is, and comes once. A second with a silence of 50 ms in it does not count: an
   /// adapter that was away and is opened again keeps the host from its cycles, and that is not the timer's fault.
   [[nodiscard]] bool wrong() const { return wrong_; }
 
  private:
+  void begin(Nanoseconds time);
+
   Nanoseconds cycle_;
-  std::optional<Nanoseconds> begin_;
+  std::optional<Nanoseconds> begin_, last_;
+  Nanoseconds standstill_ = 0;  // the longest, beyond a cycle
   std::int64_t count_ = 0;
   std::optional<Nanoseconds> silent_since_;
   bool wrong_ = false;

@@ -62,6 +62,10 @@ struct DcmState {
 /// changes its rate about 8 ms behind in cycles of 1 ms, so that they stay within a window of 127 ns. Who is half a
 /// millisecond away needs a minute.
 inline constexpr double kDcxFastestPpm = 8;
+/// In the mode of nominal times (master-ref-clock) a frame that leaves no further than this from its usual place is
+/// told the nominal time, and any other that of its sending, ns: stamps are themselves wrong by so much on a quiet host
+/// (one in a hundred), and the clock's loop lets 50 ns of it through.
+inline constexpr Nanoseconds kMostShakenByNominal = 3'000;
 
 class DcmController {
  public:

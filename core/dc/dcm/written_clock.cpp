@@ -45,7 +45,11 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
 }
 
 std::optional<Nanoseconds> WrittenClock::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
-  return wanted_at(time_ == Time::kNominal ? scheduled_time : send_time);
+  if (time_ == Time::kOfSending) return wanted_at(send_time);
+  const auto usual = static_cast<Nanoseconds>(std::llround(usual_lateness_));
+  const bool knows_usual = observed_ >= kLatenessMemory;
+  const bool is_off = std::abs(send_time - scheduled_time - usual) > kMostShakenByNominal;
+  return wanted_at(knows_usual && is_off ? send_time - usual : scheduled_time);
 }
 
 void WrittenClock::learn_lateness(const DcmObservation& observation) {

@@ -14,7 +14,9 @@ namespace syncline::dc {
 
 /// The reference clock is written the master's time without a control loop; the ESC's own loop does the rest.
 /// MasterRefClock writes the nominal time of the cycle, so that the host's jitter reaches the clock as it is, and the
-/// clock shows the nominal time when a frame passes that was as late as usual: that is no error of the schedule.
+/// clock shows the nominal time when a frame passes that was as late as usual: that is no error of the schedule. Of a
+/// frame that leaves more than 3 us off its usual place (the host stood still, or it has tails) the clock is told the
+/// time of that, less what is usual: it would lead all the others away by more than they are allowed.
 /// LinkLayerRefClock writes the time at which the adapter says that it sends. Those stamps are exact: where the clock
 /// differs from one cycle to the next from what it was told, it was not the clock that moved but the way to it, because
 /// a slave in front of it came or went, or another clock leads. What it is told is then counted from its new place, and

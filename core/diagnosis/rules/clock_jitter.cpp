@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "dc/dcm/dcm_controller.h"
 #include "diagnosis/rules/rules.h"
 #include "findings/run_codes.h"
 #include "findings/sentence.h"
@@ -25,11 +26,12 @@ std::int64_t size_of(const Finding& finding, std::string_view name) {
 }
 
 /// Slaves or the master are off, and by no more than jitter of this size, ns, can make them: who is off by more is off
-/// for another reason.
+/// for another reason. Of a frame's lateness the clock is told all but a little; how wrong the stamp is nobody knows.
 bool is_shaken(const RunReport& report, const Findings& findings, Nanoseconds most) {
+  const auto told = std::min(most, dc::kMostShakenByNominal) + report.history.largest_stamp_doubt;
   const bool slaves = std::ranges::any_of(findings, [&](const Finding& finding) {
     const bool sign = std::ranges::find(kSigns, finding.code) != kSigns.end();
-    return sign && size_of(finding, "deviation") <= most / kThrough;
+    return sign && size_of(finding, "deviation") <= told / kThrough;
   });
   const bool never_locked = std::ranges::any_of(findings, [&](const Finding& finding) {
     return finding.code == code::kMasterNotLocked && size_of(finding, "error") <= most;

@@ -119,6 +119,17 @@ void name_loss(const RunReport& report, const RunHistory::SyncLoss& loss, Findin
   if (loss.slave < 0) finding.figures.front() = phrase_figure("slave", "one of the slaves");
 }
 
+/// They all moved at once and to the same side; or the only one that follows did, when the master saw the reference
+/// clock step.
+bool by_reference(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  constexpr Nanoseconds kSeen = 400 * kMillisecond;  // readings in turn, and the controller has patience
+  if (loss.obstacle == dc::SyncObstacle::kClockStep) return true;
+  return report.dc.followers == 1 && loss.slave >= 0 &&
+         std::ranges::any_of(report.history.master_losses, [&](const RunHistory::SyncLoss& seen) {
+           return seen.obstacle == dc::SyncObstacle::kClockStep && std::abs(seen.time - loss.time) <= kSeen;
+         });
+}
+
 /// Nobody is the culprit: the loss from which the slaves have not come back names who it was.
 Finding out_without_culprit(const RunReport& report) {
   const auto& dc = report.dc;
@@ -129,7 +140,7 @@ Finding out_without_culprit(const RunReport& report) {
   const auto& losses = report.history.slave_losses;
   if (dc.state != SyncState::kOutOfSync || losses.empty() || losses.back().back) return finding;
   const auto& loss = losses.back();
-  const bool stepped = loss.obstacle == dc::SyncObstacle::kClockStep;
+  const bool stepped = by_reference(report, loss);
   if (!stepped && dc.over_limit > 0) return finding;
   name_loss(report, loss, finding);
   finding.place.slave = stepped ? dc.reference_clock : loss.slave;
@@ -229,7 +240,7 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
   Finding finding{code::kWindowLeft, Severity::kWarning, first.slave, first.time, losses.back().back.value_or(0)};
   name_loss(report, first, finding);
   finding.figures.push_back(times_figure("count", losses.size()));
-  const bool stepped = first.obstacle == dc::SyncObstacle::kClockStep;
+  const bool stepped = by_reference(report, first);
   if (stepped) {
     finding.place.slave = report.dc.reference_clock;
     finding.figures.push_back(led_figure(report, first.size));

@@ -91,6 +91,7 @@ void find_watchdogs(const RunReport& report, const RunReport::Slave& slave, Find
   const bool was_cut_off = std::ranges::all_of(outputs.list(), [&](const Spell& spell) {
     const Spell before{spell.from - kReadLater, spell.to, 0, 0};
     return adapter_was_away(report, before) || history.absences.near(spell, kReadLater) ||
+           history.recoveries.near(before, 0) ||  // led up from INIT
            report.history.stalls.near(before, 0);
   });
   if (!outputs.empty() && report.history.reached_op && !was_cut_off) {

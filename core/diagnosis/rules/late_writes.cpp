@@ -43,11 +43,14 @@ bool was_written_late(const RunReport& report, const SyncLoss& loss, Left who) {
   if (!loss.back || !steers_reference_clock(report.dcm.mode)) return false;
   using enum dc::SyncObstacle;
   const bool endured = loss.obstacle == kErrorCode || loss.obstacle == kControlError;
-  // All slaves at once, or the schedule's error; what else keeps somebody out of sync has its own reason.
-  const bool moved =
-      loss.obstacle == kClockStep || loss.obstacle == kExternalClock || (who == Left::kMaster && endured);
+  // All slaves at once (one alone is all of them), or the schedule's error; what else keeps somebody out of sync has
+  // its own reason.
+  const bool all = loss.obstacle == kClockStep || (who == Left::kSlaves && report.dc.followers == 1);
+  const bool moved = all || loss.obstacle == kExternalClock || (who == Left::kMaster && endured);
   const bool explained = moved && loss.held > 0 && loss.held >= share * std::abs(loss.size);
-  return explained || was_written_late(report, loss.time, endured ? kEndured : kShownAfter);
+  // A host that came too late itself, and found late what was under way, is another matter.
+  const bool by_host = loss.obstacle == kCyclesLeftOut;
+  return explained || (!by_host && was_written_late(report, loss.time, endured ? kEndured : kShownAfter));
 }
 
 void find_late_writes(const RunReport& report, Findings& findings) {

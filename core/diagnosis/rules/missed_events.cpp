@@ -21,9 +21,16 @@ bool missed_at_stalls(const RunReport& report, const RunReport::Slave& slave) {
   });
 }
 
+/// What the slave counted, and nobody saw when: frames that were held up left it less than it needs.
+bool missed_at_holds(const RunReport& report, const RunReport::Slave& slave) {
+  return held_up(report, slave, report.history.slaves[slave.position].missed).has_value();
+}
+
 /// Where nothing holds the frames at their place, one that is held up a little now and then is not why they come behind
 /// SYNC0. What a host that stands still has under way goes when it goes on: that is its doing, and not the wire's.
 dc::MissCause told_cause(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
+  if (cause == dc::MissCause::kUnknown && is_controlled(report) && missed_at_holds(report, slave))
+    return dc::MissCause::kFrameHeldUp;
   if (cause != dc::MissCause::kFrameHeldUp) return cause;
   if (!is_controlled(report)) return dc::MissCause::kFrameLate;
   return missed_at_stalls(report, slave) ? dc::MissCause::kCyclesLeftOut : cause;
@@ -52,15 +59,22 @@ bool breaks_lock(dc::SyncObstacle obstacle) {
 }
 
 /// Within this time, or so little before or behind it that counters read in turn do not tell.
-bool was_unlocked_in(const RunReport& report, const Spell& spell) {
+bool was_unlocked_in(const RunReport& report, const Spell& spell, Nanoseconds finds_back = 0) {
   if (!is_controlled(report)) return true;
   const auto& losses = report.history.master_losses;
   // Never locked, or lost before anybody noted it.
   if (breaks_lock(report.dcm.obstacle) && (losses.empty() || losses.back().back)) return true;
   return std::ranges::any_of(losses, [&](const RunHistory::SyncLoss& loss) {
-    const auto end = loss.back.value_or(report.history.end);
+    const auto end = loss.back.value_or(report.history.end) + finds_back;
     return breaks_lock(loss.obstacle) && spell.to >= loss.time - kReadLater && spell.from <= end + kReadLater;
   });
+}
+
+bool was_mostly_locked(const RunReport& report, const Spells& events, Nanoseconds finds_back) {
+  if (was_locked(report) || events.empty()) return was_locked(report);
+  std::uint64_t unlocked = 0;
+  for (const auto& spell : events.list()) unlocked += was_unlocked_in(report, spell, finds_back) ? spell.count : 0;
+  return 2 * unlocked < events.count();
 }
 
 /// Nobody's outputs reach a slave that is cut off while its SYNC0 goes on: told as its absence, or as the adapter's.
@@ -109,15 +123,32 @@ bool was_locked(const RunReport& report) {
          std::ranges::none_of(report.history.master_losses, breaks_lock, &RunHistory::SyncLoss::obstacle);
 }
 
-bool was_locked(const RunReport& report, const Spells& events) {
-  if (was_locked(report) || events.empty()) return was_locked(report);
-  std::uint64_t unlocked = 0;
-  for (const auto& spell : events.list()) unlocked += was_unlocked_in(report, spell) ? spell.count : 0;
-  return 2 * unlocked < events.count();
+bool was_locked(const RunReport& report, const Spells& events) { return was_mostly_locked(report, events, 0); }
+
+bool was_locked(const RunReport& report, const RunReport::Slave& slave, const Spells& events) {
+  constexpr Nanoseconds kFindsBack = 30 * kSecond;  // 20 ms at 763 ppm
+  return was_mostly_locked(report, events, slave.position < report.dc.reference_clock ? kFindsBack : 0);
 }
 
 bool was_locked(const RunReport& report, Nanoseconds moment) {
   return was_locked(report) || !was_unlocked_in(report, {moment, moment, 0, 0});
+}
+
+std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Slave& slave, const Spells& times) {
+  const auto& held = report.history.held_frames.list();
+  const auto margin = slave.sync0_margin.value_or(0), need = Nanoseconds{slave.evidence.calc_and_copy_ns};
+  if (times.empty() || margin <= need) return std::nullopt;
+  Nanoseconds largest = 0;
+  const bool each = std::ranges::all_of(times.list(), [&](const Spell& spell) {
+    return std::ranges::any_of(held, [&](const Spell& hold) {
+      const bool then = hold.from <= spell.to && spell.from <= hold.to + kToldLater;
+      // One that is held up may have left late, too.
+      if (!then || margin - hold.largest - usual_worst_lateness(report) >= need) return false;
+      largest = std::max(largest, hold.largest);
+      return true;
+    });
+  });
+  return each ? std::optional(largest) : std::nullopt;
 }
 
 std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::Slave& slave) {
@@ -134,7 +165,7 @@ dc::MissCause main_cause(const Sm2MissedStatus& status) {
 }
 
 std::string_view miss_cause_words(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
-  const bool locked = was_locked(report, report.history.slaves[slave.position].missed);
+  const bool locked = was_locked(report, slave, report.history.slaves[slave.position].missed);
   switch (told_cause(report, slave, cause)) {
     case dc::MissCause::kFrameLost:
       return "frames were lost";
@@ -143,12 +174,13 @@ std::string_view miss_cause_words(const RunReport& report, const RunReport::Slav
     case dc::MissCause::kFrameHeldUp:
       return "frames were held up on their way";
     case dc::MissCause::kFrameLate:
-      return locked ? "frames came behind the SYNC0 they were meant for"
-                    : "the master was not locked to the reference clock, and frames slid through its SYNC0";
+      if (locked) return "frames came behind the SYNC0 they were meant for";
+      break;
     case dc::MissCause::kUnknown:
+      if (locked) return "not seen by the master; look at its firmware and at frames that are damaged in front of it";
       break;
   }
-  return "not seen by the master; look at its firmware and at frames that are damaged in front of it";
+  return "the master was not locked to the reference clock, and frames slid through its SYNC0";
 }
 
 void find_missed_outputs(const RunReport& report, Findings& findings) {
@@ -183,7 +215,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     }
     const auto& spells = report.history.slaves[slave.position].missed;
     Finding finding{
-        code_of(told_cause(report, slave, cause), was_locked(report, spells)),
+        code_of(told_cause(report, slave, cause), was_locked(report, slave, spells)),
         Severity::kWarning,
         slave.position,
         spells.first(),

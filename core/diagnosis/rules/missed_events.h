@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,13 @@ namespace syncline::diagnosis {
 /// The same of one moment (host clock), and of most of these events, which may have been read up to kReadLater behind.
 [[nodiscard]] bool was_locked(const RunReport& report, Nanoseconds moment);
 [[nodiscard]] bool was_locked(const RunReport& report, const Spells& events);
+/// The same for this slave: in front of the reference clock, whose readings nobody takes, it had run away while that
+/// was absent, and its clock needs seconds to find back.
+[[nodiscard]] bool was_locked(const RunReport& report, const RunReport::Slave& slave, const Spells& events);
+/// By how much frames were held up at each of these times (or up to kToldLater before, when a counter was read), where
+/// this slave's outputs would have been early enough otherwise. Empty where one of them has no such frame.
+[[nodiscard]] std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Slave& slave,
+                                                 const Spells& times);
 /// What a later SYNC0 is worth to a slave: "margin" it has, "lateness" of one frame in a thousand, what it "need"s
 /// itself, and by how much "more" the set value would do.
 [[nodiscard]] std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::Slave& slave);

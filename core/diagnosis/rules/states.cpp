@@ -108,6 +108,32 @@ dc::MissCause cause_of_fall(const RunReport& report, const RunReport::Slave& sla
   return left_out ? dc::MissCause::kCyclesLeftOut : most;
 }
 
+/// What was wrong within a moment before; empty where nothing is known. Goes behind "just before:".
+std::string_view trouble_before(const RunReport& report, const RunReport::Slave& slave, const RunHistory::Fall& of) {
+  constexpr std::uint16_t kOutputsWatchdog = 0x001B;
+  const bool by_sync = is_about_outputs(of.al_status_code);
+  if (!by_sync && of.al_status_code != kOutputsWatchdog) return {};
+  const auto fall = of.time;
+  const Spell before{fall - kJustBefore, fall, 0, 0};
+  if (report.history.lost_frames.near(before, 0)) return "frames were lost";
+  if (report.history.stalls.near(before, 0)) return "the host left cycles out";
+  if (const auto moved = by_sync ? sync0_had_moved_at(report, slave, fall) : std::nullopt) return *moved;
+  if (by_sync && !was_locked(report, fall))
+    return "the master was not locked to the reference clock, and frames slid through its SYNC0";
+  return {};
+}
+
+/// Where it counts nothing itself, what was seen elsewhere.
+Finding with_trouble(const RunReport& report, const RunReport::Slave& slave, Finding finding) {
+  const auto& fall = report.history.slaves[slave.position].fall;
+  const auto why = fall ? trouble_before(report, slave, *fall) : "";
+  if (why.empty()) return finding;
+  finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "cause");
+  std::ranges::find(finding.figures, "check", &Figure::name)->text = "what else is told of that moment";
+  finding.figures.push_back(phrase_figure("why", why));
+  return finding;
+}
+
 Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   const auto& fall = report.history.slaves[slave.position].fall;
   const auto since = fall ? fall->time : report.history.begin;
@@ -119,7 +145,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
                      text_figure("alarm", alarm_text(report, slave)),
                      moment_figure(report, "since", since),
                      phrase_figure("check", text.check)};
-  if (!is_about_outputs(slave.al_status_code)) return finding;
+  if (!is_about_outputs(slave.al_status_code)) return with_trouble(report, slave, std::move(finding));
   const bool counted = slave.sm2_missed && slave.sm2_missed->known;
   const bool missed = missed_then(report, slave);
   const bool unseen = !missed || main_cause(*slave.sm2_missed) == dc::MissCause::kUnknown;
@@ -128,7 +154,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
     finding.figures.push_back(moment_figure(report, "stopped", *stopped));
     return finding;
   }
-  if (!counted || !slave.sync0_margin) return finding;
+  if (!counted || !slave.sync0_margin) return with_trouble(report, slave, std::move(finding));
   if (unseen && fall && was_cut_off(report, slave, *fall)) {
     finding.facts = sentence_of(*find_finding_words(code::kSlaveFell), "cut");
     return finding;
@@ -160,7 +186,8 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(report, slave, cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
-  if (cause == dc::MissCause::kFrameLate && !moved && was_locked(report, report.history.slaves[slave.position].missed))
+  if (cause == dc::MissCause::kFrameLate && !moved &&
+      was_locked(report, slave, report.history.slaves[slave.position].missed))
     finding.code = code::kSlaveFellByLateFrames;
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));
   return finding;
@@ -181,17 +208,6 @@ Finding refused(const RunReport& report, const RunReport::Slave& slave) {
            phrase_figure("check", al_status_code_text(fall.al_status_code).check)}};
 }
 
-/// What was wrong within a moment before; empty where nothing is known. Goes behind "just before:".
-std::string_view trouble_before(const RunReport& report, const RunReport::Slave& slave, Nanoseconds fall) {
-  const Spell before{fall - kJustBefore, fall, 0, 0};
-  if (report.history.lost_frames.near(before, 0)) return "frames were lost";
-  if (report.history.stalls.near(before, 0)) return "the host left cycles out";
-  if (const auto moved = sync0_had_moved_at(report, slave, fall)) return *moved;
-  if (!was_locked(report, fall))
-    return "the master was not locked to the reference clock, and frames slid through its SYNC0";
-  return {};
-}
-
 /// What became of it since does not make it undone.
 void find_earlier_falls(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& falls = report.history.slaves[slave.position].falls;
@@ -207,7 +223,7 @@ void find_earlier_falls(const RunReport& report, const RunReport::Slave& slave, 
                      moment_figure(report, "since", first->time),
                      times_figure("count", count, falls.size() == RunHistory::kMostFalls),
                      phrase_figure("check", al_status_code_text(first->al_status_code).check)};
-  const auto why = is_about_outputs(first->al_status_code) ? trouble_before(report, slave, first->time) : "";
+  const auto why = trouble_before(report, slave, *first);
   if (!slave.present) {
     finding.facts = sentence_of(*find_finding_words(code::kSlaveHadFallen), "absent");
   } else if (!why.empty()) {
@@ -228,7 +244,8 @@ void find_states(const RunReport& report, Findings& findings) {
   for (const auto& slave : report.slaves) {
     const bool known = slave.present && slave.al_status != 0;
     // Told as what it is in now, where it has not come out of it.
-    if (!known || al_state_of(slave.al_status) == highest) find_earlier_falls(report, slave, findings);
+    if (!known || slave.al_status == static_cast<std::uint16_t>(AlState::kOp))
+      find_earlier_falls(report, slave, findings);
     if (!known) continue;
     if (const auto& unasked = report.history.slaves[slave.position].unasked) {
       findings.push_back({code::kSlaveLeftUnasked,

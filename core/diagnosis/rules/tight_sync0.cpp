@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <iterator>
-#include <optional>
 
 #include "diagnosis/rules/missed_events.h"
 #include "diagnosis/rules/moved_clocks.h"
@@ -42,7 +41,7 @@ bool came_with_misses(const RunReport& report, const Findings& findings, const R
 /// by how much they were late, and asks for that and what the slave needs.
 bool is_mostly_late(const RunReport& report, const RunReport::Slave& slave, const Findings& findings) {
   constexpr std::uint64_t kFarMore = 10;
-  const bool locked = was_locked(report, report.history.slaves[slave.position].shift_too_short);
+  const bool locked = was_locked(report, slave, report.history.slaves[slave.position].shift_too_short);
   if (!locked || !nominally_too_short(slave) || !slave.sm2_missed) return false;
   const auto times = slave.evidence.outputs.shift_too_short.total;
   return times >= kFarMore * slave.sm2_missed->total() && !is_found(findings, slave, code::kSlaveFellByLateFrames);
@@ -50,7 +49,7 @@ bool is_mostly_late(const RunReport& report, const RunReport::Slave& slave, cons
 
 /// It fell by misses where frames slid through its SYNC0: its finding says so.
 bool fell_unlocked(const RunReport& report, const Findings& findings, const RunReport::Slave& slave) {
-  return !was_locked(report, report.history.slaves[slave.position].missed) &&
+  return !was_locked(report, slave, report.history.slaves[slave.position].missed) &&
          is_found(findings, slave, code::kSlaveFellByMisses);
 }
 
@@ -62,25 +61,6 @@ Finding slid(const RunReport& report, const RunReport::Slave& slave) {
   finding.figures = {slave_figure(report, slave.position), times_figure("count", outputs.total, outputs.at_least)};
   finding.facts = sentence_of(*find_finding_words(code::kMissedUnlocked), "late");
   return finding;
-}
-
-/// By how much frames were held up when it got its outputs too late, each time, where they would have left it enough
-/// otherwise.
-std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Slave& slave) {
-  const auto& held = report.history.held_frames.list();
-  const auto& times = report.history.slaves[slave.position].shift_too_short.list();
-  const auto margin = slave.sync0_margin.value_or(0);
-  if (times.empty() || margin <= slave.evidence.calc_and_copy_ns) return std::nullopt;
-  std::int64_t largest = 0;
-  const bool each = std::ranges::all_of(times, [&](const Spell& spell) {
-    return std::ranges::any_of(held, [&](const Spell& hold) {
-      const bool then = hold.from <= spell.to && spell.from <= hold.to + kToldLater;
-      if (!then || margin - hold.largest >= slave.evidence.calc_and_copy_ns) return false;
-      largest = std::max(largest, hold.largest);
-      return true;
-    });
-  });
-  return each ? std::optional<Nanoseconds>(largest) : std::nullopt;
 }
 
 Finding came_held(const RunReport& report, const RunReport::Slave& slave, Nanoseconds largest) {
@@ -99,9 +79,9 @@ void find_shift_too_short(const RunReport& report, const RunReport::Slave& slave
   const bool by_misses = (misses_told(findings, slave) || came_with_misses(report, findings, slave)) &&
                          !is_mostly_late(report, slave, findings);
   const bool told = by_misses || fell_unlocked(report, findings, slave) || sync0_had_moved(report, slave, spells);
-  if (outputs.total > 0 && !told && !was_locked(report, spells)) {
+  if (outputs.total > 0 && !told && !was_locked(report, slave, spells)) {
     findings.push_back(slid(report, slave));
-  } else if (const auto held = outputs.total > 0 && !told ? held_up(report, slave) : std::nullopt) {
+  } else if (const auto held = outputs.total > 0 && !told ? held_up(report, slave, spells) : std::nullopt) {
     findings.push_back(came_held(report, slave, *held));
   } else if (outputs.total > 0 && !told) {
     const auto margin = slave.sync0_margin.value_or(0);

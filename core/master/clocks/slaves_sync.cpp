@@ -18,6 +18,8 @@ namespace {
 
 /// A slave that does not answer must not keep the others' news.
 constexpr Nanoseconds kCulpritPatience = 100 * kMillisecond;
+/// One that has just come is found by its identity, which takes a hundred exchanges and more.
+constexpr Nanoseconds kNewcomerPatience = kSecond;
 /// Before slaves are off: what changes the frames' way, and what does so at that moment.
 constexpr Nanoseconds kJust = kSecond, kAtOnce = 100 * kMillisecond;
 /// Rounds of readings because of an or-ed value that hovers about the limit come no closer than this.
@@ -58,6 +60,8 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
   out_since_.reset();
   round_since_.reset();
   known_.reset();
+  other_way_.reset();
+  verdict_time_ = first_cycle;
   awaited_.clear();
   awaited_.reserve(config.slaves.size());
   auto& dc = snapshot_.dc;
@@ -73,6 +77,7 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
 
 void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, std::span<const std::uint16_t> read,
                          const std::optional<OredDeviation>& ored, CycleSample& sample) {
+  verdict_time_ = time;
   take_readings(time, distributed, read);
   if (ored) {
     ored_ns_ = ored->magnitude_ns;
@@ -229,12 +234,12 @@ void SlavesSync::tell(dc::SyncVerdict::Edge edge, Nanoseconds time) {
   const auto& evidence = verdict_.evidence();
   switch (edge) {
     case dc::SyncVerdict::Edge::kInSync:
-      if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
+      if (out_since_) tell_culprit(*out_since_ + kCulpritPatience, true);
       returned_.assign(returned_.size(), 0);
       teller_.tell(time, -1, events::SlavesInSync{evidence.worst >= 0 ? evidence.worst_ns : ored_ns_});
       return;
     case dc::SyncVerdict::Edge::kUnknown:
-      if (out_since_) tell_culprit(*out_since_ + kCulpritPatience);
+      if (out_since_) tell_culprit(*out_since_ + kCulpritPatience, true);
       teller_.tell(time, -1, events::SlavesSyncUnknown{evidence.followers > 0 ? time - evidence.oldest : 0});
       return;
     case dc::SyncVerdict::Edge::kOutOfSync:
@@ -301,7 +306,7 @@ bool SlavesSync::somebody_may_come() const {
 /// The wire-ored value names nobody: told when every slave has been read since. Only who was seen over the limit is
 /// to blame, of several the one that was furthest away, and none when all have moved alike: that was the reference
 /// clock.
-void SlavesSync::tell_culprit(Nanoseconds time) {
+void SlavesSync::tell_culprit(Nanoseconds time, bool at_once) {
   if (!out_since_) return;
   const auto& evidence = verdict_.evidence();
   if (evidence.over > 0 && (out_culprit_ < 0 || evidence.worst_ns > out_by_)) {
@@ -313,8 +318,10 @@ void SlavesSync::tell_culprit(Nanoseconds time) {
   if (out_alike_) out_count_ = evidence.followers;  // all of them have moved
   note_off(time);
   if (!way_of_) way_of_ = who_moved(time);
-  const bool wait = !all_read_since(*out_since_) || (!way_of_ && somebody_may_come());
-  if (wait && time - *out_since_ < kCulpritPatience) return;
+  const bool may_come = !way_of_ && somebody_may_come();
+  const bool comes = may_come && other_way_ && std::abs(*other_way_ - *out_since_) < kJust;
+  const bool wait = may_come || !all_read_since(*out_since_);
+  if (!at_once && wait && time - *out_since_ < (comes ? kNewcomerPatience : kCulpritPatience)) return;
   if (way_of_) {
     teller_.tell(*out_since_, -1, events::SlavesOutOfSync{out_by_, 0});
     teller_.tell(*out_since_, static_cast<int>(*way_of_), events::FramesWayChanged{out_by_, out_count_});

@@ -32,6 +32,8 @@ class SlavesSync {
   /// this cycle, without which 0x092C says nothing new; `read`: the slaves whose own 0x092C came with it.
   void observe(Nanoseconds time, bool led, bool distributed, std::span<const std::uint16_t> read,
                const std::optional<OredDeviation>& ored, CycleSample& sample);
+  /// Others answer than in the cycle before: who it is may take long to find out where cycles are.
+  void note_other_way() { other_way_ = verdict_time_; }
   /// Somebody left the sync window, or may have: the slaves' own readings must say, soon.
   [[nodiscard]] bool wants_readings() const { return out_since_.has_value() || round_since_.has_value(); }
   /// Who follows is known until a slave changes, and no cycle looks at all of them again.
@@ -52,7 +54,8 @@ class SlavesSync {
   void report(Nanoseconds time, CycleSample& sample);
   void look_closer(Nanoseconds time);
   void tell(dc::SyncVerdict::Edge edge, Nanoseconds time);
-  void tell_culprit(Nanoseconds time);
+  /// As soon as it is known who it was; `at_once`: whatever is known.
+  void tell_culprit(Nanoseconds time, bool at_once = false);
   [[nodiscard]] std::optional<std::size_t> who_moved(Nanoseconds time) const;
   [[nodiscard]] bool has_moved(std::size_t slave, Nanoseconds time, Nanoseconds before) const;
   void note_off(Nanoseconds time);
@@ -84,6 +87,8 @@ class SlavesSync {
   std::optional<Known> known_;  // who follows stays as it is as long as this does, and until somebody awaited comes
   std::vector<std::size_t> awaited_;  // answer and have yet to catch up
   bool steered_ = false;
+  Nanoseconds verdict_time_ = 0;          // of the last cycle
+  std::optional<Nanoseconds> other_way_;  // when others answered than before
   std::uint32_t ored_ns_ = 0;
   std::optional<Nanoseconds> out_since_;  // out of sync, and not told yet
   std::uint32_t out_by_ = 0;

@@ -277,6 +277,7 @@ void SyncWatch::leader_found(std::uint16_t position, Nanoseconds time, bool subs
 }
 
 void SyncWatch::way_changed() {
+  slaves_.note_other_way();
   if (controller_) controller_->note_other_way();
 }
 

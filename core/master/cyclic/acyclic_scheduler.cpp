@@ -178,8 +178,9 @@ void AcyclicScheduler::adapt(Nanoseconds scheduled, Nanoseconds cycle_time) {
   }
 }
 
-bool AcyclicScheduler::take_mailboxes(Nanoseconds time, CycleSample& sample) {
-  sm2_.sent(time);
+bool AcyclicScheduler::take_mailboxes(Nanoseconds time, std::optional<Nanoseconds> reference_time,
+                                      CycleSample& sample) {
+  sm2_.sent(time, reference_time, (sample.flags & CycleSample::kFrameLate) != 0);
   mailboxes_.take_polls();
   if (std::exchange(request_asked_, false)) requests_.take(time);
   requests_.settle(time);

@@ -58,8 +58,9 @@ class AcyclicScheduler {
   /// After the frames are back, or not: how many the next cycle can carry.
   void adapt(Nanoseconds scheduled, Nanoseconds cycle_time);
 
-  /// Takes over what came back of requests and mailboxes. True when a slave has sent an emergency.
-  bool take_mailboxes(Nanoseconds time, CycleSample& sample);
+  /// Takes over what came back of requests and mailboxes with the frames that were sent at `time`, and passed the
+  /// reference clock at `reference_time` where that is known. True when a slave has sent an emergency.
+  bool take_mailboxes(Nanoseconds time, std::optional<Nanoseconds> reference_time, CycleSample& sample);
   /// `regular`: no cycle was left out before this one.
   void take_evidence(Nanoseconds time, bool regular);
 

@@ -321,9 +321,9 @@ void CyclicTaskRunner::evaluate(CycleSample& sample) {
   slaves_.observe_silence((!up || (sample.flags & CycleSample::kFrameLost) != 0) && !reading.al_status, send_time_);
   if (slaves_.sweeps() != sweeps_seen_) after_sweep();
   mailbox_bits_.observe();
-  // A slave that fell behind others that had fallen before says so itself.
-  if (acyclic_.take_mailboxes(send_time_, sample)) slaves_.refresh_al_status();
   const auto observed = observation(reading);
+  // A slave that fell behind others that had fallen before says so itself.
+  if (acyclic_.take_mailboxes(send_time_, observed.reference_time, sample)) slaves_.refresh_al_status();
   if (frames_.time_frame() != nullptr) told_.observe(observed.reference_time);
   adjust_ = sync_.observe_cycle(observed, sample);
   reference_.watch(send_time_);

@@ -45,6 +45,8 @@ class ReferenceClock {
   [[nodiscard]] std::optional<std::uint16_t> candidate(std::span<const std::size_t> slaves) const;
   void lead(std::uint16_t position, Nanoseconds time);
   [[nodiscard]] std::uint16_t home() const { return home_.value_or(0); }
+  /// One led, and nobody does any more.
+  [[nodiscard]] bool is_lost() const { return home_ && !leader_; }
   /// Position of the slave that leads, if any does.
   [[nodiscard]] std::optional<std::uint16_t> leader() const { return leader_; }
 

@@ -128,10 +128,12 @@ std::size_t Sm2Reader::next() {
   return with_sync_ + other_;
 }
 
-void Sm2Reader::sent(Nanoseconds time) {
-  const auto passed = time - std::exchange(last_sent_, time);
+void Sm2Reader::sent(Nanoseconds time, std::optional<Nanoseconds> reference_time, bool late) {
+  const auto before = std::exchange(last_passed_, reference_time);
+  const auto sent_before = std::exchange(last_sent_, time);
+  const auto passed = before && reference_time ? *reference_time - *before : time - sent_before;
   const auto cycle = config_.cycle_time();
-  if (passed < cycle - cycle / kCloseShare) ++close_;
+  if (late || passed < cycle - cycle / kCloseShare) ++close_;
 }
 
 void Sm2Reader::begin(Nanoseconds now) {

@@ -24,7 +24,8 @@ class SyncEventWatch;
 /// nothing.
 ///
 /// A slave whose cycles begin with the process data does not finish one either when the next frame comes too soon,
-/// behind one that was late: as many of the exceeded cycles as there were such frames are theirs, and no firmware's.
+/// behind one that was late or held up: as many of the exceeded cycles as there were such frames are theirs, and no
+/// firmware's. Where a clock leads it says how far apart they came.
 class Sm2Reader {
  public:
   Sm2Reader(const NetworkConfig& config, Snapshot& snapshot, EventTeller& teller, CyclicMailbox& mailbox,
@@ -37,8 +38,9 @@ class Sm2Reader {
   /// The sub-index that the object's names gave; see sm2_counter_profile.h.
   void set_sub_index(std::size_t slave, std::uint8_t sub_index);
 
-  /// The cycle's frames were handed to the link. Once a cycle.
-  void sent(Nanoseconds time);
+  /// The cycle's frames were handed to the link, and passed the reference clock when it showed this, ns, where that is
+  /// known; `late`: one of before has come back meanwhile, behind its cycle. Once a cycle.
+  void sent(Nanoseconds time, std::optional<Nanoseconds> reference_time, bool late);
   /// Begins an upload when its time has come and the mailbox is free.
   void begin(Nanoseconds now);
   void take(const CyclicMailbox::Answer& answer, Nanoseconds now, CycleSample& sample);
@@ -96,6 +98,7 @@ class Sm2Reader {
   std::size_t current_ = 0, turn_ = 0, other_ = 0;
   std::uint64_t close_ = 0, close_when_asked_ = 0;  // frames that came too soon
   Nanoseconds last_sent_ = 0;
+  std::optional<Nanoseconds> last_passed_;
   Nanoseconds next_start_ = 0;
 };
 

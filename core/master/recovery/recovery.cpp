@@ -22,6 +22,9 @@ constexpr Nanoseconds kFirstWait = 50 * kMillisecond;  // a device that is switc
 constexpr Nanoseconds kRetryPeriod = 500 * kMillisecond;
 constexpr Nanoseconds kWellPeriod = 10 * kSecond;  // in the state of the bus so long: the next trouble is a new one
 constexpr std::uint32_t kReturnTries = 10;
+/// So often a slave is led up from where it is. What it refuses then is what it was set up with before, as a clock that
+/// has run away from the others: it is set up anew.
+constexpr std::uint32_t kTriesAsItIs = 2;
 constexpr Nanoseconds kAfterOutage = kSecond;  // all AL states have been read meanwhile, and drives have counted
 
 bool is_behind(std::uint16_t al_status, AlState target) {
@@ -64,7 +67,9 @@ bool Recovery::comes_back(std::size_t slave) const {
 /// Keeps the tracks up to date.
 void Recovery::look() {
   const auto now = run_.snapshot.time;
-  if (run_.link.away_since() || run_.link.outages() != outages_seen_) fall_by_outage_ = now + kAfterOutage;
+  const bool leaderless = task_.reference().is_lost();
+  const bool away = run_.link.away_since() || run_.link.outages() != outages_seen_;
+  if (away || leaderless) fall_by_outage_ = now + kAfterOutage;
   outages_seen_ = run_.link.outages();
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const auto& slave = run_.snapshot.slaves[i];
@@ -80,17 +85,24 @@ void Recovery::look() {
     if (is_behind(slave.al_status, esm_.level())) {
       track.well_since.reset();
       // Without the adapter nobody heard us: as good as a cable that was pulled, also when it was too short to be
-      // missed.
+      // missed. So it is where nobody leads the clocks; who needs them waits for that.
       if (now < fall_by_outage_ && !track.returning && !track.given_up) {
         track.returning = true;
         track.next_try = now + kFirstWait;
       }
+      if (leaderless && track.returning && needs_leader(i)) track.next_try = now + kFirstWait;
       continue;
     }
     if (!track.well_since) track.well_since = now;
     track.returning = false;
     if (now - *track.well_since >= kWellPeriod) track = {.losses = track.losses, .well_since = track.well_since};
   }
+}
+
+/// Its clock goes by that of others, and has not stopped: it is none that could be set to lead them.
+bool Recovery::needs_leader(std::size_t slave) const {
+  const auto state = al_state_of(run_.snapshot.slaves[slave].al_status);
+  return run_.config().slaves[slave].dc.has_value() && has_process_data_communication(state);
 }
 
 bool Recovery::wants_help(std::size_t slave) const {
@@ -126,12 +138,13 @@ Status Recovery::work(bool on_command, AlState target) {
   if (auto status = locate(slaves); !status) return status;
   if (slaves.empty()) return {};
   std::ranges::sort(slaves);
+  SlaveList anew;
   for (const auto slave : slaves) {
     auto& track = tracks_[slave];
-    ++track.tries;
+    if (++track.tries > kTriesAsItIs) anew.push_back(slave);
     tell(slave, Stage::kBegun);
   }
-  if (auto status = esm_.join(slaves, target); !status) return status;
+  if (auto status = esm_.join(slaves, target, anew); !status) return status;
   const auto limit = std::max(kReturnTries, run_.config().recovery.error_tries);
   for (const auto slave : slaves) {
     auto& track = tracks_[slave];

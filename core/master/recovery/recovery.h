@@ -47,6 +47,7 @@ class Recovery {
   void look();
   [[nodiscard]] bool due(std::size_t slave, Nanoseconds now) const;
   [[nodiscard]] bool wants_help(std::size_t slave) const;
+  [[nodiscard]] bool needs_leader(std::size_t slave) const;
   Status work(bool on_command, AlState target);
   Status locate(SlaveList& found);
   void match_groups(std::vector<FoundDevice>& devices, SlaveList& found);

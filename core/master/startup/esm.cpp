@@ -185,18 +185,22 @@ SlaveList Esm::slaves_where(const std::function<bool(AlState)>& applies) const {
 
 // ---- single slaves ------------------------------------------------------------------------------
 
-Status Esm::join(SlaveList slaves, AlState target) {
+Status Esm::join(SlaveList slaves, AlState target, const SlaveList& anew) {
   if (slaves.empty()) return {};
   task_.working_counter().set_joining(true);
-  auto status = join_each(std::move(slaves), target);
+  auto status = join_each(std::move(slaves), target, anew);
   task_.working_counter().set_joining(false);
   return status;
 }
 
-Status Esm::join_each(SlaveList slaves, AlState target) {
+Status Esm::join_each(SlaveList slaves, AlState target, const SlaveList& to_init) {
   MailboxHold hold(run_.mailboxes, task_.acyclic().mailbox(), slaves);
   if (auto settled = hold.settle(bus_); !settled) return settled;
   if (auto status = commands_.acknowledge(slaves); !status) return status;
+  for (const auto slave : to_init) {
+    if (!run_.snapshot.slaves[slave].present) continue;
+    if (auto status = lead_down(slave, AlState::kInit); !status && ends_everything(status.error())) return status;
+  }
   SlaveList anew;
   for (const auto slave : slaves) {
     const auto state = state_of(slave);

@@ -33,8 +33,9 @@ class Esm {
   Status change_to(AlState target);
   /// Leads these slaves to `target`, each from where it is, while all others go on: a slave that is new on the bus
   /// or in INIT runs its init commands from the beginning and gets its clock set. Slaves that do not come
-  /// all the way are told by events and stay where they are. Bus errors only.
-  Status join(SlaveList slaves, AlState target);
+  /// all the way are told by events and stay where they are. `anew`: those of them that are taken to INIT first,
+  /// whatever they are in. Bus errors only.
+  Status join(SlaveList slaves, AlState target, const SlaveList& anew = {});
   /// Leads one slave to `target` while the others stay where they are, an error acknowledged first. kAlState with the
   /// code of the step that it refuses, kConfiguration above the state of the bus, bus errors.
   Status lead(std::size_t slave, AlState target);
@@ -46,7 +47,7 @@ class Esm {
 
  private:
   void operate(AlState level);
-  Status join_each(SlaveList slaves, AlState target);
+  Status join_each(SlaveList slaves, AlState target, const SlaveList& anew);
   Status join_in_preop(SlaveList slaves);
   [[nodiscard]] Status check_cyclic(std::size_t slave) const;
   Status lead_alone(std::size_t slave, AlState target);

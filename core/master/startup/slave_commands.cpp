@@ -106,14 +106,15 @@ Status SlaveCommands::repeat_broadcasts(std::span<const std::size_t> slaves) {
   for (const auto& command : run_.config().master.init_cmds) {
     if (command.command != Command::kBwr || !command.before_slave || !has_transition(command, Transition::kIP))
       continue;
-    std::vector<std::vector<std::uint8_t>> bytes;
+    // Who answers by its station address keeps it: without it would be missed.
+    SlaveList whom(slaves.begin(), slaves.end());
+    if (command.ado == reg::kStationAddress)
+      std::erase_if(whom, [this](std::size_t slave) { return run_.snapshot.slaves[slave].present; });
+    std::vector<std::vector<std::uint8_t>> bytes(whom.size(), command.data);
     std::vector<Datagram> writes;
-    for (std::size_t i = 0; i < slaves.size(); ++i) {
-      bytes.push_back(command.data);
-      bytes.back().resize(command.length());
-    }
-    for (std::size_t i = 0; i < slaves.size(); ++i) {
-      const auto adp = Position{positions_[slaves[i]]}.auto_increment_address();
+    for (std::size_t i = 0; i < whom.size(); ++i) {
+      bytes[i].resize(command.length());
+      const auto adp = Position{positions_[whom[i]]}.auto_increment_address();
       writes.push_back({Command::kApwr, device_address(adp, command.ado), bytes[i]});
     }
     if (auto status = bus_.transact(writes); !status) return status;

@@ -107,6 +107,25 @@ TEST(BusCycleCheck, ToleratesAFewCyclesThatWereLeftOutAndRecovers) {
   EXPECT_FALSE(check.wrong());
 }
 
+/// A standstill is told as that; a host that has one after the other has another cycle time.
+TEST(BusCycleCheck, OneStandstillIsNoOtherCycleTime) {
+  constexpr Nanoseconds cycle = 4 * kMillisecond;
+  BusCycleCheck check(cycle);
+  Nanoseconds time = 0;
+  const auto run = [&](int cycles) {
+    for (int i = 0; i < cycles; ++i) check.observe(time += cycle, true);
+  };
+  run(400);
+  time += 105 * kMillisecond;
+  run(400);
+  EXPECT_FALSE(check.wrong());
+  for (int i = 0; i < 20; ++i) {
+    time += 20 * kMillisecond;
+    run(20);
+  }
+  EXPECT_TRUE(check.wrong());
+}
+
 TEST(BusCycleCheck, ASecondInWhichNothingCameBackProvesNothing) {
   BusCycleCheck check(kMillisecond);
   Nanoseconds time = 0;

@@ -115,6 +115,26 @@ TEST(DcmModes, MasterRefClockIsInSyncWithAHostThatIsAlwaysLate) {
   EXPECT_LT(std::abs(plant.last().state.error_filtered), 500);
 }
 
+/// Of a frame that leaves far off its usual place the nominal time would lead all clocks away.
+TEST(DcmModes, MasterRefClockTellsTheTimeOfAFrameThatIsFarOff) {
+  const auto controller = make_dcm_controller(settings_for(DcmMode::kMasterRefClock), kMillisecond, 400'000);
+  controller->start(0, 10'600'000, 10 * kMillisecond);
+  auto time = 10 * kMillisecond;
+  const auto told = [&](Nanoseconds late) {
+    return *controller->reference_write(time + late, time) - *controller->reference_write(time, time);
+  };
+  EXPECT_EQ(told(500'000), 0) << "nobody knows what is usual";
+  for (int i = 0; i < 100; ++i) {
+    (void)controller->observe({time + 7'000, time, time + 600'000});
+    time += kMillisecond;
+  }
+  const auto nominal = *controller->reference_write(time + 7'000, time);
+  EXPECT_EQ(*controller->reference_write(time + 9'500, time), nominal);
+  EXPECT_EQ(*controller->reference_write(time + 4'500, time), nominal);
+  EXPECT_EQ(*controller->reference_write(time + 507'000, time), nominal + 500'000);
+  EXPECT_EQ(*controller->reference_write(time - 3'000, time), nominal - 10'000);
+}
+
 TEST(DcmModes, LinkLayerRefClockTakesTheAdaptersTime) {
   // The adapter's stamps are what the plant hands over; the host's wake-up is of no concern.
   DcmPlant plant(with(DcmMode::kLinkLayerRefClock, JitterProfile::bad()));

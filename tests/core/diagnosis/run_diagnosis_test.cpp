@@ -511,5 +511,63 @@ TEST(RunDiagnosis, OutputsThatCameTooLateInHeldFramesAskForNoOtherShift) {
   EXPECT_THAT(codes(report), ElementsAre(code::kShiftTooShort)) << "at another time, too";
 }
 
+/// A frame that was held up may have left a little late, too; and what the slave counted of it, nobody else saw.
+TEST(RunDiagnosis, WhatAHeldFrameThatLeftLateDoesIsItsDoing) {
+  auto report = healthy();
+  auto& slave = report.slaves[1];
+  slave.sync0_margin = 480 * kMicrosecond;
+  slave.evidence.calc_and_copy_ns = 30'000;
+  slave.evidence.outputs.shift_too_short = {1, false, kStart + 6 * kSecond};
+  report.history.slaves[1].shift_too_short.note(kStart + 6 * kSecond, 1);
+  miss(report, 1, dc::MissCause::kUnknown, 1);
+  report.history.slaves[1].missed.note(kStart + 6 * kSecond, 1);
+  report.history.held_frames.note(kStart + 5'500 * kMillisecond, 1, 444 * kMicrosecond);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained)) << "6 us more would have done";
+  report.history.held_frames.note(kStart + 5'500 * kMillisecond, 1, 446 * kMicrosecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHeldFrames));
+}
+
+TEST(RunDiagnosis, NobodyWasLedUpAgainWhereAllAreDown) {
+  auto report = healthy();
+  report.state = AlState::kSafeop;
+  for (std::size_t i = 0; i < 3; ++i) {
+    test::fall(report, i, 5 * kSecond, 0x001B);
+    report.history.slaves[i].falls.push_back(*report.history.slaves[i].fall);
+  }
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlaveFell, code::kSlaveFell, code::kSlaveFell));
+  report.slaves[0].al_status = static_cast<std::uint16_t>(AlState::kSafeop);
+  EXPECT_THAT(codes(report), Not(Contains(code::kSlaveHadFallen))) << "its error was acknowledged, and no more";
+  report.slaves[0].al_status = static_cast<std::uint16_t>(AlState::kOp);
+  EXPECT_THAT(codes(report), Contains(code::kSlaveHadFallen));
+}
+
+/// It has no outputs for a while when it is taken to INIT.
+TEST(RunDiagnosis, AWatchdogThatExpiresWhileItsSlaveIsLedUpAnewIsNoTrouble) {
+  auto report = healthy();
+  auto& history = report.history.slaves[1];
+  history.process_data_watchdog.note(kStart + 8 * kSecond, 1);
+  EXPECT_THAT(codes(report), ElementsAre(code::kOutputsWatchdog));
+  history.recoveries.note(kStart + 7'500 * kMillisecond, 1);
+  EXPECT_THAT(codes(report), IsEmpty());
+}
+
+/// One alone cannot be compared with others.
+TEST(RunDiagnosis, TheOnlyOneThatFollowsIsNotBlamedForAStepThatTheMasterSaw) {
+  auto report = healthy();
+  report.dc.followers = 1;
+  report.history.slave_losses.push_back(test::loss(1, 500'000));
+  const auto blamed = [&](int slave) {
+    return std::ranges::any_of(diagnose(report), [&](const Finding& finding) {
+      return finding.code == code::kWindowLeft && finding.place.slave == slave;
+    });
+  };
+  EXPECT_TRUE(blamed(1));
+  report.history.master_losses.push_back(
+      {kStart + 5 * kSecond + 3 * kMillisecond, -1, -500'000, dc::SyncObstacle::kClockStep, kStart + 6 * kSecond});
+  EXPECT_TRUE(blamed(0));
+  report.dc.followers = 2;
+  EXPECT_TRUE(blamed(1)) << "the other one did not move";
+}
+
 }  // namespace
 }  // namespace syncline

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "channels/event.h"
 #include "channels/request_desk.h"
 #include "engine/opened_link.h"
 #include "findings/error_text.h"
@@ -38,6 +39,31 @@ TEST(RunNetwork, KeepsEachCycleOfALongBringUp) {
   EXPECT_GT(next, 20'000U * 4);
   EXPECT_EQ(next, outcome->report.cycles);
   EXPECT_EQ(gaps, 0U);
+}
+
+/// The bus is there, and in the end so is the slave.
+TEST(RunNetwork, ATryThatFailsBeforeASlaveIsBackIsNoFailureOfTheRun) {
+  test::SimulatedNetwork network;
+  for (int i = 0; i < 3; ++i) network.add(test::servo(), "servo-y");
+  FaultConfig fault{.kind = FaultKind::kSlaveOff, .slave = 2, .at = 6 * kSecond, .until = 8 * kSecond};
+  network.sim.faults.push_back(fault);
+  fault = {.kind = FaultKind::kRefuseState, .slave = 2, .at = 7 * kSecond, .until = 11 * kSecond};
+  fault.state = AlState::kOp;
+  fault.code = 0x0032;
+  network.sim.faults.push_back(fault);
+  OpenedLink opened;
+  opened.clock = std::make_unique<VirtualClock>();
+  opened.link = network.link(*opened.clock);
+  ASSERT_TRUE(opened.link);
+  RunRequest request;
+  request.duration = 15 * kSecond;
+  std::size_t failures = 0;
+  request.on_event = [&](const Event& event) { failures += event.is<events::Failure>() ? 1 : 0; };
+  const auto outcome = run_network(network.compiled(), std::move(opened), request);
+  ASSERT_TRUE(outcome);
+  EXPECT_GT(failures, 0U);
+  EXPECT_EQ(outcome->report.state, AlState::kOp);
+  EXPECT_FALSE(outcome->error) << describe(*outcome->error);
 }
 
 /// There is no number of them that it refuses, and each is answered once, also where the run is over before its turn.

@@ -274,6 +274,7 @@ TEST_F(RunHistoryTest, KeepsTheLatenessOfFramesAfterAFallFromOp) {
       auto late = sample(kSecond + i * config.cycle_time(), state);
       late.flags |= CycleSample::kReferenceValid;
       late.reference_time = 10 * kSecond + i * config.cycle_time() + 300 * kMicrosecond;
+      late.wake_lateness_ns = 300'000;
       add(late);
     }
   };
@@ -284,6 +285,28 @@ TEST_F(RunHistoryTest, KeepsTheLatenessOfFramesAfterAFallFromOp) {
   EXPECT_EQ(recorder.history().frame_lateness.count(), 2020U);
   add_many(AlState::kPreop, 10);
   EXPECT_EQ(recorder.history().frame_lateness.count(), 2020U);
+}
+
+/// With a reference clock that has stepped all frames are off the grid, and none is late.
+TEST_F(RunHistoryTest, AGridThatIsElsewhereIsNoLatenessOfFrames) {
+  Snapshot snapshot;
+  snapshot.dc.sync_base = 10 * kSecond;
+  snapshot.dc.enabled = true;
+  recorder.add(snapshot);
+  const auto add_many = [&](SyncState state, Nanoseconds off) {
+    for (int i = 0; i < 100; ++i) {
+      auto one = sample(kSecond + i * config.cycle_time(), AlState::kOp);
+      one.flags |= CycleSample::kReferenceValid;
+      one.reference_time = 10 * kSecond + i * config.cycle_time() + off;
+      one.wake_lateness_ns = 2'000;
+      one.master_sync = state;
+      add(one);
+    }
+  };
+  add_many(SyncState::kInSync, 2 * kMicrosecond);
+  add_many(SyncState::kOutOfSync, 200 * kMicrosecond);
+  add_many(SyncState::kInSync, 200 * kMicrosecond);  // until it is known
+  EXPECT_EQ(recorder.history().frame_lateness.count(), 200U);
 }
 
 TEST(Spells, WhatIsTakenBackIsGoneFromTheLatestOfThem) {
