@@ -169,6 +169,9 @@ struct HistoryRecorder::OfRun {
     history().link_outages.note(event.time, 0, link.away, history().link_outages.last());
   }
   void operator()(const events::Online&) const { history().operated = true; }
+  void operator()(const events::ReferenceClockChanged& change) const {
+    if (change.what != events::ReferenceClockChanged::What::kLost) history().lead_changes.note(event.time, 1);
+  }
   void operator()(const events::SlavesOutOfSync& out) const {
     // All at once and to the same side: not they have moved, but what they follow.
     const bool stepped = event.slave < 0 && out.over_limit > 0;

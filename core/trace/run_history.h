@@ -119,6 +119,7 @@ struct RunHistory {
   Nanoseconds op_reached = 0;  // the first time
   bool operated = false;       // the way there is over: in OP, or as far as the slaves came
   Spells lost_frames, late_frames, stalls, wrong_counters;  // stalls: cycles left out, size = standstill ns
+  Spells lead_changes;                  // another one leads than before, or the reference clock again
   Nanoseconds largest_stamp_doubt = 0;  // in operation: CycleSample::stamp_doubt_ns, by which stamps may be wrong
   Spells held_frames;                   // came back so much later than usual, size in ns
   std::uint16_t counter_expected = 0, counter_received = 0;  // of the last wrong one

@@ -153,6 +153,8 @@ class Soak {
       fault.until = fault.at + static_cast<Nanoseconds>(random_.uniform(static_cast<double>(kind.shortest),
                                                                         static_cast<double>(kind.longest)));
     }
+    // Who runs by himself is looked at in turn, in cycles.
+    if (kind.by_itself && network_.project.master.cycle_time > 2 * kMillisecond) fault.until += 6 * kSecond;
     if (kind.while_down) fault.until = start + length_ - kSecond;
     fault.count = 1 + static_cast<std::uint32_t>(random_.next() % kind.most_count);
     fault.value_ns =

@@ -123,7 +123,7 @@ void draw_master(SoakMachine& machine, Random& random) {
   for (auto& mode : machine.modes) {
     mode = kModes[random.next() % kModes.size()];
     // A desktop's tails shake a clock that is told the nominal time, which is told, and rightly.
-    const bool calm = !desktop && master.dc.sync_window.exponent > 7;
+    const bool calm = !desktop && master.dc.sync_window.exponent > 7 && master.cycle_time <= 2 * kMillisecond;
     if (mode == DcmMode::kMasterRefClock && !calm) mode = DcmMode::kMasterShift;
   }
 }

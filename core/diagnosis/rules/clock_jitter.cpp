@@ -16,8 +16,8 @@ namespace {
 
 /// What a shaken reference clock looks like to the slaves.
 constexpr std::array kSigns{code::kSlavesOutOfSync, code::kSlaveLeftWindow, code::kWindowLeft};
-/// Of what one frame is off its usual place the clock's own loop lets through no more than this part: of a desktop's
-/// tails of 0.4 ms some 5 us.
+/// Of what one frame is off its usual place the clock's own loop lets through no more than this part in a millisecond:
+/// of a desktop's tails of 0.4 ms some 5 us. In a longer cycle it follows the wrong time for longer.
 constexpr Nanoseconds kThrough = 64;
 
 std::int64_t size_of(const Finding& finding, std::string_view name) {
@@ -29,9 +29,10 @@ std::int64_t size_of(const Finding& finding, std::string_view name) {
 /// for another reason. Of a frame's lateness the clock is told all but a little; how wrong the stamp is nobody knows.
 bool is_shaken(const RunReport& report, const Findings& findings, Nanoseconds most) {
   const auto told = std::min(most, dc::kMostShakenByNominal) + report.history.largest_stamp_doubt;
+  const auto through = told * std::max(report.cycle_time, kMillisecond) / (kThrough * kMillisecond);
   const bool slaves = std::ranges::any_of(findings, [&](const Finding& finding) {
     const bool sign = std::ranges::find(kSigns, finding.code) != kSigns.end();
-    return sign && size_of(finding, "deviation") <= told / kThrough;
+    return sign && size_of(finding, "deviation") <= through;
   });
   const bool never_locked = std::ranges::any_of(findings, [&](const Finding& finding) {
     return finding.code == code::kMasterNotLocked && size_of(finding, "error") <= most;

@@ -181,6 +181,15 @@ bool came_back(const RunReport& report, const RunHistory::SyncLoss& loss) {
                         : was_away(slaves[static_cast<std::size_t>(loss.slave)]);
 }
 
+/// A reference clock that comes home, or a substitute, was compared with the others to some ten ns only: told as its
+/// absence.
+bool by_other_leader(const RunReport& report, const RunHistory::SyncLoss& loss) {
+  constexpr std::int64_t kFewLimits = 2;
+  const Spell before{loss.time - kTogether, loss.time, 0, 0};
+  return loss.back && std::abs(loss.size) <= kFewLimits * report.dc.limit_ns &&
+         report.history.lead_changes.near(before, kTogether);
+}
+
 /// Who leads was away: told as its absence, with all that there was to synchronise with.
 bool leader_was_away(const RunReport& report, const RunHistory::SyncLoss& loss) {
   const auto leader = static_cast<std::size_t>(report.dc.reference_clock);  // of none: beyond all
@@ -233,7 +242,7 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
     const bool told =
         lasts || (loss.slave >= 0 && loss.slave == culprit) || was_written_late(report, loss, Left::kSlaves);
     return !told && !came_back(report, loss) && !without_adapter(report, loss) && !without_time(report, loss) &&
-           !by_lost_link(report, loss);
+           !by_lost_link(report, loss) && !by_other_leader(report, loss);
   });
   if (losses.empty()) return;
   const auto& first = losses.front();

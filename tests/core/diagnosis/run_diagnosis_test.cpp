@@ -569,5 +569,16 @@ TEST(RunDiagnosis, TheOnlyOneThatFollowsIsNotBlamedForAStepThatTheMasterSaw) {
   EXPECT_TRUE(blamed(1)) << "the other one did not move";
 }
 
+/// It is compared with the others to some ten ns before it leads again.
+TEST(RunDiagnosis, AReferenceClockThatComesHomeIsNoClockThatSteps) {
+  auto report = healthy();
+  report.history.slave_losses.push_back(test::loss(-1, 151));
+  EXPECT_THAT(codes(report), ElementsAre(code::kWindowLeft));
+  report.history.lead_changes.note(kStart + 5 * kSecond, 1);
+  EXPECT_THAT(codes(report), IsEmpty());
+  report.history.slave_losses.push_back(test::loss(-1, 500));
+  EXPECT_THAT(codes(report), ElementsAre(code::kWindowLeft)) << "that is more";
+}
+
 }  // namespace
 }  // namespace syncline
