@@ -6,6 +6,9 @@
 #include <string>
 
 #include "protocol/dcm_error.h"
+#include "protocol/frame.h"
+#include "protocol/registers.h"
+#include "support/byte_order.h"
 #include "support/random.h"
 #include "tests/support/diagnosed_run.h"
 #include "tests/support/machine_devices.h"
@@ -14,6 +17,8 @@
 
 namespace syncline {
 namespace {
+
+constexpr int kBringUp = 10'000;  // frames, of the 12 s before anything is wrong
 
 class FalseCauses : public ::testing::Test {
  protected:
@@ -45,19 +50,41 @@ class FalseCauses : public ::testing::Test {
   }
 };
 
+/// A frame with an APWR of 0 to 0x0010.
+bool clears_station_address(std::span<const std::uint8_t> frame) {
+  constexpr std::size_t kFirst = 16, kHeader = 10, kCounter = 2;
+  for (auto at = kFirst; at + kHeader + kCounter <= frame.size();) {
+    const auto ado = load_le<std::uint16_t>(frame.subspan(at + 4));
+    const auto more = load_le<std::uint16_t>(frame.subspan(at + 6));
+    const auto length = static_cast<std::size_t>(more & 0x07FFU);
+    const bool writes = frame[at] == static_cast<std::uint8_t>(Command::kApwr) && ado == reg::kStationAddress;
+    if (writes && load_le<std::uint16_t>(frame.subspan(at + kHeader)) == 0) return true;
+    if ((more & 0x8000U) == 0) return false;
+    at += kHeader + length + kCounter;
+  }
+  return false;
+}
+
 /// Nobody leads those in front meanwhile, and they run away: they are set up anew when the clock is back, whether they
 /// were away with it, or fell because it was.
 TEST_F(FalseCauses, WhoIsInFrontOfTheReferenceClockComesBackWithIt) {
   for (const bool cable : {true, false}) {
     SetUp();
+    machine.events.clear();
     lead_in_the_middle();
     auto& fault = machine.fault(cable ? FaultKind::kCableBreak : FaultKind::kAdapterOff, 12 * kSecond, cable ? 2 : -1);
     fault.until = 30 * kSecond;
+    int sent = 0, cleared = 0;
+    machine.loses = [&](std::span<const std::uint8_t> frame) {
+      cleared += ++sent > kBringUp && clears_station_address(frame) ? 1 : 0;
+      return false;
+    };
     machine.run(40 * kSecond);
     EXPECT_TRUE(all_in_op()) << machine.said();
     EXPECT_EQ(machine.report.dc.state, SyncState::kInSync);
     EXPECT_FALSE(machine.found(code::kOutputsWatchdog)) << machine.said();
     EXPECT_FALSE(machine.found(code::kSlaveRefused)) << machine.said();
+    EXPECT_EQ(cleared, 0) << "who is set up anew keeps its station address: it would be missed without";
   }
 }
 
