@@ -26,9 +26,21 @@ bool missed_at_holds(const RunReport& report, const RunReport::Slave& slave) {
   return held_up(report, slave, report.history.slaves[slave.position].missed).has_value();
 }
 
+/// Frames were lost each time, as many as it counts: which of them it had got, and which readings were an answer of
+/// before, because the newer one was lost as well, nobody can tell one by one.
+bool missed_at_losses(const RunReport& report, const RunReport::Slave& slave) {
+  const auto& missed = report.history.slaves[slave.position].missed.list();
+  const auto& lost = report.history.lost_frames;
+  return !missed.empty() && lost.count() >= slave.sm2_missed->missed &&
+         std::ranges::all_of(missed, [&](const Spell& spell) {
+           return lost.near({spell.from - kReadLater, spell.to, 0, 0}, kTogether);
+         });
+}
+
 /// Where nothing holds the frames at their place, one that is held up a little now and then is not why they come behind
 /// SYNC0. What a host that stands still has under way goes when it goes on: that is its doing, and not the wire's.
 dc::MissCause told_cause(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
+  if (cause == dc::MissCause::kUnknown && missed_at_losses(report, slave)) return dc::MissCause::kFrameLost;
   if (cause == dc::MissCause::kUnknown && is_controlled(report) && missed_at_holds(report, slave))
     return dc::MissCause::kFrameHeldUp;
   if (cause != dc::MissCause::kFrameHeldUp) return cause;
@@ -101,6 +113,16 @@ bool had_stood_still(const RunReport& report, const RunReport::Slave& slave) {
   const auto& history = report.history.slaves[slave.position];
   return !history.missed.empty() && std::ranges::all_of(history.missed.list(), [&](const Spell& spell) {
     return history.pdi_watchdog.near(spell, kReadLater) || history.pdi_silent.near(spell, kReadLater);
+  });
+}
+
+/// All frames that were lost were so with somebody who went or came, in front of others who stayed: told as that.
+bool lost_with_somebody(const RunReport& report) {
+  constexpr Nanoseconds kNear = 500 * kMillisecond;  // he is missed when nothing has come for a while
+  return std::ranges::all_of(report.history.lost_frames.list(), [&](const Spell& spell) {
+    return spell.count == 0 || std::ranges::any_of(report.history.slaves, [&](const RunHistory::Slave& slave) {
+             return slave.absences.near(spell, kNear);
+           });
   });
 }
 
@@ -197,6 +219,7 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
     const bool by_absence = cause == dc::MissCause::kUnknown ||
                             (cause == dc::MissCause::kFrameLost && !lost_while_there(report, slave.position));
     if (by_absence && was_cut_off(report, slave, status.missed)) continue;
+    if (cause == dc::MissCause::kFrameLost && lost_with_somebody(report)) continue;
     if (cause == dc::MissCause::kUnknown && was_passed_over(report, status.missed)) continue;
     if (cause == dc::MissCause::kUnknown && had_stood_still(report, slave)) continue;
     if (cause == dc::MissCause::kUnknown || cause == dc::MissCause::kFrameLate) {
@@ -214,14 +237,16 @@ void find_missed_outputs(const RunReport& report, Findings& findings) {
       }
     }
     const auto& spells = report.history.slaves[slave.position].missed;
+    const auto why = told_cause(report, slave, cause);
+    const auto of = [&](dc::MissCause each) { return status.by_cause[static_cast<std::size_t>(each)]; };
     Finding finding{
-        code_of(told_cause(report, slave, cause), was_locked(report, slave, spells)),
+        code_of(why, was_locked(report, slave, spells)),
         Severity::kWarning,
         slave.position,
         spells.first(),
         spells.last(),
         {slave_figure(report, slave.position), count_figure("missed", status.missed, status.at_least),
-         count_figure("part", status.by_cause[static_cast<std::size_t>(cause)]),
+         count_figure("part", of(cause) + (why == cause ? 0 : of(why))),
          count_figure("integrator", status.integrator_highest),
          status.limit > 0 ? count_figure("limit", status.limit) : phrase_figure("limit", "no limit"),
          count_figure("computed", status.computed), text_figure("sub", fmt::format("{:02X}", status.sub_index))}};

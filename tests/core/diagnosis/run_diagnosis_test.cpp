@@ -580,5 +580,37 @@ TEST(RunDiagnosis, AReferenceClockThatComesHomeIsNoClockThatSteps) {
   EXPECT_THAT(codes(report), ElementsAre(code::kWindowLeft)) << "that is more";
 }
 
+/// The first one had no power for a moment, and no frame came by.
+TEST(RunDiagnosis, WhatIsMissedWhileSomebodyIsAwayAsksForNoPlaceWhereFramesAreLost) {
+  auto report = healthy();
+  report.history.lost_frames.note(kStart + 5 * kSecond + 97 * kMillisecond, 97, 0, kStart + 5 * kSecond);
+  report.lost_frames = 97;
+  miss(report, 1, dc::MissCause::kFrameLost, 97);
+  report.history.slaves[1].missed.note(kStart + 5 * kSecond + 97 * kMillisecond, 97);
+  EXPECT_THAT(codes(report), Contains(code::kMissedByLostFrames));
+  report.history.slaves[0].absences.note(kStart + 5 * kSecond + 97 * kMillisecond, 1);
+  EXPECT_THAT(codes(report), Not(Contains(code::kMissedByLostFrames)));
+  EXPECT_THAT(codes(report), Contains(code::kSlaveWasAbsent));
+  report.history.lost_frames.note(kStart + 15 * kSecond, 3);
+  EXPECT_THAT(codes(report), Contains(code::kMissedByLostFrames)) << "and at another time";
+}
+
+/// With the answers that said which of them.
+TEST(RunDiagnosis, WhatASlaveCountsWhileFramesGetLostIsNoRiddle) {
+  auto report = healthy();
+  miss(report, 1, dc::MissCause::kFrameLost, 7);
+  miss(report, 1, dc::MissCause::kUnknown, 11);
+  report.history.slaves[1].missed.note(kStart + 6 * kSecond, 18);
+  report.lost_frames = 17;
+  report.history.lost_frames.note(kStart + 5'800 * kMillisecond, 17);
+  EXPECT_THAT(codes(report), Contains(code::kMissedUnexplained)) << "fewer than it counts";
+  report.history.lost_frames.note(kStart + 5'800 * kMillisecond, 30);
+  EXPECT_THAT(codes(report), Not(Contains(code::kMissedUnexplained)));
+  const auto findings = diagnose(report);
+  const auto lost = std::ranges::find(findings, code::kMissedByLostFrames, &Finding::code);
+  ASSERT_NE(lost, findings.end());
+  EXPECT_THAT(describe(*lost), HasSubstr("missed 18 SM2 events, 18 of them because frames were lost"));
+}
+
 }  // namespace
 }  // namespace syncline
