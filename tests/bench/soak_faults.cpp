@@ -168,7 +168,9 @@ class Soak {
     fault.code = kind.code;
     fault.period = kind.period;
     // Who comes back in a tree may have to be set up anew.
-    const bool long_after = machine_.shape == SoakShape::kTree && !kind.while_down;
+    const bool goes = fault.kind == FaultKind::kCableBreak || fault.kind == FaultKind::kSlaveOff ||
+                      fault.kind == FaultKind::kAdapterOff;
+    const bool long_after = machine_.shape == SoakShape::kTree && goes;
     fault.until = std::min(fault.until, start + length_ - (long_after ? 12 : 1) * kSecond);
     if (kind.switched_on_anew) {
       network_.sim.faults.push_back({.kind = FaultKind::kSlaveOff,
