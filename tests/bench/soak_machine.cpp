@@ -203,9 +203,10 @@ bool has_there(const SoakMachine& machine, std::size_t slave, const SoakFaultKin
     if (network.sim.slaves[i].parent != slave) continue;
     ++wired;
     // Two of a kind that have changed places look like two that have not.
-    const bool other = network.sim.slaves[i].behaviour != network.sim.slaves[slave].behaviour;
-    const bool fixed = network.project.slaves[i].hot_connect.empty();
-    if (network.sim.slaves[i].parent_port == kind.port && has_clock(network, i) && other && fixed) ++clocks;
+    const bool other = network.sim.slaves[i].behaviour != network.sim.slaves[slave].behaviour &&
+                       network.project.slaves[i].hot_connect.empty();
+    const bool shows = kind.kind != FaultKind::kReversedCable || other;
+    if (network.sim.slaves[i].parent_port == kind.port && has_clock(network, i) && shows) ++clocks;
   }
   // Nothing but the times of its frames tells a ring that is closed from a branch.
   if (kind.kind == FaultKind::kClosedRing) return false;

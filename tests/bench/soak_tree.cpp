@@ -5,25 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <vector>
 
 #include "config/dcm_settings.h"
-#include "eni/esi/esi_reader.h"
 #include "support/jitter_profile.h"
 #include "tests/support/machine_devices.h"
-#include "tests/support/source_dir.h"
+#include "tests/support/own_devices.h"
 
 namespace syncline::bench {
 namespace {
-
-const DeviceDescription& own_device(const std::string& file) {
-  static std::map<std::string, DeviceDescription> known;
-  auto& device = known[file];
-  if (device.type.empty())
-    device = eni::read_esi(test::source_dir() + "/resources/esi/" + file).value().devices.front();
-  return device;
-}
 
 std::vector<std::size_t> clocks_of(const test::SimulatedNetwork& network) {
   std::vector<std::size_t> clocks;
@@ -40,10 +30,10 @@ void add_any(test::SimulatedNetwork& network, Random& random) {
       network.add(test::servo(), "servo-y");
       break;
     case 2:
-      network.add(own_device("SL-XE2.xml"), "drive-c");
+      network.add(sample::own("SL-XE2"), "drive-c");
       break;
     case 3:
-      network.add(own_device("SL-6751.xml"), "can-gateway");
+      network.add(sample::own("SL-6751"), "can-gateway");
       break;
     default:
       network.add(random.next() % 8 == 0 ? test::large_io() : test::io8());
@@ -122,7 +112,7 @@ void draw_master(SoakMachine& machine, Random& random) {
                               DcmMode::kMasterRefClock};
   for (auto& mode : machine.modes) {
     mode = kModes[random.next() % kModes.size()];
-    // A desktop's tails shake a clock that is told the nominal time, which is told, and rightly.
+    // Stamps that are off shake a clock that is told the host's time as it is, which is told, and rightly.
     const bool calm = !desktop && master.dc.sync_window.exponent > 7 && master.cycle_time <= 2 * kMillisecond;
     if (mode == DcmMode::kMasterRefClock && !calm) mode = DcmMode::kMasterShift;
   }

@@ -11,7 +11,7 @@ namespace syncline::bench {
 /// Three to 22 slaves, wired to the one before or further back; who leads, the cycle time, limit, mode and host.
 void draw_whole_tree(SoakMachine& machine, Random& random);
 
-/// "; 0 generic, 1 servo-y at 0 B, ...": a star for who has no clock, a quarter of them 32 bits wide.
+/// "; 0 generic, 1 servo-y (32 bit) at 0B, ...".
 [[nodiscard]] std::string tree_text(const test::SimulatedNetwork& network);
 
 }  // namespace syncline::bench
