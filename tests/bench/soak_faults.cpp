@@ -31,6 +31,7 @@
 #include "compile/compile.h"
 #include "config/sync_grid.h"
 #include "diagnosis/run_diagnosis.h"
+#include "findings/error_text.h"
 #include "link/simulated_host.h"
 #include "master/master_service.h"
 #include "support/random.h"
@@ -105,7 +106,7 @@ class Soak {
   int run(bool loud) {
     fmt::print("{}\n", text_of(machine_));
     if (const auto result = compile(network_.project); !result) {
-      fmt::print(stderr, "this machine does not compile: {}\n", result.error().subject);
+      fmt::print(stderr, "this machine does not compile: {}\n", describe(result.error()));
       return 2;
     }
     double at_first = 0, most = 0;

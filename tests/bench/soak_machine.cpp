@@ -7,10 +7,9 @@
 
 #include "bench/soak_tree.h"
 #include "config/dcm_settings.h"
-#include "eni/esi/esi_reader.h"
 #include "support/jitter_profile.h"
 #include "tests/support/machine_devices.h"
-#include "tests/support/source_dir.h"
+#include "tests/support/own_devices.h"
 
 namespace syncline::bench {
 namespace {
@@ -19,17 +18,12 @@ constexpr std::size_t kLine = 6;  // slaves that every line has
 constexpr std::array kBehaviours{"generic", "servo-y", "servo-y", "drive-c", "can-gateway", "generic"};
 constexpr std::uint16_t kGroupAlias = 1000;
 
-DeviceDescription device(const std::string& file) {
-  const auto esi = eni::read_esi(test::source_dir() + "/resources/esi/" + file);
-  return esi && !esi->devices.empty() ? esi->devices.front() : DeviceDescription{};
-}
-
 void add_line(test::SimulatedNetwork& network) {
   network.add(test::io8());
   network.add(test::servo(), "servo-y");
   network.add(test::servo(), "servo-y");
-  network.add(device("SL-XE2.xml"), "drive-c");
-  network.add(device("SL-6751.xml"), "can-gateway");
+  network.add(sample::own("SL-XE2"), "drive-c");
+  network.add(sample::own("SL-6751"), "can-gateway");
   network.add(test::io8());
 }
 
@@ -44,10 +38,10 @@ void add_branch(test::SimulatedNetwork& network, Random& random) {
         network.add(test::servo(), "servo-y");
         break;
       case 1:
-        network.add(device("SL-XE2.xml"), "drive-c");
+        network.add(sample::own("SL-XE2"), "drive-c");
         break;
       case 2:
-        network.add(device("SL-6751.xml"), "can-gateway");
+        network.add(sample::own("SL-6751"), "can-gateway");
         break;
       case 3:
         network.add(random.next() % 2 == 0 ? test::large_io() : test::io8());  // two of them need two frames

@@ -46,11 +46,13 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
 
 std::optional<Nanoseconds> WrittenClock::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
   if (time_ == Time::kOfSending) return wanted_at(send_time);
-  const auto usual = static_cast<Nanoseconds>(std::llround(usual_lateness_));
+  const auto usual = usual_lateness();
   const bool knows_usual = observed_ >= kLatenessMemory;
   const bool is_off = std::abs(send_time - scheduled_time - usual) > kMostShakenByNominal;
   return wanted_at(knows_usual && is_off ? send_time - usual : scheduled_time);
 }
+
+Nanoseconds WrittenClock::usual_lateness() const { return std::llround(usual_lateness_); }
 
 void WrittenClock::learn_lateness(const DcmObservation& observation) {
   if (time_ != Time::kNominal) return;
@@ -87,7 +89,7 @@ DcmAction WrittenClock::observe(const DcmObservation& observation) {
   DcmAction action;
   Nanoseconds lag = 0;
   learn_lateness(observation);
-  const auto usual = static_cast<Nanoseconds>(std::llround(usual_lateness_));
+  const auto usual = usual_lateness();
   if (observation.reference_time) {
     const auto lag_now = [&] { return *observation.reference_time - wanted_at(observation.send_time - usual); };
     const bool exact = time_ == Time::kOfSending;

@@ -37,6 +37,7 @@ class WrittenClock final : public DcmController {
   /// The clock was at `lag` from what it was told. What is left of that when the way has changed.
   [[nodiscard]] Nanoseconds without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action);
   void learn_lateness(const DcmObservation& observation);
+  [[nodiscard]] Nanoseconds usual_lateness() const;
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const {
     return reference_ + (host_time - host_) + way_.offset();
   }

@@ -119,11 +119,12 @@ bool had_stood_still(const RunReport& report, const RunReport::Slave& slave) {
 /// All frames that were lost were so with somebody who went or came, in front of others who stayed: told as that.
 bool lost_with_somebody(const RunReport& report) {
   constexpr Nanoseconds kNear = 500 * kMillisecond;  // he is missed when nothing has come for a while
-  return std::ranges::all_of(report.history.lost_frames.list(), [&](const Spell& spell) {
-    return spell.count == 0 || std::ranges::any_of(report.history.slaves, [&](const RunHistory::Slave& slave) {
-             return slave.absences.near(spell, kNear);
-           });
-  });
+  const auto& lost = report.history.lost_frames;
+  return lost.count() > 0 && std::ranges::all_of(lost.list(), [&](const Spell& spell) {
+           return spell.count == 0 || std::ranges::any_of(report.history.slaves, [&](const RunHistory::Slave& slave) {
+                    return slave.absences.near(spell, kNear);
+                  });
+         });
 }
 
 /// Frames were lost, too, when the slave and the adapter were there: an outage does not excuse those.

@@ -586,6 +586,9 @@ TEST(RunDiagnosis, WhatIsMissedWhileSomebodyIsAwayAsksForNoPlaceWhereFramesAreLo
   report.history.lost_frames.note(kStart + 5 * kSecond + 97 * kMillisecond, 97, 0, kStart + 5 * kSecond);
   report.lost_frames = 97;
   miss(report, 1, dc::MissCause::kFrameLost, 97);
+  auto unseen = report;
+  unseen.history.lost_frames = {};
+  EXPECT_THAT(codes(unseen), Contains(code::kMissedByLostFrames)) << "nothing of them excuses it";
   report.history.slaves[1].missed.note(kStart + 5 * kSecond + 97 * kMillisecond, 97);
   EXPECT_THAT(codes(report), Contains(code::kMissedByLostFrames));
   report.history.slaves[0].absences.note(kStart + 5 * kSecond + 97 * kMillisecond, 1);

@@ -29,6 +29,13 @@ class RunHistoryTest : public ::testing::Test {
   NetworkConfig config = three_slaves();
   HistoryRecorder recorder{config};
   void add(const CycleSample& sample) { recorder.add(std::span(&sample, 1)); }
+  /// SYNC0 every full cycle of the reference clock's time.
+  void know_grid() {
+    Snapshot snapshot;
+    snapshot.dc.sync_base = 10 * kSecond;
+    snapshot.dc.enabled = true;
+    recorder.add(snapshot);
+  }
 };
 
 TEST(Spells, JoinWhatLiesTogether) {
@@ -265,10 +272,7 @@ TEST_F(RunHistoryTest, TakesNoEventOfASlaveThatIsNotConfigured) {
 
 /// A slave that falls early takes the master's state down with it: how late the frames are is seen all the same.
 TEST_F(RunHistoryTest, KeepsTheLatenessOfFramesAfterAFallFromOp) {
-  Snapshot snapshot;
-  snapshot.dc.sync_base = 10 * kSecond;
-  snapshot.dc.enabled = true;
-  recorder.add(snapshot);
+  know_grid();
   const auto add_many = [&](AlState state, int count) {
     for (int i = 0; i < count; ++i) {
       auto late = sample(kSecond + i * config.cycle_time(), state);
@@ -289,10 +293,7 @@ TEST_F(RunHistoryTest, KeepsTheLatenessOfFramesAfterAFallFromOp) {
 
 /// With a reference clock that has stepped all frames are off the grid, and none is late.
 TEST_F(RunHistoryTest, AGridThatIsElsewhereIsNoLatenessOfFrames) {
-  Snapshot snapshot;
-  snapshot.dc.sync_base = 10 * kSecond;
-  snapshot.dc.enabled = true;
-  recorder.add(snapshot);
+  know_grid();
   const auto add_many = [&](SyncState state, Nanoseconds off) {
     for (int i = 0; i < 100; ++i) {
       auto one = sample(kSecond + i * config.cycle_time(), AlState::kOp);
