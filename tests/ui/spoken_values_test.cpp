@@ -135,9 +135,11 @@ TEST_F(SpokenValues, SayWhatIsDrawnAndWhetherTheLimitIsKept) {
   run(2 * kSecond);
   auto& strip = *window_.findChild<LiveStrip*>();
   strip.showBody(LiveStrip::Body::kPlots);
-  run(500 * kMillisecond);
-  EXPECT_THAT(valueOf(field<TracePlot>("deviationPlot")).toStdString(),
-              testing::AllOf(HasSubstr("largest"), HasSubstr("limit of")));
+  auto& plot = field<TracePlot>("deviationPlot");
+  EXPECT_TRUE(test::waitFor([&] {
+    run(20 * kMillisecond);
+    return valueOf(plot).contains(QStringLiteral("largest")) && valueOf(plot).contains(QStringLiteral("limit of"));
+  })) << qPrintable(valueOf(plot));
   strip.showBody(LiveStrip::Body::kSlaves);
   auto& map = field<HeatMapPlot>("slavesHeatMap");
   EXPECT_TRUE(test::waitFor([&] {
