@@ -167,6 +167,18 @@ class SlowTerminal : public ::testing::Test {
   test::DiagnosedRun machine;
 };
 
+/// A datagram more makes the frame 1 us longer: outputs that come shortly before SYNC0 bear that, unless their slave
+/// says that it needs that time itself.
+TEST_F(SlowTerminal, IsNamedWhereFramesComeShortlyBeforeSync0) {
+  const auto slow = machine;
+  for (const int us : {150, 100, 70}) {
+    SCOPED_TRACE(us);
+    machine = slow;
+    machine.network.project.master.dc.dcm.set_value = us * kMicrosecond;
+    expect_it_alone_is_named();
+  }
+}
+
 /// It begins its cycles with the process data, or by itself.
 TEST(SlowFirmware, IsNamedOfSlavesWithoutSync0) {
   struct SlowKind {

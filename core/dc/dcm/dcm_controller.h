@@ -34,9 +34,9 @@ struct DcmObservation {
 /// What to do next.
 struct DcmAction {
   Nanoseconds period_adjust = 0;  // master shift: added to the next period
-  /// What the frame told the reference clock was wrong: in bus shift because it left far from its stamp, in the link
-  /// layer's mode because its way was another one. Another write at once (reference_write) takes it back before the
-  /// clock has gone astray for a whole cycle.
+  /// What the frame told the reference clock was wrong: in bus shift and with nominal times because it left far from
+  /// its stamp, in the link layer's mode because its way was another one. Another write at once (reference_write) takes
+  /// it back before the clock has gone astray for a whole cycle.
   bool write_again = false;
 };
 

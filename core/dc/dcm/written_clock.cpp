@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "config/dcm_settings.h"
 
@@ -13,6 +14,9 @@ namespace {
 /// Cycles over which the usual lateness is a mean; a single wake-up that is far off counts no more than this, ns.
 constexpr int kLatenessMemory = 32;
 constexpr double kLatenessChange = 2'000;
+
+/// A message that was wrong by no more is left in the mean of 64, ns: more is taken back by another write.
+constexpr Nanoseconds kTakenBack = 1'500;
 
 /// A clock that is told exact times is so near to them; what is farther from one cycle to the next is seen by those who
 /// follow it (127 ns by default). A reading after more cycles may be off by a quartz that nobody told the time.
@@ -40,6 +44,7 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
   usual_lateness_ = 0;
   observed_ = 0;
   last_lag_ = last_time_ = way_changed_ = 0;
+  told_ = wrong_ = owed_ = 0;
   host_ = first_send_time;
   reference_ = target_.nearest(first_reference_time);
 }
@@ -47,9 +52,26 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
 std::optional<Nanoseconds> WrittenClock::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
   if (time_ == Time::kOfSending) return wanted_at(send_time);
   const auto usual = usual_lateness();
-  const bool knows_usual = observed_ >= kLatenessMemory;
-  const bool is_off = std::abs(send_time - scheduled_time - usual) > kMostShakenByNominal;
-  return wanted_at(knows_usual && is_off ? send_time - usual : scheduled_time);
+  const bool is_off = std::abs(send_time - scheduled_time - usual) > kMostShakenByNominal || owed_ != 0;
+  told_ = wanted_at(knows_usual() && is_off ? send_time - usual : scheduled_time) + owed_;
+  return told_;
+}
+
+bool WrittenClock::knows_usual() const { return observed_ >= kLatenessMemory; }
+
+bool WrittenClock::was_shaken(Nanoseconds reference_time) {
+  const auto before = std::exchange(wrong_, reference_time - told_);
+  return knows_usual() && std::abs(wrong_) > kTakenBack && std::abs(before) <= kMostShakenByNominal;
+}
+
+/// Its own stamp may have been wrong as well. A clock that shows what it was told has itself moved: nothing is owed.
+bool WrittenClock::observe_second_write(const DcmObservation& observation) {
+  if (owed_ == 0 || !observation.reference_time) return false;
+  const auto wrong = *observation.reference_time - told_;
+  const auto left = owed_ + wrong;
+  const bool moved = std::abs(wrong) <= kMostShakenByNominal;
+  owed_ = moved || std::abs(left) <= kMostShakenByNominal ? 0 : left;
+  return owed_ != 0;
 }
 
 Nanoseconds WrittenClock::usual_lateness() const { return std::llround(usual_lateness_); }
@@ -90,6 +112,7 @@ DcmAction WrittenClock::observe(const DcmObservation& observation) {
   Nanoseconds lag = 0;
   learn_lateness(observation);
   const auto usual = usual_lateness();
+  owed_ = 0;
   if (observation.reference_time) {
     const auto lag_now = [&] { return *observation.reference_time - wanted_at(observation.send_time - usual); };
     const bool exact = time_ == Time::kOfSending;
@@ -97,6 +120,10 @@ DcmAction WrittenClock::observe(const DcmObservation& observation) {
     const bool another_way = way_.take(lag_now() + way_.offset() - expected);
     action.write_again = another_way && exact;
     lag = exact ? without_way(observation, lag_now(), action) : lag_now();
+    if (!exact && was_shaken(*observation.reference_time)) {
+      owed_ = wrong_;
+      action.write_again = true;
+    }
   }
   monitor_.observe(observation, lag);
   monitor_.lead_back();

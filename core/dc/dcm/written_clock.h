@@ -16,7 +16,9 @@ namespace syncline::dc {
 /// MasterRefClock writes the nominal time of the cycle, so that the host's jitter reaches the clock as it is, and the
 /// clock shows the nominal time when a frame passes that was as late as usual: that is no error of the schedule. Of a
 /// frame that leaves more than 3 us off its usual place (the host stood still, or it has tails) the clock is told the
-/// time of that, less what is usual: it would lead all the others away by more than they are allowed.
+/// time of that, less what is usual: it would lead all the others away by more than they are allowed. A stamp may be
+/// wrong by more than that, too, or a frame held up behind it: the clock shows it as the frame passes, and another
+/// write at once (DcmAction::write_again) tells it as much less, so that nothing is left in the mean of its loop.
 /// LinkLayerRefClock writes the time at which the adapter says that it sends. Those stamps are exact: where the clock
 /// differs from one cycle to the next from what it was told, it was not the clock that moved but the way to it, because
 /// a slave in front of it came or went, or another clock leads. What it is told is then counted from its new place, and
@@ -30,6 +32,7 @@ class WrittenClock final : public DcmController {
   void start(Nanoseconds base, Nanoseconds first_reference_time, Nanoseconds first_send_time) override;
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
+  bool observe_second_write(const DcmObservation& observation) override;
   void note_other_way() override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
@@ -37,6 +40,9 @@ class WrittenClock final : public DcmController {
   /// The clock was at `lag` from what it was told. What is left of that when the way has changed.
   [[nodiscard]] Nanoseconds without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action);
   void learn_lateness(const DcmObservation& observation);
+  [[nodiscard]] bool knows_usual() const;
+  /// One cycle's message was wrong by far, and the one before it was not.
+  [[nodiscard]] bool was_shaken(Nanoseconds reference_time);
   [[nodiscard]] Nanoseconds usual_lateness() const;
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const {
     return reference_ + (host_time - host_) + way_.offset();
@@ -49,6 +55,9 @@ class WrittenClock final : public DcmController {
   ChangedWay way_;
   Nanoseconds host_ = 0, reference_ = 0;  // host time and what the reference clock is to show then
   double usual_lateness_ = 0;             // ns
+  Nanoseconds told_ = 0;                  // last, in the mode of nominal times
+  Nanoseconds wrong_ = 0;                 // what the clock was told, by its own reading; of the last cycle
+  Nanoseconds owed_ = 0;                  // to be told more with the next message
   Nanoseconds last_lag_ = 0, last_time_ = 0, way_changed_ = 0;
   Nanoseconds cycle_, in_sync_limit_;
   int observed_ = 0;  // cycles, no more than count

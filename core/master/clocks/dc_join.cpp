@@ -56,7 +56,7 @@ Status DcJoin::run(std::span<const std::size_t> slaves, std::optional<std::uint1
   }
   if (!leader || joined.empty()) return {};
   const Burst burst(feed_, config_.slaves[*leader].station_address);
-  return await(joined);
+  return await(joined, leader);
 }
 
 Status DcJoin::set_clock(std::size_t slave, bool wide, std::optional<std::uint16_t> leader) {
@@ -88,12 +88,18 @@ Status DcJoin::set_clock(std::size_t slave, bool wide, std::optional<std::uint16
   offset.resize(width);
   std::array set{at(station, reg::kSystemTimeOffset, offset, Command::kFpwr)};
   if (auto status = bus_.transact(set); !status) return status;
-  return set_loop(slave);  // resets the filters, which must see the new time
+  return set_loop(slave, role_of(slave, leader));  // resets the filters, which must see the new time
 }
 
-Status DcJoin::set_loop(std::size_t slave) {
+/// Who leads while the home clock is away is in front of more slaves than that, as a rule; they are prepared for it.
+DcLoopRole DcJoin::role_of(std::size_t slave, std::optional<std::uint16_t> leader) const {
+  if (slave == home_) return DcLoopRole::kReturning;
+  return slave < std::max(home_, leader.value_or(home_)) ? DcLoopRole::kInFront : DcLoopRole::kFollower;
+}
+
+Status DcJoin::set_loop(std::size_t slave, DcLoopRole role) {
   const auto station = config_.slaves[slave].station_address;
-  auto values = dc_loop_values(config_, slave == home_ ? DcLoopRole::kReturning : DcLoopRole::kFollower);
+  auto values = dc_loop_values(config_, role);
   if (values.empty()) values.push_back({reg::kSpeedCounterStart, le_bytes(kSpeedCounterDefault)});
   std::vector<Datagram> writes;
   for (auto& value : values) writes.push_back({Command::kFpwr, device_address(station, value.address), value.bytes});
@@ -101,11 +107,12 @@ Status DcJoin::set_loop(std::size_t slave) {
 }
 
 /// The loop needs some hundred frames to learn the quartz; SYNC signals before that would be off by microseconds.
-Status DcJoin::await(std::span<const std::size_t> slaves) {
+Status DcJoin::await(std::span<const std::size_t> slaves, std::optional<std::uint16_t> leader) {
   const auto end = bus_.clock().now() + kSettleTimeout;
   std::vector<std::array<std::uint8_t, 4>> bytes(slaves.size());
   std::vector<std::int64_t> sums(slaves.size());
-  const bool slowly = std::ranges::find(slaves, std::size_t{home_}) != slaves.end();
+  const bool slowly =
+      std::ranges::any_of(slaves, [&](std::size_t slave) { return role_of(slave, leader) != DcLoopRole::kFollower; });
   const auto rounds = (slowly ? kLearningSlowly : kLearning) / (feed_.messages_per_cycle() * kReadings) + 1;
   bool near = false;
   for (std::size_t round = 0; (!near || round < rounds) && bus_.clock().now() < end; ++round) {

@@ -16,6 +16,7 @@ class ClockFeed;
 struct NetworkConfig;
 struct Snapshot;
 class SyncWatch;
+enum class DcLoopRole : std::uint8_t;
 
 /// Sets the clocks of slaves that join a bus whose clocks run already, without a word to the others: each
 /// is read together with the leading clock in one frame, and the offset is what they differ by (a clock
@@ -35,8 +36,9 @@ class DcJoin {
 
  private:
   Status set_clock(std::size_t slave, bool wide, std::optional<std::uint16_t> leader);
-  Status set_loop(std::size_t slave);
-  Status await(std::span<const std::size_t> slaves);
+  [[nodiscard]] DcLoopRole role_of(std::size_t slave, std::optional<std::uint16_t> leader) const;
+  Status set_loop(std::size_t slave, DcLoopRole role);
+  Status await(std::span<const std::size_t> slaves, std::optional<std::uint16_t> leader);
 
   Bus& bus_;
   const NetworkConfig& config_;

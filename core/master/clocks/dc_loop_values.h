@@ -18,12 +18,13 @@ struct DcLoopWrite {
 
 enum class DcLoopRole : std::uint8_t {
   kFollower,   // is told another clock's time in every frame: each message counts
+  kInFront,    // of the clock that leads: is told what the master believes, with the noise of its send stamps
   kLeader,     // leads, and where the mode steers it is told the host's time, with the host's jitter
   kReturning,  // is to lead, and follows its substitute until it has learned its quartz; in front of it, it is told
                // what the host believes
 };
-/// Exponent of the average over time differences (0x0934) of a clock that leads while the bus runs, or follows again.
-[[nodiscard]] std::uint8_t difference_depth(const NetworkConfig& config, bool leads);
+/// Exponent of the average over time differences (0x0934) of a clock in this role.
+[[nodiscard]] std::uint8_t difference_depth(const NetworkConfig& config, DcLoopRole role);
 /// Nothing when the configuration leaves the loop as the init commands wrote it (standard_loop_values).
 [[nodiscard]] std::vector<DcLoopWrite> dc_loop_values(const NetworkConfig& config, DcLoopRole role);
 

@@ -178,7 +178,9 @@ Status DcSetup::write_times(const DelayLatch& latch) {
 }
 
 void DcSetup::add_loop_values(std::size_t slave, std::vector<Write>& filters) const {
-  const auto role = slave == network_.reference_clock ? DcLoopRole::kLeader : DcLoopRole::kFollower;
+  const auto role = slave == network_.reference_clock  ? DcLoopRole::kLeader
+                    : slave < network_.reference_clock ? DcLoopRole::kInFront
+                                                       : DcLoopRole::kFollower;
   for (auto& write : dc_loop_values(config_, role)) {
     const bool optional = write.optional();
     filters.push_back({slave, write.address, std::move(write.bytes), optional});

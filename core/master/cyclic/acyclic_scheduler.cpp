@@ -27,11 +27,16 @@ constexpr Nanoseconds kRoomToRide = 30 * kMicrosecond;
 constexpr std::size_t kLeast = 28;
 constexpr unsigned kMostHeldUp = 8;  // cycles
 
+std::size_t size_of(const Datagram& datagram) { return kDatagramOverhead + datagram.data.size(); }
+
 bool may_ride(std::size_t bytes, Nanoseconds room) {
   return room >= kRoomToRide * static_cast<Nanoseconds>(bytes) / Nanoseconds{kLongestRide};
 }
 
-std::size_t size_of(const Datagram& datagram) { return kDatagramOverhead + datagram.data.size(); }
+/// One short datagram alone, 1 us: nothing is known of the process data of the whole machine without.
+bool may_ride_alone(const Datagram& datagram, Nanoseconds room) {
+  return room >= 2 * static_cast<Nanoseconds>(size_of(datagram)) * kWireByteTime;
+}
 
 /// Of datagrams in a frame that keeps the wire busy for so long.
 std::size_t bytes_within(Nanoseconds time) {
@@ -127,19 +132,19 @@ bool AcyclicScheduler::add_waiting_one(Datagram& request, std::size_t& frame) {
 
 void AcyclicScheduler::ride(CyclicFrameSet& cyclic, Nanoseconds room) {
   if (cyclic.frames().empty()) return;
-  const auto& last = *cyclic.frames().back();
-  const auto before = last.size();
   ride_whole(*cyclic.frames().back(), room);
   if (!looked_after_) return;
   auto* const frame = cyclic.frame_with(looked_after_->outputs, looked_after_->slave);
-  const auto bytes = last.size() - before + size_of(*looked_after_->datagram);
-  if (frame != nullptr && may_ride(bytes, room)) (void)frame->add(*looked_after_->datagram);
+  const bool may = carrier_ != nullptr || may_ride_alone(*looked_after_->datagram, room);
+  if (frame != nullptr && may) (void)frame->add(*looked_after_->datagram);
 }
 
+/// Not where there is room for the one that is looked after alone: everything else may travel in a frame of its own.
 void AcyclicScheduler::ride_whole(PendingFrame& cyclic, Nanoseconds room) {
   auto& own = frames_.front();
   const bool is_short = frames_[1].empty() && own.size() <= kLongestRide;
-  if (own.empty() || !is_short || !may_ride(own.size(), room) || !cyclic.has_room(own)) return;
+  const auto bytes = own.size() + (looked_after_ ? size_of(*looked_after_->datagram) : 0);
+  if (own.empty() || !is_short || !may_ride(bytes, room) || !cyclic.has_room(own)) return;
   for (auto* datagram : own.datagrams()) (void)cyclic.add(*datagram);
   own.clear();
   carrier_ = &cyclic;

@@ -203,7 +203,7 @@ bool CyclicFrameSet::reads_deviation() const {
 void CyclicFrameSet::prepare(std::int64_t slot, bool steer) {
   for (auto& frame : frames_) frame.clear();
   active_.clear();
-  time_frame_ = nullptr;
+  time_frame_ = write_frame_ = nullptr;
   for (auto& task : tasks_) task.due = task.turn.take(slot);
   for (auto& entry : entries_) {
     entry.sent = entry.selected && tasks_[entry.task].due;
@@ -211,6 +211,7 @@ void CyclicFrameSet::prepare(std::int64_t slot, bool steer) {
     fill(entry, steer);
     entry.sent = frames_[entry.frame].add(entry.datagram);
     if (entry.sent && entry.role == Role::kReferenceTime) time_frame_ = &frames_[entry.frame];
+    if (entry.sent && entry.role == Role::kReferenceWrite) write_frame_ = &frames_[entry.frame];
   }
   for (auto& frame : frames_) {
     if (!frame.empty()) active_.push_back(&frame);

@@ -42,6 +42,8 @@ class CyclicFrameSet {
   [[nodiscard]] bool is_due(std::size_t task) const { return task < tasks_.size() && tasks_[task].due; }
   /// The one that carries the reference clock's time in this cycle, if any does.
   [[nodiscard]] const PendingFrame* time_frame() const { return time_frame_; }
+  /// The one that writes the reference clock a time in this cycle, if any does.
+  [[nodiscard]] const PendingFrame* write_frame() const { return write_frame_; }
 
   /// Whose clock the commands read and steer that the configuration means for the reference clock: that one,
   /// another slave's, or nobody's (then they travel as NOP: a clock that has just been switched on must not
@@ -170,6 +172,7 @@ class CyclicFrameSet {
   std::vector<PendingFrame> frames_;
   std::vector<PendingFrame*> active_;
   const PendingFrame* time_frame_ = nullptr;
+  const PendingFrame* write_frame_ = nullptr;
   std::vector<std::uint8_t> inputs_, outputs_;
 };
 

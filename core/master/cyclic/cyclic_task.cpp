@@ -158,8 +158,9 @@ void CyclicTaskRunner::stamp(Nanoseconds send_time) {
   if (!first_stamp_) first_stamp_ = send_time;
   if (!sync_.active()) return;
   const auto believed = sync_.reference_time_at(send_time);
+  const bool steers = steering_ && sending_ == frames_.write_frame();
   frames_.stamp(sending_, sending_ == frames_.time_frame() ? told_.tell(believed) : believed,
-                steering_ ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
+                steers ? sync_.reference_write(send_time, scheduled_) : std::nullopt);
   // One behind the other, whatever the host's clock says when it hands them over.
   feed_.stamp(told_.tell_between(sync_.reference_time_at(std::max(send_time, wire_free_))));
 }

@@ -121,9 +121,9 @@ void ReferenceClock::tune(std::uint16_t position) {
   if (!steers_reference_clock(mode)) {
     tuning_.settle(position);
   } else if (is_pushed(mode)) {
-    tuning_.settle(position, difference_depth(config_, true));
+    tuning_.settle(position, difference_depth(config_, DcLoopRole::kLeader));
   } else if (position == home_) {
-    tuning_.set_depth(position, difference_depth(config_, true));
+    tuning_.set_depth(position, difference_depth(config_, DcLoopRole::kLeader));
   }
 }
 
@@ -132,7 +132,8 @@ void ReferenceClock::lose_lead() {
   snapshot_.slaves[*leader_].is_reference_clock = false;
   const auto& settings = config_.dc.dcm;
   if (is_pushed(settings.mode) && leader_ != home_ && !settings.standard_loop_values)
-    tuning_.set_depth(*leader_, difference_depth(config_, false));
+    tuning_.set_depth(*leader_,
+                      difference_depth(config_, *leader_ < *home_ ? DcLoopRole::kInFront : DcLoopRole::kFollower));
   leader_.reset();
 }
 

@@ -165,14 +165,17 @@ Nanoseconds SyncEventWatch::room() {
   return room_->room;
 }
 
-/// Frames come in each cycle, and SYNC0 perhaps in every n-th: the last one counts that is early enough.
+/// Frames come in each cycle, and SYNC0 perhaps in every n-th: the last one counts that is early enough. Who does not
+/// say what it needs may need much of what it has, but hardly the last sixteenth of it.
 Nanoseconds SyncEventWatch::room_of(const Slave& slave) const {
+  constexpr Nanoseconds kLastPart = 16;
   const auto step = std::min(slave.period, config_.cycle_time());
   const auto thought = config_.slaves[slave.position].mailbox ? step / 2 : step / 4;
   const auto need = slave.need > 0 ? slave.need : thought;
   const auto margin = nominal_margin(slave) % step;
   const auto sooner = margin < need ? (need - margin + step - 1) / step * step : 0;
-  return (margin + sooner < slave.period ? margin + sooner : margin) - need;
+  const auto room = (margin + sooner < slave.period ? margin + sooner : margin) - need;
+  return slave.need > 0 ? room : std::max(room, margin / kLastPart);
 }
 
 void SyncEventWatch::observe(CycleSample& sample, const Sent& frames) {

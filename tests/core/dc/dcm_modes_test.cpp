@@ -135,6 +135,48 @@ TEST(DcmModes, MasterRefClockTellsTheTimeOfAFrameThatIsFarOff) {
   EXPECT_EQ(*controller->reference_write(time - 3'000, time), nominal - 10'000);
 }
 
+/// A stamp that was wrong, or a frame that was held up behind it: its message is paid back at once, or the clock would
+/// lead all others away for 64 cycles.
+TEST(DcmModes, MasterRefClockTakesBackAMessageThatWasFarWrong) {
+  const auto controller = make_dcm_controller(settings_for(DcmMode::kMasterRefClock), kMillisecond, 400'000);
+  controller->start(0, 10'600'000, 10 * kMillisecond);
+  constexpr Nanoseconds kOffset = 600'000, kUsual = 7'000;
+  auto time = 10 * kMillisecond;
+  // The clock shows what it was told by a frame that is as late as usual, and `wrong` more by this one.
+  const auto cycle = [&](Nanoseconds wrong) {
+    time += kMillisecond;
+    const auto told = *controller->reference_write(time + kUsual, time);
+    return controller->observe({time + kUsual, time, told + wrong}).write_again;
+  };
+  // The frame of another write, sent a while later: by how much it tells more than the time of its sending.
+  const auto second = [&](Nanoseconds later) {
+    const auto sent = time + kUsual + later;
+    return *controller->reference_write(sent, sent) - (time + later + kOffset);
+  };
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(cycle(i % 2 == 0 ? 1'000 : -1'000));
+  EXPECT_TRUE(cycle(72'000));
+  EXPECT_EQ(second(50'000), 72'000);
+  const auto after = time + 50'000 + kOffset;
+  EXPECT_FALSE(controller->observe_second_write({time + 57'000, time, after})) << "as much less: it is paid back";
+  EXPECT_FALSE(cycle(0));
+  EXPECT_FALSE(cycle(0));
+
+  EXPECT_TRUE(cycle(-20'000));
+  EXPECT_EQ(second(50'000), -20'000);
+  EXPECT_TRUE(controller->observe_second_write({time + 57'000, time, time + 50'000 + kOffset + 30'000}))
+      << "its stamp was wrong by 30 us, too";
+  EXPECT_EQ(second(100'000), 30'000);
+  (void)cycle(0);
+  (void)cycle(0);
+
+  // The clock shows it in the second message, too, and in the next cycle: it has stepped, and is led back as ever.
+  EXPECT_TRUE(cycle(40'000));
+  const auto told = time + 50'000 + kOffset + second(50'000);
+  EXPECT_FALSE(controller->observe_second_write({time + 57'000, time, told}));
+  EXPECT_FALSE(cycle(39'000));
+  EXPECT_FALSE(cycle(38'000));
+}
+
 TEST(DcmModes, LinkLayerRefClockTakesTheAdaptersTime) {
   // The adapter's stamps are what the plant hands over; the host's wake-up is of no concern.
   DcmPlant plant(with(DcmMode::kLinkLayerRefClock, JitterProfile::bad()));
