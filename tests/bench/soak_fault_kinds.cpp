@@ -151,7 +151,7 @@ std::vector<SoakFaultKind> host_kinds() {
        .findings = {code::kHostStalled},
        .also = {code::kMissedByHost, code::kSlaveFellByMisses, code::kMasterLostLock, code::kExceededByHost},
        .shows = {Signal::kLeftOutCycles},
-       .may_show = kWithoutOutputs + std::vector{Signal::kLateSends, Signal::kOutputsShiftTooShort,
+       .may_show = kWithoutOutputs + std::vector{Signal::kLateSends, Signal::kLateFrames, Signal::kOutputsShiftTooShort,
                                                  Signal::kOutputsExceeded, Signal::kProcessDataWatchdog}},
       {.name = "held frames",
        .kind = FaultKind::kHoldFrames,
@@ -265,7 +265,7 @@ std::vector<SoakFaultKind> clock_kinds() {
        .period = 10 * kMillisecond,
        .events = {kind_of<events::SlavesOutOfSync>, kind_of<events::SlavesSyncUnknown>},
        .findings = {code::kSlaveLeftWindow},
-       .also = {code::kWindowLeft},
+       .also = {code::kWindowLeft, code::kMissedByMovedClock},  // where its drive has no more time than it needs
        .shows = kDeviations},
       {.name = "ignored clock writes",
        .kind = FaultKind::kIgnoredClockWrites,

@@ -17,7 +17,8 @@ constexpr double kStepMemory = 0.02;
 constexpr double kFastestRate = 1e-3;
 /// Readings until frames go to the clock that leads now, and its loop has been told that it leads.
 constexpr int kUnsettled = 8;
-constexpr int kLost = 20;  // strange readings in a row that do not agree: the line is begun anew
+constexpr int kLost = 20;   // strange readings in a row that do not agree: the line is begun anew
+constexpr int kHeldUp = 8;  // frames in a row: then there are no others
 
 }  // namespace
 
@@ -27,6 +28,8 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
     --unsettled_;
     return {};
   }
+  const double gate = std::max(limit_, kStepScatters * scatter_), later = static_cast<double>(doubt);
+  if (spoils_line(later, gate)) return {};
   if (!started_) {
     started_ = true;
     host_ = host_time;
@@ -37,7 +40,6 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
   if (passed <= 0) return {};
   const double surprise =
       static_cast<double>(reference_time - reference_ - passed) - rate_ * static_cast<double>(passed) - fraction_;
-  const double gate = std::max(limit_, kStepScatters * scatter_), later = static_cast<double>(doubt);
   if (readings_ >= kLearning && std::abs(surprise) > gate) {
     if (take_held(surprise, later, gate)) return {{}, std::max(surprise, later)};
     const auto step = sure_step({host_time, surprise}, gate);
@@ -71,6 +73,16 @@ ClockStepDetector::Reading ClockStepDetector::observe(Nanoseconds host_time, Nan
 void ClockStepDetector::look_elsewhere() {
   start();
   unsettled_ = kUnsettled;
+}
+
+/// One of fifty would draw the line away by a tenth and more of what its stamp was wrong, and all that follow would
+/// look like a step.
+bool ClockStepDetector::spoils_line(double doubt, double gate) {
+  if (readings_ >= kLearning || doubt <= gate) {
+    spoiling_ = 0;
+    return false;
+  }
+  return ++spoiling_ < kHeldUp;
 }
 
 /// Whoever measures how much later frames come back gets used to it in time; so what has begun as a held frame stays

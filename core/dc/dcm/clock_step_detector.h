@@ -34,6 +34,8 @@ class ClockStepDetector {
     Nanoseconds host_time = 0;
     double surprise = 0;  // ns
   };
+  /// While the line is young: of no use for it, because its frame was held up and few before it were.
+  [[nodiscard]] bool spoils_line(double doubt, double gate);
   /// A strange reading; true when its frame was held up, or those before it were and nothing has changed.
   [[nodiscard]] bool take_held(double surprise, double doubt, double gate);
   void follow(double surprise, double passed);
@@ -47,6 +49,7 @@ class ClockStepDetector {
   double scatter_ = 0;                    // mean of |surprise|, ns
   int unsettled_ = 0;                     // readings of which nothing is learned yet
   int readings_ = 0, strange_ = 0;
+  int spoiling_ = 0;  // readings in a row
   std::array<Strange, kSure> last_strange_{};
   std::optional<double> held_;  // surprise of the last reading, where its frame was held up
 };

@@ -37,9 +37,10 @@ bool was_written_late(const RunReport& report, Nanoseconds loss, Nanoseconds sho
 bool was_written_late(const RunReport& report, Nanoseconds loss) { return was_written_late(report, loss, kShownAfter); }
 
 bool was_written_late(const RunReport& report, const SyncLoss& loss, Left who) {
-  // An ESC follows a single wrong time by a sixteenth and less, and slaves are a hundred and sixtieth behind it: so
-  // much is explained, and no more.
-  const std::int64_t share = who == Left::kMaster ? 12 : 100;
+  // An ESC follows a single wrong time by a sixteenth and less, and slaves are a hundred and sixtieth behind it where
+  // they hear of it each millisecond, and with longer cycles more: so much is explained, and no more.
+  const auto slaves_share = 100 * kMillisecond / std::max(report.cycle_time, kMillisecond);
+  const std::int64_t share = who == Left::kMaster ? 12 : std::max<Nanoseconds>(slaves_share, 12);
   if (!loss.back || !steers_reference_clock(report.dcm.mode)) return false;
   using enum dc::SyncObstacle;
   const bool endured = loss.obstacle == kErrorCode || loss.obstacle == kControlError;

@@ -37,17 +37,6 @@ bool missed_at_losses(const RunReport& report, const RunReport::Slave& slave) {
          });
 }
 
-/// Where nothing holds the frames at their place, one that is held up a little now and then is not why they come behind
-/// SYNC0. What a host that stands still has under way goes when it goes on: that is its doing, and not the wire's.
-dc::MissCause told_cause(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
-  if (cause == dc::MissCause::kUnknown && missed_at_losses(report, slave)) return dc::MissCause::kFrameLost;
-  if (cause == dc::MissCause::kUnknown && is_controlled(report) && missed_at_holds(report, slave))
-    return dc::MissCause::kFrameHeldUp;
-  if (cause != dc::MissCause::kFrameHeldUp) return cause;
-  if (!is_controlled(report)) return dc::MissCause::kFrameLate;
-  return missed_at_stalls(report, slave) ? dc::MissCause::kCyclesLeftOut : cause;
-}
-
 std::string_view code_of(dc::MissCause cause, bool locked) {
   switch (cause) {
     case dc::MissCause::kFrameLost:
@@ -160,13 +149,15 @@ bool was_locked(const RunReport& report, Nanoseconds moment) {
 std::optional<Nanoseconds> held_up(const RunReport& report, const RunReport::Slave& slave, const Spells& times) {
   const auto& held = report.history.held_frames.list();
   const auto margin = slave.sync0_margin.value_or(0), need = Nanoseconds{slave.evidence.calc_and_copy_ns};
-  if (times.empty() || margin <= need) return std::nullopt;
+  const auto usual = usual_worst_lateness(report);
+  if (times.empty() || margin - usual <= need) return std::nullopt;
   Nanoseconds largest = 0;
   const bool each = std::ranges::all_of(times.list(), [&](const Spell& spell) {
     return std::ranges::any_of(held, [&](const Spell& hold) {
       const bool then = hold.from <= spell.to && spell.from <= hold.to + kToldLater;
-      // One that is held up may have left late, too.
-      if (!then || margin - hold.largest - usual_worst_lateness(report) >= need) return false;
+      // One that is held up may have left late, too; that is the lesser part of it.
+      const auto late = std::max(usual, std::min(hold.largest, worst_lateness(report)));
+      if (!then || margin - hold.largest - late >= need) return false;
       largest = std::max(largest, hold.largest);
       return true;
     });
@@ -185,6 +176,16 @@ std::vector<Figure> lateness_figures(const RunReport& report, const RunReport::S
 dc::MissCause main_cause(const Sm2MissedStatus& status) {
   const auto most = std::ranges::max_element(status.by_cause);
   return static_cast<dc::MissCause>(most - status.by_cause.begin());
+}
+
+dc::MissCause told_cause(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {
+  const bool not_seen = cause == dc::MissCause::kUnknown;
+  if (not_seen && missed_at_losses(report, slave)) return dc::MissCause::kFrameLost;
+  if ((not_seen || cause == dc::MissCause::kFrameLate) && is_controlled(report) && missed_at_holds(report, slave))
+    return dc::MissCause::kFrameHeldUp;
+  if (cause != dc::MissCause::kFrameHeldUp) return cause;
+  if (!is_controlled(report)) return dc::MissCause::kFrameLate;
+  return missed_at_stalls(report, slave) ? dc::MissCause::kCyclesLeftOut : cause;
 }
 
 std::string_view miss_cause_words(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause) {

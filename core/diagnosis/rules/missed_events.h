@@ -15,6 +15,10 @@ namespace syncline::diagnosis {
 
 /// Which cause has most of the missed SM2 events.
 [[nodiscard]] dc::MissCause main_cause(const Sm2MissedStatus& status);
+/// What is told of that cause. Where nothing holds the frames at their place, one that is held up a little now and then
+/// is not why they come behind SYNC0. What a host that stands still has under way goes when it goes on: that is its
+/// doing, and not the wire's. Frames that come behind SYNC0 because they were held up are not the host's lateness.
+[[nodiscard]] dc::MissCause told_cause(const RunReport& report, const RunReport::Slave& slave, dc::MissCause cause);
 /// "frames were lost": goes behind a colon or "because".
 [[nodiscard]] std::string_view miss_cause_words(const RunReport& report, const RunReport::Slave& slave,
                                                 dc::MissCause cause);

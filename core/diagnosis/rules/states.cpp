@@ -186,7 +186,7 @@ Finding fallen(const RunReport& report, const RunReport::Slave& slave) {
   finding.figures.push_back(phrase_figure("cause", moved ? moved->why : miss_cause_words(report, slave, cause)));
   finding.figures.push_back(count_figure("part", slave.sm2_missed->by_cause[static_cast<std::size_t>(cause)]));
   // More time before SYNC0 helps where there is a SYNC0 that frames can be late for.
-  if (cause == dc::MissCause::kFrameLate && !moved &&
+  if (told_cause(report, slave, cause) == dc::MissCause::kFrameLate && !moved &&
       was_locked(report, slave, report.history.slaves[slave.position].missed))
     finding.code = code::kSlaveFellByLateFrames;
   std::ranges::copy(lateness_figures(report, slave), std::back_inserter(finding.figures));

@@ -132,6 +132,27 @@ TEST(ClockStepDetector, AFrameThatComesBackLateHidesNoStep) {
   }
 }
 
+/// A line of few readings would be drawn away by it, and all readings behind it would seem to have stepped.
+TEST(ClockStepDetector, AFrameThatWasHeldUpDoesNotSpoilALineThatIsYoung) {
+  for (const int first : {0, 1, 10, 30, 45, 49}) {
+    SCOPED_TRACE(first);
+    Readings readings(40, 300);
+    readings.run(first);
+    EXPECT_FALSE(readings.read(58'000, 58'300));
+    readings.run(2'000);
+    EXPECT_TRUE(readings.steps.empty());
+    readings.step(8'000);
+    readings.run(3);
+    EXPECT_EQ(readings.steps.size(), 1U);
+  }
+  // Where all are, they are what there is.
+  Readings readings(40, 300);
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(readings.read(20'000, 20'300));
+  EXPECT_FALSE(readings.read(-8'000));
+  EXPECT_FALSE(readings.read(-8'000));
+  EXPECT_TRUE(readings.read(-8'000));
+}
+
 TEST(ClockStepDetector, AHostWhoseStampsAreAlwaysThatBadIsNotAccused) {
   Readings readings(30, 12'000);
   readings.run(20'000);

@@ -527,6 +527,46 @@ TEST(RunDiagnosis, WhatAHeldFrameThatLeftLateDoesIsItsDoing) {
   EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHeldFrames));
 }
 
+/// Nor is it the host that is too late, where frames that left as late as ever were held up by far more than that.
+TEST(RunDiagnosis, FramesThatComeBehindSync0BecauseTheyWereHeldUpAreNotTheHosts) {
+  auto report = healthy();
+  auto& slave = report.slaves[1];
+  slave.sync0_margin = 240 * kMicrosecond;
+  slave.evidence.calc_and_copy_ns = 30 * kMicrosecond;
+  report.history.frame_lateness.add(60 * kMicrosecond);
+  miss(report, 1, dc::MissCause::kFrameLate, 3);
+  report.history.slaves[1].missed.note(kStart + 6 * kSecond, 3);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByLateFrames));
+  auto& held = report.history.held_frames;
+  held.note(kStart + 5'500 * kMillisecond, 1, 20 * kMicrosecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByLateFrames)) << "by so little";
+  held.note(kStart + 5'500 * kMillisecond, 1, 186 * kMicrosecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kMissedByHeldFrames));
+  test::fall(report, 1, 6 * kSecond, 0x001A);
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlaveFellByMisses));
+  EXPECT_THAT(describe(diagnose(report)[0]), HasSubstr("held up on their way"));
+  slave.sync0_margin = 60 * kMicrosecond;
+  for (int i = 0; i < 200; ++i) report.history.frame_lateness.add(295 * kMicrosecond);
+  EXPECT_THAT(codes(report), ElementsAre(code::kSlaveFellByLateFrames)) << "too late without that";
+}
+
+/// The longer the cycle, the further are slaves behind a clock that follows an old time.
+TEST(RunDiagnosis, HeldFramesOfLongCyclesTakeTheSlavesFurtherAway) {
+  auto report = healthy();
+  report.dcm.mode = DcmMode::kLinkLayerRefClock;
+  report.dc.monitored = true;
+  report.cycle_time = 2 * kMillisecond;
+  RunHistory::SyncLoss loss{kStart + 5 * kSecond, 1, 2'276, dc::SyncObstacle::kClockStep, kStart + 6 * kSecond};
+  loss.held = 200 * kMicrosecond;
+  report.history.slave_losses.push_back(loss);
+  EXPECT_THAT(codes(report), ElementsAre(code::kReferenceWrittenLate));
+  report.history.slave_losses.back().held = 100 * kMicrosecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kWindowLeft)) << "that is not all of it";
+  report.cycle_time = kMillisecond;
+  report.history.slave_losses.back().held = 200 * kMicrosecond;
+  EXPECT_THAT(codes(report), ElementsAre(code::kWindowLeft));
+}
+
 TEST(RunDiagnosis, NobodyWasLedUpAgainWhereAllAreDown) {
   auto report = healthy();
   report.state = AlState::kSafeop;
