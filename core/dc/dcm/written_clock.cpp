@@ -69,8 +69,10 @@ bool WrittenClock::observe_second_write(const DcmObservation& observation) {
   if (owed_ == 0 || !observation.reference_time) return false;
   const auto wrong = *observation.reference_time - told_;
   const auto left = owed_ + wrong;
-  const bool moved = std::abs(wrong) <= kMostShakenByNominal;
-  owed_ = moved || std::abs(left) <= kMostShakenByNominal ? 0 : left;
+  const bool moved = std::abs(wrong) <= kMostShakenByNominal && std::abs(wrong) < std::abs(left);
+  const bool paid = std::abs(left) <= kMostShakenByNominal;
+  owed_ = moved || paid ? 0 : left;
+  if (paid && !moved) wrong_ = 0;  // it was the message, and the next one may be wrong as well
   return owed_ != 0;
 }
 

@@ -158,6 +158,9 @@ TEST(DcmModes, MasterRefClockTakesBackAMessageThatWasFarWrong) {
   EXPECT_EQ(second(50'000), 72'000);
   const auto after = time + 50'000 + kOffset;
   EXPECT_FALSE(controller->observe_second_write({time + 57'000, time, after})) << "as much less: it is paid back";
+  EXPECT_TRUE(cycle(63'000)) << "another one at once";
+  EXPECT_EQ(second(50'000), 63'000);
+  EXPECT_FALSE(controller->observe_second_write({time + 57'000, time, time + 50'000 + kOffset}));
   EXPECT_FALSE(cycle(0));
   EXPECT_FALSE(cycle(0));
 
