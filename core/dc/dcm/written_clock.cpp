@@ -17,6 +17,8 @@ constexpr double kLatenessChange = 2'000;
 
 /// A message that was wrong by no more is left in the mean of 64, ns: more is taken back by another write.
 constexpr Nanoseconds kTakenBack = 1'500;
+/// So many cycles in a row, it was not the messages that were wrong.
+constexpr int kMovedAfter = 3;
 
 /// A clock that is told exact times is so near to them; what is farther from one cycle to the next is seen by those who
 /// follow it (127 ns by default). A reading after more cycles may be off by a quartz that nobody told the time.
@@ -45,6 +47,7 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
   observed_ = 0;
   last_lag_ = last_time_ = way_changed_ = 0;
   told_ = wrong_ = owed_ = 0;
+  far_ = 0;
   host_ = first_send_time;
   reference_ = target_.nearest(first_reference_time);
 }
@@ -60,8 +63,9 @@ std::optional<Nanoseconds> WrittenClock::reference_write(Nanoseconds send_time, 
 bool WrittenClock::knows_usual() const { return observed_ >= kLatenessMemory; }
 
 bool WrittenClock::was_shaken(Nanoseconds reference_time) {
-  const auto before = std::exchange(wrong_, reference_time - told_);
-  return knows_usual() && std::abs(wrong_) > kTakenBack && std::abs(before) <= kMostShakenByNominal;
+  wrong_ = reference_time - told_;
+  const int before = std::exchange(far_, std::abs(wrong_) > kMostShakenByNominal ? far_ + 1 : 0);
+  return knows_usual() && std::abs(wrong_) > kTakenBack && before < kMovedAfter;
 }
 
 /// Its own stamp may have been wrong as well. A clock that shows what it was told has itself moved: nothing is owed.
@@ -72,7 +76,7 @@ bool WrittenClock::observe_second_write(const DcmObservation& observation) {
   const bool moved = std::abs(wrong) <= kMostShakenByNominal && std::abs(wrong) < std::abs(left);
   const bool paid = std::abs(left) <= kMostShakenByNominal;
   owed_ = moved || paid ? 0 : left;
-  if (paid && !moved) wrong_ = 0;  // it was the message, and the next one may be wrong as well
+  if (paid && !moved) far_ = 0;  // it was the message, and the next one may be wrong as well
   return owed_ != 0;
 }
 

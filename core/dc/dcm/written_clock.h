@@ -41,7 +41,7 @@ class WrittenClock final : public DcmController {
   [[nodiscard]] Nanoseconds without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action);
   void learn_lateness(const DcmObservation& observation);
   [[nodiscard]] bool knows_usual() const;
-  /// One cycle's message was wrong by far, and the one before it was not.
+  /// This cycle's message was wrong by far, and not all of those before it were.
   [[nodiscard]] bool was_shaken(Nanoseconds reference_time);
   [[nodiscard]] Nanoseconds usual_lateness() const;
   [[nodiscard]] Nanoseconds wanted_at(Nanoseconds host_time) const {
@@ -58,6 +58,7 @@ class WrittenClock final : public DcmController {
   Nanoseconds told_ = 0;                  // last, in the mode of nominal times
   Nanoseconds wrong_ = 0;                 // what the clock was told, by its own reading; of the last cycle
   Nanoseconds owed_ = 0;                  // to be told more with the next message
+  int far_ = 0;  // cycles in a row with a message that was far wrong and could not be paid back
   Nanoseconds last_lag_ = 0, last_time_ = 0, way_changed_ = 0;
   Nanoseconds cycle_, in_sync_limit_;
   int observed_ = 0;  // cycles, no more than count
