@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "channels/event.h"
+#include "channels/mailbox_silence.h"
 #include "channels/snapshot.h"
 #include "trace/bus_signals.h"
 #include "trace/cycle_gap.h"
@@ -30,6 +31,12 @@ constexpr Nanoseconds kLookEvery = 100 * kMillisecond;
 constexpr std::size_t kMostTold = 4096;
 
 /// It begins anew when a slave is in OP again.
+/// Counts that the slave alone keeps, in objects of its own.
+bool is_told_by_mailbox(Signal signal) {
+  return signal == Signal::kOutputsExceeded || signal == Signal::kInputsExceeded ||
+         signal == Signal::kOutputsShiftTooShort || signal == Signal::kInputsShiftTooShort;
+}
+
 bool is_of_fuse(Signal signal) { return signal == Signal::kSm2Integrator || signal == Signal::kSm2CyclesToTrip; }
 
 /// Cycles that are stored at once, so that what is made of them stays near the processor.
@@ -361,6 +368,8 @@ void SampleStore::append(const Snapshot& snapshot) {
       auto& held = of_held_[place(signal->id, slave)];
       if (!status.present || lost_in_a_row_ >= kOutage) {
         held.lose(status.present ? snapshot.time : status.absent_since);
+      } else if (mailbox_silent(status.evidence) && is_told_by_mailbox(signal->id)) {
+        held.lose(held.heard());  // however seldom it is read
       } else if (const auto reading = signal->of_slave(snapshot, status, layout_.speed_counter_start)) {
         held.hear(reading->time, static_cast<float>(reading->value));
       } else if (status.sm2_missed.settling && is_of_fuse(signal->id)) {

@@ -249,8 +249,9 @@ class Soak {
     for (auto& one : segment.thrown) {
       const auto& kind = *one.kind;
       const auto slave = static_cast<std::size_t>(one.fault.slave);
+      const auto until = begin_ + one.fault.until;
       const bool has_gaps =
-          std::ranges::any_of(kind.gaps, [&](Signal signal) { return has_gap(store, signal, slave, from); });
+          std::ranges::any_of(kind.gaps, [&](Signal signal) { return has_gap(store, signal, slave, from, until); });
       one.shown = (kind.shows.empty() && kind.gaps.empty()) || has_gaps || is_small(one) || one.down;
     }
     for (const auto& signal : shown_out_of_order(store, limits, from)) {

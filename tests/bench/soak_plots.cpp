@@ -59,9 +59,11 @@ std::vector<ShownSignal> shown_out_of_order(const SampleStore& store, const RunL
   return shown;
 }
 
-bool has_gap(const SampleStore& store, Signal signal, std::size_t slave, Nanoseconds from) {
+bool has_gap(const SampleStore& store, Signal signal, std::size_t slave, Nanoseconds from, Nanoseconds until) {
   const auto& series = store.series(signal, slave);
-  if (!series.held_at(from)) return false;
+  if (series.empty()) return false;
+  // It ends with the last reading, which may have been in front of that.
+  if (!series.held_at(from)) return !series.held_at(until);
   bool gap = store.heard(signal, slave) + HeldSeries::kPatience < store.last_time();
   series.for_each(from, INT64_MAX, [&gap](Nanoseconds, float value) { gap = gap || std::isnan(value); });
   return gap;

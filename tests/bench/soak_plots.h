@@ -20,8 +20,10 @@ struct ShownSignal {
 /// errors beyond their limit, counts that rise, slaves that are not in OP or of which nothing is known.
 [[nodiscard]] std::vector<ShownSignal> shown_out_of_order(const SampleStore& store, const RunLimits& limits,
                                                           Nanoseconds from);
-/// Whether a count or a state of a slave that was known at `from` is not known for a while, or to the end, since then.
-[[nodiscard]] bool has_gap(const SampleStore& store, Signal signal, std::size_t slave, Nanoseconds from);
+/// Whether a count or a state of a slave that was known at `from` is not known for a while, or to the end, since then;
+/// where it was not known then any more, whether it still is not at `until`.
+[[nodiscard]] bool has_gap(const SampleStore& store, Signal signal, std::size_t slave, Nanoseconds from,
+                           Nanoseconds until);
 /// "deviation_ns of slave 2".
 [[nodiscard]] std::string text_of(const ShownSignal& shown);
 

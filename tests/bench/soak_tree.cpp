@@ -112,9 +112,8 @@ void draw_master(SoakMachine& machine, Random& random) {
                               DcmMode::kMasterRefClock};
   for (auto& mode : machine.modes) {
     mode = kModes[random.next() % kModes.size()];
-    // Stamps that are off shake a clock that is told the host's time as it is, which is told, and rightly.
-    const bool calm = !desktop && master.dc.sync_window.exponent > 7 && master.cycle_time <= 2 * kMillisecond;
-    if (mode == DcmMode::kMasterRefClock && !calm) mode = DcmMode::kMasterShift;
+    // A desktop's host shakes a clock that is told its time as it is, which is told, and rightly.
+    if (mode == DcmMode::kMasterRefClock && desktop) mode = DcmMode::kMasterShift;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "channels/mailbox_silence.h"
 #include "diagnosis/rules/moved_clocks.h"
 #include "diagnosis/rules/rules.h"
 #include "families/device_family.h"
@@ -12,9 +13,6 @@
 
 namespace syncline::diagnosis {
 namespace {
-
-/// One request may be lost on its way.
-constexpr std::uint32_t kSilences = 5;
 
 void find_exceeded(const RunReport& report, const RunReport::Slave& slave, Findings& findings) {
   const auto& evidence = slave.evidence;
@@ -69,7 +67,7 @@ void find_late_data(const RunReport& report, const RunReport::Slave& slave, bool
 /// It has answered nothing since: what stood still stands still.
 bool still_hangs(const RunReport& report, const RunHistory::Slave& slave) {
   constexpr Nanoseconds kAsked = 3 * kSecond;  // of a slave that answers nothing, again and again
-  return slave.mailbox_silences >= kSilences && slave.silent_to >= slave.pdi_watchdog.last() &&
+  return slave.mailbox_silences >= kMailboxSilentAfter && slave.silent_to >= slave.pdi_watchdog.last() &&
          slave.silent_to + kAsked >= report.history.end;
 }
 
@@ -113,7 +111,7 @@ void find_firmware(const RunReport& report, Findings& findings) {
     find_exceeded(report, slave, findings);
     for (const bool outputs : {false, true}) find_late_data(report, slave, outputs, findings);
     const auto& history = report.history.slaves[slave.position];
-    if (slave.present && history.mailbox_silences >= kSilences) {
+    if (slave.present && history.mailbox_silences >= kMailboxSilentAfter) {
       findings.push_back({code::kMailboxSilent,
                           Severity::kWarning,
                           slave.position,

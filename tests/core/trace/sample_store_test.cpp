@@ -160,6 +160,31 @@ TEST(SampleStore, AValueThatIsNoLongerReadEnds) {
   EXPECT_EQ(store.value(Signal::kSm2Missed, 1, kMillisecond)->value, 4);
 }
 
+/// However seldom it was read while it answered.
+TEST(SampleStore, WhatASilentMailboxSaidLastDoesNotHoldOn) {
+  SampleStore store({.slaves = 2});
+  auto now = stored_snapshot(kMillisecond, 7);
+  auto& counts = now.slaves[1].evidence.outputs.exceeded;
+  for (const int at : {1, 9, 17}) {
+    now.time = at * kSecond;
+    counts = {3, false, now.time};
+    store.append(now);
+  }
+  now.slaves[1].evidence.mailbox_silences = 4;
+  now.time = 19 * kSecond;
+  store.append(now);
+  EXPECT_TRUE(store.value(Signal::kOutputsExceeded, 1, 19 * kSecond));
+  now.slaves[1].evidence.mailbox_silences = 5;
+  now.time = 20 * kSecond;
+  store.append(now);
+  EXPECT_FALSE(store.value(Signal::kOutputsExceeded, 1, 20 * kSecond));
+  EXPECT_EQ(store.value(Signal::kOutputsExceeded, 1, 16 * kSecond)->value, 3);
+  now.slaves[1].evidence.mailbox_silences = 0;
+  now.time = counts.time = 21 * kSecond;
+  store.append(now);
+  EXPECT_EQ(store.value(Signal::kOutputsExceeded, 1, 21 * kSecond)->value, 3);
+}
+
 /// One clock is read a cycle, in turn: 300 of them within 300 cycles, three within three.
 TEST(SampleStore, AReadingInTurnIsOldAfterTenCyclesOrWhenItsTurnWasMissed) {
   const auto read_in_turn = [](SampleStore& store, std::uint64_t clocks) {
