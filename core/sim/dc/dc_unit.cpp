@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "protocol/registers.h"
+#include "sim/dc/correction_rates.h"
 #include "sim/registers/esc_ranges.h"
 #include "support/random.h"
 
@@ -200,7 +201,7 @@ void DcUnit::compare(std::uint32_t received, Nanoseconds frame_end) {
   const auto local =
       static_cast<std::uint32_t>(local_at_start_of_frame_ + offset()) - memory_.u32(reg::kSystemTimeDelay);
   if (loop_.observe(static_cast<std::int32_t>(local - received)))
-    clock_.set_correction_rate(rates_.of(loop_), frame_end);
+    clock_.set_correction_rate(correction_rate(loop_), frame_end);
 }
 
 void DcUnit::write_activation(Nanoseconds time) {

@@ -11,7 +11,6 @@
 
 #include "config/sim_config.h"
 #include "protocol/registers.h"
-#include "sim/dc/correction_rates.h"
 #include "sim/dc/latch_unit.h"
 #include "sim/dc/local_clock.h"
 #include "sim/dc/sync_generator.h"
@@ -186,7 +185,6 @@ class DcUnit {
   Nanoseconds start_shift_ = 0;
 
   // Of every frame, and therefore together, in few lines of the processor's cache:
-  CorrectionRates rates_;
   LocalClock clock_;
   TimeControlLoop loop_;
   SyncGenerator generator_;

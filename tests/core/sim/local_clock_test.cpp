@@ -84,7 +84,6 @@ TEST(SimLocalClock, TwoHundredYearsPassAtOnce) {
 /// What is remembered is what would be found anew, whatever was asked before.
 TEST(SimLocalClock, KnowsTheRatesOfTheLoop) {
   sim::TimeControlLoop loop;
-  sim::CorrectionRates rates;
   Random random(7);
   for (int i = 0; i < 5'000; ++i) {
     if (random.next() % 500 == 0) {
@@ -92,8 +91,8 @@ TEST(SimLocalClock, KnowsTheRatesOfTheLoop) {
       loop.set_filter_depth_speed_counter(static_cast<std::uint8_t>(random.next() % 13));
     }
     (void)loop.observe(static_cast<std::int32_t>(random.next() % 2'001) - 1'000);
-    ASSERT_EQ(rates.of(loop), sim::LocalClock::rate_of(loop.correction())) << i;
-    ASSERT_EQ(rates.of(loop), sim::LocalClock::rate_of(loop.correction())) << "the second time, " << i;
+    ASSERT_EQ(sim::correction_rate(loop), sim::LocalClock::rate_of(loop.correction())) << i;
+    ASSERT_EQ(sim::correction_rate(loop), sim::LocalClock::rate_of(loop.correction())) << "the second time, " << i;
   }
 }
 
