@@ -1645,8 +1645,8 @@
             <translation>Master und Slaves laufen mit eigenen Uhren; der Frame wandert durch das SYNC-Raster</translation>
         </message>
         <message>
-            <source>As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.</source>
-            <translation>Wie Bus Shift, ohne Regelkreis: Der Referenzuhr wird die Sollzeit geschrieben. Braucht einen genauen Zyklus.</translation>
+            <source>As bus shift, without a control loop: the reference clock is written the nominal time, and what a frame is far off it is made good. Needs an accurate cycle.</source>
+            <translation>Wie Bus Shift, ohne Regelkreis: Der Referenzuhr wird die Sollzeit geschrieben, und was ein Frame weit davon abweicht, wird ausgeglichen. Braucht einen genauen Zyklus.</translation>
         </message>
         <message>
             <source>As bus shift, with the time that the network adapter puts into each frame while sending it</source>

@@ -1642,8 +1642,8 @@
             <translation>主站和从站各用自己的时钟；帧在 SYNC 网格中漂移</translation>
         </message>
         <message>
-            <source>As bus shift, without a control loop: the reference clock is written the nominal time. Needs an accurate cycle.</source>
-            <translation>同总线偏移，但没有控制环：将标称时间写入参考时钟。要求周期精确。</translation>
+            <source>As bus shift, without a control loop: the reference clock is written the nominal time, and what a frame is far off it is made good. Needs an accurate cycle.</source>
+            <translation>同总线偏移，但没有控制环：将标称时间写入参考时钟，帧的较大偏差随即补偿。要求周期精确。</translation>
         </message>
         <message>
             <source>As bus shift, with the time that the network adapter puts into each frame while sending it</source>

@@ -37,8 +37,8 @@ QList<Mode> modes() {
       {DcmMode::kOff, "dcmOff",
        MasterDcPage::tr("Master and slaves run on clocks of their own; the frame drifts through the SYNC grid")},
       {DcmMode::kMasterRefClock, "dcmMasterRefClock",
-       MasterDcPage::tr("As bus shift, without a control loop: the reference clock is written the nominal time. Needs "
-                        "an accurate cycle.")},
+       MasterDcPage::tr("As bus shift, without a control loop: the reference clock is written the nominal time, and "
+                        "what a frame is far off it is made good. Needs an accurate cycle.")},
       {DcmMode::kLinkLayerRefClock, "dcmLinkLayerRefClock",
        MasterDcPage::tr("As bus shift, with the time that the network adapter puts into each frame while sending it")},
       {DcmMode::kDcx, "dcmDcx",

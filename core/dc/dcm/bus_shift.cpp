@@ -19,9 +19,13 @@ constexpr double kIntegralTime = 7.5e9;  // divided by the drift error gain
 /// what it is told for so many cycles its own rate.
 constexpr double kEscGain = 16.7e-9, kEscCycles = 4096;  // 1/ns
 /// Two integrals and the clock itself do not swing while gain x share x (share x integral time + the ESC's) is above 1;
-/// there is noise, too. What the share is ahead has to be more than the filters are behind: ours, and the ESC's of 64
-/// cycles (0x0934).
-constexpr double kLoopReserve = 2.5, kFilterCycles = 100, kOurFilter = 2 * kFilterTime;
+/// there is noise, too. What the share is ahead has to be some times more than the filters are behind, ours, and the
+/// ESC's of 64 cycles (0x0934): with half more only, a clock that comes back after an outage went as far past its place
+/// as it had been away from it.
+constexpr double kLoopReserve = 2.5, kFilterCycles = 400, kOurFilter = 2 * kFilterTime;
+/// For the same reason the share is so small that the ESC's filter is behind by no more than this of a radian where the
+/// loop is as fast as it gets: from 2 ms on with a project's defaults.
+constexpr double kEscFilterCycles = 64, kMostBehind = 0.5;
 constexpr double kMaxCorrection = 20'000;  // ns; an ESC at its slew limit is not helped by more
 constexpr Nanoseconds kStandstill = kSecond / 2;
 constexpr int kBlocksAway = 10;
@@ -35,6 +39,11 @@ double shortest_integral_time(double share, Nanoseconds cycle_time) {
   return std::max(beside_esc, kFilterCycles * cycle + kOurFilter) / share;
 }
 
+double share_of(std::uint32_t gain_ppt, Nanoseconds cycle_time) {
+  const double most = kMostBehind / (kEscGain * kEscFilterCycles * static_cast<double>(cycle_time));
+  return std::min(std::clamp(kSharePerPpt * gain_ppt, kSharePerPpt, 1.0), most);
+}
+
 }  // namespace
 
 BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseconds set_value, Nanoseconds least)
@@ -43,7 +52,7 @@ BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseco
       way_(cycle_time, settings.in_sync_limit / ChangedWay::kPartOfLimit),
       forecast_(static_cast<double>(settings.max_valid_value)),
       limit_(settings.in_sync_limit),
-      share_(std::clamp(kSharePerPpt * settings.gain_ppt, kSharePerPpt, 1.0)),
+      share_(share_of(settings.gain_ppt, cycle_time)),
       integral_time_(std::max(kIntegralTime / std::max(1U, settings.drift_error_gain),
                               shortest_integral_time(share_, cycle_time))) {}
 

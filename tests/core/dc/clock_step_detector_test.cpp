@@ -132,6 +132,19 @@ TEST(ClockStepDetector, AFrameThatComesBackLateHidesNoStep) {
   }
 }
 
+/// Nor is it taken for the same that was held up a while before.
+TEST(ClockStepDetector, AStepAsLargeAsAFrameWasLateBeforeIsOne) {
+  Readings readings(30, 300);
+  readings.run(500);
+  EXPECT_FALSE(readings.read(20'000, 20'000));
+  readings.run(10);
+  readings.step(20'000);
+  for (int i = 0; i < 3; ++i) {
+    if (const auto found = readings.read(0, 11'000)) readings.steps.push_back(*found);
+  }
+  EXPECT_EQ(readings.steps.size(), 1U);
+}
+
 /// A line of few readings would be drawn away by it, and all readings behind it would seem to have stepped.
 TEST(ClockStepDetector, AFrameThatWasHeldUpDoesNotSpoilALineThatIsYoung) {
   for (const int first : {0, 1, 10, 30, 45, 49}) {

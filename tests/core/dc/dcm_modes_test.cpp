@@ -280,6 +280,8 @@ TEST(DcmModes, TheUsualLatenessOfFramesIsKnownAtOnce) {
   EXPECT_EQ(late(9'000), 7'000);
   for (int i = 0; i < 5'000; ++i) (void)late(7'000);
   EXPECT_NEAR(static_cast<double>(late(900'000)), 7'000 + 2'000.0 / 32, 1) << "no more of one";
+  controller->start(0, 10'600'000, time);
+  EXPECT_EQ(late(3'000), 3'000) << "begun anew";
 }
 
 TEST(DcmModes, TheDriftErrorGainSaysHowFastAChangeOfRateIsFollowed) {
