@@ -39,6 +39,14 @@ double shortest_integral_time(double share, Nanoseconds cycle_time) {
   return std::max(beside_esc, kFilterCycles * cycle + kOurFilter) / share;
 }
 
+/// Slaves are about eight cycles behind a clock that changes its rate: kDcxFastestPpm is that for a window of 127 ns
+/// and 1 ms. From further away than this a clock would need seconds, and they leave their window with it.
+constexpr double kLittleAway = 16'000;  // ns
+double borne_at_once(Nanoseconds cycle_time) {
+  const auto cycle = static_cast<double>(std::max(cycle_time, kMillisecond));
+  return kDcxFastestPpm * 1e-6 * static_cast<double>(kMillisecond) / cycle / kEscGain;
+}
+
 double share_of(std::uint32_t gain_ppt, Nanoseconds cycle_time) {
   const double most = kMostBehind / (kEscGain * kEscFilterCycles * static_cast<double>(cycle_time));
   return std::min(std::clamp(kSharePerPpt * gain_ppt, kSharePerPpt, 1.0), most);
@@ -53,6 +61,7 @@ BusShift::BusShift(const DcmSettings& settings, Nanoseconds cycle_time, Nanoseco
       forecast_(static_cast<double>(settings.max_valid_value)),
       limit_(settings.in_sync_limit),
       share_(share_of(settings.gain_ppt, cycle_time)),
+      borne_(borne_at_once(cycle_time)),
       integral_time_(std::max(kIntegralTime / std::max(1U, settings.drift_error_gain),
                               shortest_integral_time(share_, cycle_time))) {}
 
@@ -66,6 +75,7 @@ void BusShift::start(Nanoseconds base, Nanoseconds first_reference_time, Nanosec
   working_off_.reset();
   known_ = 0;
   lag_ = 0;
+  heard_ = 0;
   forecast_.start();
   anchor_ = {first_send_time, target_.nearest(first_reference_time)};
 }
@@ -87,7 +97,26 @@ std::optional<Nanoseconds> BusShift::reference_write(Nanoseconds send_time, Nano
   // Counted from the real send time: a frame that leaves late carries a later time.
   const auto forecast = forecast_.at(send_time);
   if (!forecast) return wanted_at(send_time + forecast_.usual_way());
-  return *forecast - static_cast<Nanoseconds>(std::llround(share_ * lag_ + integral_));
+  return *forecast - static_cast<Nanoseconds>(std::llround(taken_back() + integral_));
+}
+
+double BusShift::taken_back() const {
+  const double share = share_ * lag_;
+  return working_off_ && working_off_->slowly ? std::clamp(share, -borne_, borne_) : share;
+}
+
+void BusShift::hear_again(const DcmObservation& observation) {
+  constexpr Nanoseconds kSilence = 100 * kMillisecond;
+  // Which may be its stamp's alone.
+  if (observation.stamp_doubt > limit_ / 4) return;
+  const bool silent = heard_ != 0 && observation.send_time - heard_ > kSilence;
+  if (monitor_.in_sync() || heard_ != 0) heard_ = observation.send_time;
+  if (!silent) return;
+  const auto lag = static_cast<double>(lag_of(observation));
+  if (std::abs(lag) > kLittleAway || std::abs(share_ * lag) <= borne_) return;
+  forecast_.forget();
+  filtered_ = lag;
+  working_off_ = WorkingOff{std::abs(lag), 0, true};
 }
 
 DcmAction BusShift::observe(const DcmObservation& observation) {
@@ -95,13 +124,14 @@ DcmAction BusShift::observe(const DcmObservation& observation) {
   if (observation.reference_time) {
     // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
     const bool another_way = way_.take(lag_of(observation) + way_.offset() - std::llround(filtered_));
+    hear_again(observation);
     auto lag = lag_of(observation);
     const bool new_block = monitor_.observe(observation, lag);
     monitor_.lead_back();
     if (monitor_.step()) lag = begin_anew(observation);
     action.write_again = take(observation, lag) == OutlierGate::Verdict::kOutlier || another_way;
     if (new_block) watch_runaway();
-    state_.adjust = static_cast<Nanoseconds>(std::llround(-(share_ * lag_ + integral_)));
+    state_.adjust = static_cast<Nanoseconds>(std::llround(-(taken_back() + integral_)));
     state_.output_sum = -integral_;
     state_.output_total += state_.adjust;
   } else {
@@ -135,7 +165,7 @@ Nanoseconds BusShift::begin_anew(const DcmObservation& observation) {
   forecast_.forget();
   const auto lag = lag_of(observation);
   filtered_ = static_cast<double>(lag);
-  working_off_ = WorkingOff{std::abs(filtered_), 0};
+  working_off_ = WorkingOff{std::abs(filtered_), 0, false};
   return lag;
 }
 
@@ -151,11 +181,12 @@ void BusShift::integrate(double lag) {
 bool BusShift::work_off_step() {
   constexpr double kSmaller = 0.98;
   const double left = std::abs(filtered_);
-  if (!working_off_ || left <= static_cast<double>(limit_)) {
+  const bool slowly = working_off_ && working_off_->slowly;
+  if (!working_off_ || left <= (slowly ? borne_ / share_ : static_cast<double>(limit_))) {
     working_off_.reset();
     return false;
   }
-  if (left <= kSmaller * working_off_->left) working_off_ = WorkingOff{left, 0};
+  if (left <= kSmaller * working_off_->left) working_off_ = WorkingOff{left, 0, slowly};
   working_off_->stands_for += target_.cycle;
   if (working_off_->stands_for > kStandstill) working_off_.reset();
   return working_off_.has_value();

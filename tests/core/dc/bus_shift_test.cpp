@@ -115,6 +115,27 @@ TEST(BusShift, GoesLittlePastItsPlaceInLongCycles) {
   }
 }
 
+/// Nobody told it the time for a while: those who follow it are near it on its way back, which takes no longer than it
+/// must. (They were up to 780 ns off.)
+TEST(BusShift, LeadsAClockBackSlowlyThatWentALittleAwayUnheard) {
+  for (const auto cycle : {kMillisecond, 2 * kMillisecond, 4 * kMillisecond}) {
+    PlantOptions options;
+    options.mode = DcmMode::kBusShift;
+    options.settings = settings_for(options.mode);
+    options.cycle = cycle;
+    options.set_value = cycle / 2;
+    options.clock_step = {static_cast<int>(25 * kSecond / cycle), -12'000};
+    options.lost = [cycle](int number) { return number > 20 * kSecond / cycle && number < 29 * kSecond / cycle; };
+    DcmPlant plant(options);
+    plant.run_until(45);
+    EXPECT_LT(plant.worst(&PlantCycle::slave_error, 29.1), 400) << cycle << ": of slaves that average 16 messages";
+    EXPECT_GT(plant.worst(&PlantCycle::grid_error, 29.1, 29.2), 10'000) << cycle;
+    EXPECT_LT(plant.worst(&PlantCycle::grid_error, 33), 4'000) << cycle;
+    EXPECT_LT(plant.worst(&PlantCycle::grid_error, 40), 500) << cycle;
+    EXPECT_TRUE(plant.last().state.in_sync);
+  }
+}
+
 TEST(BusShift, MovesToTheGridWithoutAStep) {
   for (const double error : {-200e3, 100e3}) {
     auto options = bus_shifted(JitterProfile::quiet());
