@@ -48,6 +48,7 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
   last_lag_ = last_time_ = way_changed_ = 0;
   told_ = wrong_ = owed_ = 0;
   far_ = 0;
+  again_ = follows_each_ = false;
   host_ = first_send_time;
   reference_ = target_.nearest(first_reference_time);
 }
@@ -55,7 +56,7 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
 std::optional<Nanoseconds> WrittenClock::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
   if (time_ == Time::kOfSending) return wanted_at(send_time);
   const auto usual = usual_lateness();
-  const bool is_off = std::abs(send_time - scheduled_time - usual) > kMostShakenByNominal || owed_ != 0;
+  const bool is_off = std::abs(send_time - scheduled_time - usual) > kMostShakenByNominal || again_;
   told_ = wanted_at(knows_usual() && is_off ? send_time - usual : scheduled_time) + owed_;
   return told_;
 }
@@ -70,14 +71,14 @@ bool WrittenClock::was_shaken(Nanoseconds reference_time) {
 
 /// Its own stamp may have been wrong as well. A clock that shows what it was told has itself moved: nothing is owed.
 bool WrittenClock::observe_second_write(const DcmObservation& observation) {
-  if (owed_ == 0 || !observation.reference_time) return false;
+  if (!again_ || follows_each_ || !observation.reference_time) return again_ = false;
   const auto wrong = *observation.reference_time - told_;
   const auto left = owed_ + wrong;
   const bool moved = std::abs(wrong) <= kMostShakenByNominal && std::abs(wrong) < std::abs(left);
   const bool paid = std::abs(left) <= kMostShakenByNominal;
   owed_ = moved || paid ? 0 : left;
   if (paid && !moved) far_ = 0;  // it was the message, and the next one may be wrong as well
-  return owed_ != 0;
+  return again_ = owed_ != 0;
 }
 
 Nanoseconds WrittenClock::usual_lateness() const { return std::llround(usual_lateness_); }
@@ -119,6 +120,7 @@ DcmAction WrittenClock::observe(const DcmObservation& observation) {
   learn_lateness(observation);
   const auto usual = usual_lateness();
   owed_ = 0;
+  again_ = false;
   if (observation.reference_time) {
     const auto lag_now = [&] { return *observation.reference_time - wanted_at(observation.send_time - usual); };
     const bool exact = time_ == Time::kOfSending;
@@ -127,8 +129,8 @@ DcmAction WrittenClock::observe(const DcmObservation& observation) {
     action.write_again = another_way && exact;
     lag = exact ? without_way(observation, lag_now(), action) : lag_now();
     if (!exact && was_shaken(*observation.reference_time)) {
-      owed_ = wrong_;
-      action.write_again = true;
+      owed_ = follows_each_ ? 0 : wrong_;
+      again_ = action.write_again = true;
     }
   }
   monitor_.observe(observation, lag);

@@ -18,7 +18,8 @@ namespace syncline::dc {
 /// frame that leaves more than 3 us off its usual place (the host stood still, or it has tails) the clock is told the
 /// time of that, less what is usual: it would lead all the others away by more than they are allowed. A stamp may be
 /// wrong by more than that, too, or a frame held up behind it: the clock shows it as the frame passes, and another
-/// write at once (DcmAction::write_again) tells it as much less, so that nothing is left in the mean of its loop.
+/// write at once (DcmAction::write_again) tells it as much less, so that nothing is left in the mean of its loop. A
+/// substitute follows each message, and is told what is right.
 /// LinkLayerRefClock writes the time at which the adapter says that it sends. Those stamps are exact: where the clock
 /// differs from one cycle to the next from what it was told, it was not the clock that moved but the way to it, because
 /// a slave in front of it came or went, or another clock leads. What it is told is then counted from its new place, and
@@ -33,6 +34,7 @@ class WrittenClock final : public DcmController {
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
   bool observe_second_write(const DcmObservation& observation) override;
+  void set_led_by_substitute(bool substitute) override { follows_each_ = substitute; }
   void note_other_way() override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
@@ -58,6 +60,8 @@ class WrittenClock final : public DcmController {
   Nanoseconds told_ = 0;                  // last, in the mode of nominal times
   Nanoseconds wrong_ = 0;                 // what the clock was told, by its own reading; of the last cycle
   Nanoseconds owed_ = 0;                  // to be told more with the next message
+  bool again_ = false;                    // the next message is such another one
+  bool follows_each_ = false;             // a substitute leads
   int far_ = 0;  // cycles in a row with a message that was far wrong and could not be paid back
   Nanoseconds last_lag_ = 0, last_time_ = 0, way_changed_ = 0;
   Nanoseconds cycle_, in_sync_limit_;

@@ -183,6 +183,13 @@ TEST(DcmModes, MasterRefClockTakesBackAMessageThatWasFarWrong) {
   for (const Nanoseconds still : {37'000, 20'000, 4'000}) EXPECT_FALSE(cycle(still));
   EXPECT_FALSE(cycle(1'000));
   EXPECT_TRUE(cycle(40'000));
+  EXPECT_FALSE(cycle(0));
+
+  // A substitute follows each message: it is told what is right, and no less.
+  controller->set_led_by_substitute(true);
+  EXPECT_TRUE(cycle(40'000));
+  EXPECT_EQ(second(50'000), 0);
+  EXPECT_FALSE(controller->observe_second_write({time + 57'000, time, time + 50'000 + kOffset + 40'000}));
 }
 
 TEST(DcmModes, LinkLayerRefClockTakesTheAdaptersTime) {
