@@ -5208,8 +5208,8 @@ Einstellung %2</translation>
             <translation>Filtertiefe Differenz</translation>
         </message>
         <message>
-            <source>Exponent of the average over the time differences (0x0934); auto is 0.</source>
-            <translation>Exponent des Mittelwerts über die Zeitdifferenzen (0x0934); auto ist 0.</translation>
+            <source>Exponent of the average over the time differences (0x0934); auto is 0, and 4 to 6 in front of the reference clock.</source>
+            <translation>Exponent des Mittelwerts über die Zeitdifferenzen (0x0934); auto ist 0, vor der Referenzuhr 4 bis 6.</translation>
         </message>
         <message>
             <source>Filter depth, speed counter</source>

@@ -5188,8 +5188,8 @@ Setting %2</source>
             <translation>滤波深度，时间差</translation>
         </message>
         <message>
-            <source>Exponent of the average over the time differences (0x0934); auto is 0.</source>
-            <translation>时间差平均值的指数 (0x0934)；自动为 0。</translation>
+            <source>Exponent of the average over the time differences (0x0934); auto is 0, and 4 to 6 in front of the reference clock.</source>
+            <translation>时间差平均值的指数 (0x0934)；自动为 0，参考时钟之前的从站为 4 至 6。</translation>
         </message>
         <message>
             <source>Filter depth, speed counter</source>

@@ -215,7 +215,8 @@ std::vector<Setting> loop_rows() {
       with_automatic(field_setting(
                          "master.dc.loop.filter_depth_difference", integer(0, limits::kLargestFilterDepth),
                          {.label = "Filter depth, difference",
-                          .help = "Exponent of the average over the time differences (0x0934); auto is 0.",
+                          .help = "Exponent of the average over the time differences (0x0934); auto is 0, and 4 to 6 "
+                                  "in front of the reference clock.",
                           .object = "0x0934",
                           .no_eni = not_in_eni::kClocks,
                           .expert = true},

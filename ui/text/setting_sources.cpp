@@ -147,7 +147,9 @@ constexpr const char* kSettingSources[] = {
                       "Start value of the slaves' time control loops (0x0930): small ones follow faster, large ones "
                       "smoother; auto suits the cycle."),
     QT_TRANSLATE_NOOP("Setting", "Filter depth, difference"),
-    QT_TRANSLATE_NOOP("Setting", "Exponent of the average over the time differences (0x0934); auto is 0."),
+    QT_TRANSLATE_NOOP("Setting",
+                      "Exponent of the average over the time differences (0x0934); auto is 0, and 4 to 6 in front of "
+                      "the reference clock."),
     QT_TRANSLATE_NOOP("Setting", "Filter depth, speed counter"),
     QT_TRANSLATE_NOOP("Setting", "Exponent of the average over the clock period deviation (0x0935); auto is 8."),
     QT_TRANSLATE_NOOP("Setting", "Tell of the reference clock"),

@@ -105,7 +105,7 @@ double BusShift::taken_back() const {
   return working_off_ && working_off_->slowly ? std::clamp(share, -borne_, borne_) : share;
 }
 
-void BusShift::hear_again(const DcmObservation& observation) {
+void BusShift::note_reading(const DcmObservation& observation) {
   constexpr Nanoseconds kSilence = 100 * kMillisecond;
   // Which may be its stamp's alone.
   if (observation.stamp_doubt > limit_ / 4) return;
@@ -124,7 +124,7 @@ DcmAction BusShift::observe(const DcmObservation& observation) {
   if (observation.reference_time) {
     // Not folded into a cycle: the clock that falls behind by whole cycles is still behind.
     const bool another_way = way_.take(lag_of(observation) + way_.offset() - std::llround(filtered_));
-    hear_again(observation);
+    note_reading(observation);
     auto lag = lag_of(observation);
     const bool new_block = monitor_.observe(observation, lag);
     monitor_.lead_back();

@@ -46,8 +46,8 @@ class BusShift final : public DcmController {
   [[nodiscard]] Nanoseconds lag_of(const DcmObservation& observation) const;
   /// What is taken back at once of the error, ns.
   [[nodiscard]] double taken_back() const;
-  /// The first reading for a while.
-  void hear_again(const DcmObservation& observation);
+  /// A reading: the first one for a while may find the clock a little away, which is led back slowly then.
+  void note_reading(const DcmObservation& observation);
   [[nodiscard]] Nanoseconds begin_anew(const DcmObservation& observation);
   OutlierGate::Verdict take(const DcmObservation& observation, Nanoseconds lag);
   void integrate(double lag);
@@ -62,12 +62,12 @@ class BusShift final : public DcmController {
   Reading anchor_;  // host time and what the reference clock is to show then
   double lag_ = 0;  // behind (< 0) or ahead of the place in the grid, without outliers, ns
   WriteForecast forecast_;
-  Nanoseconds limit_;      // in sync
-  double share_;           // of the error that is corrected at once
-  double borne_;           // ns that may be corrected at once, and those who follow the clock do not notice
-  Nanoseconds heard_ = 0;  // host clock; of the last reading, since the clock was in its place for the first time
-  double integral_time_;   // ns
+  Nanoseconds limit_;     // in sync
+  double share_;          // of the error that is corrected at once
+  double borne_;          // ns that may be corrected at once, and those who follow the clock do not notice
+  double integral_time_;  // ns
   double filtered_ = 0, integral_ = 0;
+  Nanoseconds heard_ = 0;  // host clock; of the last reading, since the clock was in its place for the first time
   int blocks_away_ = 0, known_ = 0;
   std::optional<WorkingOff> working_off_;
 };

@@ -49,9 +49,9 @@ class AcyclicScheduler {
   [[nodiscard]] std::span<PendingFrame> frames() { return frames_; }
   /// When what goes in this cycle is short, it goes behind the commands of the last of the `cyclic` frames, and no
   /// frame of its own is sent: that would take longer on the wire, and the host twice as long. What looks after process
-  /// data goes with these, or not at all. Neither where a slave has so little `room` for its outputs
-  /// (SyncEventWatch::room()) that they must not come later in one cycle than in the other by so many bytes: they are
-  /// valid with the end of their frame. Behind fill().
+  /// data goes with these, or alone where there is no room for both. Neither where a slave has so little `room` for its
+  /// outputs (SyncEventWatch::room()) that they must not come later in one cycle than in the other by so many bytes:
+  /// they are valid with the end of their frame. Behind fill().
   void ride(CyclicFrameSet& cyclic, Nanoseconds room);
   /// Of all its frames.
   [[nodiscard]] Nanoseconds wire_time() const;
