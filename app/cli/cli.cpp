@@ -81,15 +81,20 @@ void execute(CLI::App& app, Context& context, std::vector<std::string> arguments
 
 }  // namespace
 
+Json Context::NotedError::json() const {
+  Json json;
+  json["message"] = message;
+  if (!subject.empty()) json["subject"] = subject;
+  if (!file.empty()) json["file"] = file;
+  if (line > 0) json["line"] = line;
+  return json;
+}
+
 void Context::fail_with(const Error& error) {
   console.err << "synclinectl: " << describe(error) << '\n' << std::flush;
   const bool usage = error.code == ErrorCode::kBadValue || error.code == ErrorCode::kUnknownKey;
   exit_code = usage ? kUsage : kFailed;
-  if (!error_.is_null()) return;
-  note_error(describe(error));
-  if (!error.subject.empty()) error_["subject"] = error.subject;
-  if (!error.file.empty()) error_["file"] = error.file;
-  if (error.line > 0) error_["line"] = error.line;
+  if (!error_) error_ = NotedError{describe(error), error.subject, error.file, error.line};
 }
 
 void Context::fail_with_words(const std::string& words, int code) {
@@ -99,7 +104,7 @@ void Context::fail_with_words(const std::string& words, int code) {
 }
 
 void Context::note_error(const std::string& words) {
-  if (error_.is_null()) error_ = {{"message", words}};
+  if (!error_) error_ = NotedError{words};
 }
 
 void Context::warn(const Error& error) { console.err << "warning: " << describe(error) << '\n'; }
@@ -109,7 +114,7 @@ void Context::warn(const Finding& finding) { console.err << "warning: " << descr
 void Context::finish() {
   if (json) {
     if (result_.is_null()) result_ = Json::object();
-    if (!error_.is_null()) result_["error"] = std::move(error_);
+    if (error_) result_["error"] = error_->json();
     console.out << result_.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
   }
   if (console.out.flush()) return;

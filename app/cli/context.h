@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -48,7 +49,15 @@ class Context {
   void finish();
 
  private:
-  Json result_, error_;
+  /// In plain strings until it is printed: a Json that finds no memory while it is made ends the program.
+  struct NotedError {
+    std::string message, subject{}, file{};
+    int line = 0;
+    [[nodiscard]] Json json() const;
+  };
+
+  Json result_;
+  std::optional<NotedError> error_;
 };
 
 void add_adapters_command(CLI::App& app, Context& context);

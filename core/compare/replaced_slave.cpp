@@ -65,8 +65,8 @@ ReplacedSlave replaced_slave(const SlaveSettings& old, const SlaveSettings& fres
   return {std::move(to.slaves.front()), std::move(lost)};
 }
 
-tl::expected<ReplacedDevice, WiringObstacle> replace_device(const Project& project, std::size_t slave,
-                                                            const DeviceDescription& device) {
+Expected<ReplacedDevice, WiringObstacle> replace_device(const Project& project, std::size_t slave,
+                                                        const DeviceDescription& device) {
   if (const auto obstacle = obstacle_of(project, slave, device)) return tl::unexpected(*obstacle);
   const auto& old = project.slaves[slave];
   const auto carry = is_same_product(old.device.identity, device.identity) ? Carry::kAll : Carry::kChanged;

@@ -6,6 +6,7 @@
 
 #include "config/project.h"
 #include "config/slave_edits.h"
+#include "support/expected.h"
 
 namespace syncline::settings {
 struct Setting;
@@ -32,7 +33,7 @@ struct ReplacedDevice {
 /// The project with another device, or another revision of the same, in the place of a slave: place, names that the
 /// user gave, addresses and the settings that it takes stay. kOtherKind where it cannot be plugged in there, kNoPort
 /// where it lacks a port at which something hangs, kNoSuchSlave. Pure.
-[[nodiscard]] tl::expected<ReplacedDevice, WiringObstacle> replace_device(const Project& project, std::size_t slave,
-                                                                          const DeviceDescription& device);
+[[nodiscard]] Expected<ReplacedDevice, WiringObstacle> replace_device(const Project& project, std::size_t slave,
+                                                                      const DeviceDescription& device);
 
 }  // namespace syncline

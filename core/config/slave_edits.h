@@ -6,7 +6,8 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tl/expected.hpp>
+
+#include "support/expected.h"
 
 /// Slaves come, go and change their places. Whatever says a slave by its number (where another one hangs, the reference
 /// clock) stays with the slave; station addresses stay unique. The slaves stand in the order of the frame afterwards,
@@ -30,7 +31,7 @@ enum class WiringObstacle : std::uint8_t {
   kTooMany,    // more slaves than EtherCAT has addresses
 };
 /// Position at which the slave now stands.
-using EditedSlave = tl::expected<std::size_t, WiringObstacle>;
+using EditedSlave = Expected<std::size_t, WiringObstacle>;
 
 /// A new slave behind another one: it goes on its line, or into a branch that it fits (a terminal to the terminals of a
 /// coupler, at the end), or behind the nearest slave towards the master that has a port for it. `behind` empty: behind

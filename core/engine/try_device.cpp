@@ -26,6 +26,7 @@
 #include "protocol/sdo_information.h"
 #include "sim/sim_bus.h"
 #include "support/clock.h"
+#include "support/expected.h"
 
 namespace syncline {
 namespace {
@@ -42,7 +43,7 @@ struct Stop {
   std::string reason;
 };
 template <class T>
-using Step = tl::expected<T, Stop>;
+using Step = Expected<T, Stop>;
 
 tl::unexpected<Stop> failed(TryStep step, std::string reason) {
   return tl::unexpected(Stop{TryOutcome::kFailed, step, std::move(reason)});

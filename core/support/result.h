@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <tl/expected.hpp>
 
 #include "reasons/reason.h"
+#include "support/expected.h"
 
 namespace syncline {
 
@@ -79,7 +79,7 @@ struct Error {
 };
 
 template <class T>
-using Result = tl::expected<T, Error>;
+using Result = Expected<T, Error>;
 using Status = Result<void>;
 
 inline tl::unexpected<Error> fail(Error error) { return tl::unexpected<Error>(std::move(error)); }

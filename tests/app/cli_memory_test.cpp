@@ -86,6 +86,27 @@ class CliMemory : public testing::Test {
     }
   }
 
+  /// As where others ask for memory, too: here and there an allocation fails, for a while or from there on. Not while
+  /// the machine's file is read, whose library ends the program then.
+  void expect_a_code_with_failures_here_and_there(const std::string& arguments, const std::string& reads) const {
+    const auto first = allocations(reads), last = allocations(arguments);
+    ASSERT_GT(last, first) << arguments;
+    std::mt19937 random(2);
+    std::uniform_int_distribution<long> any(first, last);
+    for (const long count : {40L, 400L, 1L << 30}) {
+      for (int i = 0; i < 40; ++i) {
+        const auto from = any(random);
+        const int share = 20 + i;
+        const auto ended = preloaded(
+            fmt::format("FAILING_MEMORY_FROM={} FAILING_MEMORY_COUNT={} FAILING_MEMORY_SHARE={}", from, count, share),
+            arguments);
+        EXPECT_THAT(ended.code, testing::AnyOf(0, 1, 2, 3))
+            << share << " % of " << count << " from " << from << " of " << last << ": " << arguments << '\n'
+            << ended.words;
+      }
+    }
+  }
+
   /// Large blocks are what memory that is short refuses first: each of them in turn.
   void expect_a_code_without_each_large_block(const std::string& arguments) const {
     const std::string large = "FAILING_MEMORY_LEAST=8192";
@@ -134,6 +155,14 @@ TEST_F(CliMemory, WhereverAnAllocationFailsARunEndsWithACode) {
       fmt::format("run m.syncline --link 'sim:{}?virtual' --for 100ms --csv c.csv --record out.slrec "
                   "--black-box box --capture c.pcapng",
                   machine_));
+}
+
+TEST_F(CliMemory, WithFailuresHereAndThereARunEndsWithACode) {
+  ASSERT_EQ(cli_run({"project", "create", folder_.file("m.syncline"), "--scan", "sim:" + machine_ + "?virtual"}).code,
+            cli::kDone);
+  expect_a_code_with_failures_here_and_there(
+      fmt::format("run m.syncline --link 'sim:{}?virtual' --for 100ms --record out.slrec --black-box box", machine_),
+      fmt::format("scan 'sim:{}?virtual'", machine_));
 }
 
 TEST_F(CliMemory, WhereverAnAllocationFailsACheckEndsWithACode) {

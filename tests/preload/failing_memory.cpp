@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Preloaded into a program: from its FAILING_MEMORY_FROM'th allocation of FAILING_MEMORY_LEAST bytes or more on
 // FAILING_MEMORY_COUNT of them fail, whoever asks, in any of its threads, unless a large block is given back before:
-// then there is memory again. At its end it writes into the file FAILING_MEMORY_TOLD how many it asked for.
+// then there is memory again. With FAILING_MEMORY_SHARE so many of a hundred of them fail, here and there, whatever is
+// given back: others take it. At its end it writes into the file FAILING_MEMORY_TOLD how many it asked for.
 #include <fcntl.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -27,7 +29,8 @@ namespace {
 constexpr std::size_t kLarge = 512 * 1024;
 std::atomic<long> asked{0};
 std::atomic<bool> over{false};
-long from = std::numeric_limits<long>::max(), count = 0, least = 0;
+constexpr long kAll = 100;
+long from = std::numeric_limits<long>::max(), count = 0, least = 0, share = kAll;
 
 long number(const char* name, long otherwise) {
   const char* text = std::getenv(name);
@@ -40,6 +43,7 @@ struct Setting {
     from = number("FAILING_MEMORY_FROM", from);
     count = number("FAILING_MEMORY_COUNT", count);
     least = number("FAILING_MEMORY_LEAST", least);
+    share = number("FAILING_MEMORY_SHARE", share);
   }
   ~Setting() {
     const char* path = std::getenv("FAILING_MEMORY_TOLD");
@@ -54,10 +58,19 @@ struct Setting {
   Setting& operator=(const Setting&) = delete;
 } const setting;
 
+/// The same ones each time, in no order.
+bool is_of_the_share(long which) {
+  auto mixed = static_cast<std::uint64_t>(which) * 0x9E3779B97F4A7C15U;
+  mixed ^= mixed >> 29U;
+  mixed *= 0xBF58476D1CE4E5B9U;
+  return static_cast<long>((mixed >> 32U) % kAll) < share;
+}
+
 bool fails(std::size_t size) {
   if (size < static_cast<std::size_t>(least)) return false;
   const long which = asked.fetch_add(1, std::memory_order_relaxed);
-  if (which < from || which - from >= count || over) return false;
+  if (which < from || which - from >= count) return false;
+  if (share < kAll ? !is_of_the_share(which) : over.load()) return false;
   errno = ENOMEM;
   return true;
 }

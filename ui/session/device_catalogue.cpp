@@ -136,7 +136,7 @@ void DeviceCatalogue::search(const eni::CatalogueSearch& search, QObject* contex
     if (number != *last) return;  // somebody types on
     auto wanted = search;
     ++wanted.limit;
-    auto answer = catalogue.search(wanted).map([&](std::vector<eni::CatalogueEntry> entries) {
+    Result<CatalogueAnswer> answer = catalogue.search(wanted).map([&](std::vector<eni::CatalogueEntry> entries) {
       const bool more = entries.size() > search.limit;
       if (more) entries.resize(search.limit);
       return CatalogueAnswer{search, std::move(entries), catalogue.device_count(), more};
