@@ -100,6 +100,7 @@ constexpr std::string_view kPhrases[] = {
     "the reference clock is on its way to the external clock",
     "the external clock is not where the reference clock is",
     "it follows this host's clock, which a time service may have moved",
+    "it was led back to this host's clock after the network adapter had been away",
     // fields of commands, in differences
     "data",
     "before slave",

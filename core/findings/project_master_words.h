@@ -50,7 +50,8 @@ inline constexpr FindingWords kProjectMaster[] = {
      "Choose the first slave with DC.",
      "master.dc.reference_clock",
      {{"",
-       "{name} stands before the reference clock in the frame, so it gets the time one cycle late and stays off."}}},
+       "{name} stands before the reference clock: the frame passes it without the time. A run here tells it what the "
+       "master believes, so it follows less exactly; other masters leave it off."}}},
     {"nothing-to-compare",
      Severity::kNote,
      "The sync window has nothing to compare",

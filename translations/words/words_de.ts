@@ -2293,6 +2293,10 @@
         <translation>sie folgt der Uhr dieses Rechners, die ein Zeitdienst verstellt haben kann</translation>
     </message>
     <message>
+        <source>it was led back to this host's clock after the network adapter had been away</source>
+        <translation>sie wurde zur Uhr dieses Rechners zurückgeführt, nachdem der Netzwerkadapter weg gewesen war</translation>
+    </message>
+    <message>
         <source>overlaps the {fault} from {time} ms to {other} ms</source>
         <translation>überschneidet sich mit {fault} von {time} ms bis {other} ms</translation>
     </message>
@@ -6877,8 +6881,8 @@
         <translation>{name} hat nach seiner ESI keine verteilte Uhr und kann nicht die Referenz sein.</translation>
     </message>
     <message>
-        <source>{name} stands before the reference clock in the frame, so it gets the time one cycle late and stays off.</source>
-        <translation>{name} steht im Frame vor der Referenzuhr, bekommt die Zeit also einen Zyklus zu spät und bleibt daneben.</translation>
+        <source>{name} stands before the reference clock: the frame passes it without the time. A run here tells it what the master believes, so it follows less exactly; other masters leave it off.</source>
+        <translation>{name} steht vor der Referenzuhr: Der Frame passiert ihn ohne die Zeit. Ein Lauf hier sagt ihm, was der Master annimmt, also folgt er weniger genau; bei anderen Mastern bleibt er daneben.</translation>
     </message>
     <message>
         <source>{name}: a SYNC0 cycle of {sync0} is neither a multiple nor a divisor of the bus cycle of {cycle}.</source>

@@ -2293,6 +2293,10 @@
         <translation>它跟随本机时钟，时间服务可能调整过该时钟</translation>
     </message>
     <message>
+        <source>it was led back to this host's clock after the network adapter had been away</source>
+        <translation>网络适配器中断之后，它被拉回到本机时钟</translation>
+    </message>
+    <message>
         <source>overlaps the {fault} from {time} ms to {other} ms</source>
         <translation>与 {time} ms 至 {other} ms 的 {fault} 重叠</translation>
     </message>
@@ -6877,8 +6881,8 @@
         <translation>根据其 ESI，{name} 没有分布式时钟，不能作为参考时钟。</translation>
     </message>
     <message>
-        <source>{name} stands before the reference clock in the frame, so it gets the time one cycle late and stays off.</source>
-        <translation>{name} 在帧路径上位于参考时钟之前，因此得到的时间晚一个周期，并一直有偏差。</translation>
+        <source>{name} stands before the reference clock: the frame passes it without the time. A run here tells it what the master believes, so it follows less exactly; other masters leave it off.</source>
+        <translation>{name} 位于参考时钟之前：帧经过它时还没有时间。在此运行时，主站告诉它自己估计的时间，因此它跟随得不够精确；使用其他主站时它会一直有偏差。</translation>
     </message>
     <message>
         <source>{name}: a SYNC0 cycle of {sync0} is neither a multiple nor a divisor of the bus cycle of {cycle}.</source>

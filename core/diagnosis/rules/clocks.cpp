@@ -26,13 +26,19 @@ Figure obstacle_figure(dc::SyncObstacle what) {
 }
 
 /// Who moves a reference clock that this host leads; empty where it leads itself, or follows an external one (DCX), and
-/// where it moved by `first` from one reading to the next, faster than its loop follows anybody.
-Figure led_figure(const RunReport& report, std::int64_t first = 0) {
+/// where it moved by `first` from one reading to the next, faster than its loop follows anybody. Behind an outage it
+/// has its way back to the host's time, in long cycles for some seconds.
+Figure led_figure(const RunReport& report, Nanoseconds moment, std::int64_t first = 0) {
   constexpr std::int64_t kFastest = 1'000, kCycles = 10;  // ppm, where an ESC's speed counter ends at 763; until seen
+  constexpr Nanoseconds kWayBack = 10 * kSecond;
   const bool by_itself = std::abs(first) > report.dc.limit_ns + kCycles * report.cycle_time * kFastest / 1'000'000;
   const bool led = !by_itself && is_controlled(report) && steers_reference_clock(report.dcm.mode) &&
                    report.dcm.mode != DcmMode::kDcx;
-  return {"led", Unit::kAside, 0, 0, led ? "it follows this host's clock, which a time service may have moved" : ""};
+  if (!led) return {"led", Unit::kAside, 0, 0, ""};
+  const bool way_back = report.history.link_outages.near({moment - kWayBack, moment, 0, 0}, 0);
+  return {"led", Unit::kAside, 0, 0,
+          way_back ? "it was led back to this host's clock after the network adapter had been away"
+                   : "it follows this host's clock, which a time service may have moved"};
 }
 
 /// It was away just before, or the adapter by which it hears the time, and finds its time again.
@@ -107,7 +113,7 @@ void find_unmonitored(const RunReport& report, Findings& findings) {
                         {slave_figure(report, slave), time_figure("deviation", off.largest),
                          moment_figure(report, "since", off.from)}});
     if (!reference) continue;
-    findings.back().figures.push_back(led_figure(report));
+    findings.back().figures.push_back(led_figure(report, off.from));
     findings.back().facts = sentence_of(*find_finding_words(code::kSlaveClockOff), "reference");
   }
 }
@@ -144,7 +150,7 @@ Finding out_without_culprit(const RunReport& report) {
   if (!stepped && dc.over_limit > 0) return finding;
   name_loss(report, loss, finding);
   finding.place.slave = stepped ? dc.reference_clock : loss.slave;
-  if (stepped) finding.figures.push_back(led_figure(report, loss.size));
+  if (stepped) finding.figures.push_back(led_figure(report, loss.time, loss.size));
   const auto* variant = !stepped ? "left" : dc.over_limit > 0 ? "moving" : "stepped";
   finding.facts = sentence_of(*find_finding_words(code::kSlavesOutOfSync), variant);
   return finding;
@@ -252,7 +258,7 @@ void find_left_window(const RunReport& report, std::optional<int> culprit, Findi
   const bool stepped = by_reference(report, first);
   if (stepped) {
     finding.place.slave = report.dc.reference_clock;
-    finding.figures.push_back(led_figure(report, first.size));
+    finding.figures.push_back(led_figure(report, first.time, first.size));
   }
   const auto* of_all = culprit ? "stepped before" : "stepped";
   const auto* variant = stepped ? of_all : culprit ? "before" : "";

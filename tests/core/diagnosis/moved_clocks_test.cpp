@@ -293,6 +293,23 @@ TEST(MovedClocks, AReferenceClockThatMovesIsLedByTheHostsWhereThatIsSo) {
   }
 }
 
+/// In long cycles the way back takes some seconds.
+TEST(MovedClocks, AReferenceClockOnItsWayBackAfterAnOutageIsMovedByNoTimeService) {
+  auto report = healthy();
+  report.dcm.mode = DcmMode::kBusShift;
+  report.history.slave_losses = {{kStart + 8 * kSecond, -1, 5'000, dc::SyncObstacle::kClockStep, kStart + 9 * kSecond}};
+  const auto words = [&report] {
+    std::string text;
+    for (const auto& finding : diagnose(report)) text += describe(finding);
+    return text;
+  };
+  report.history.link_outages.note(kStart + 5 * kSecond, 1, 0, kStart + 3 * kSecond);
+  EXPECT_THAT(words(), AllOf(HasSubstr("led back to this host's clock after the network adapter had been away"),
+                             Not(HasSubstr("time service"))));
+  report.history.slave_losses.front().time = kStart + 16 * kSecond;
+  EXPECT_THAT(words(), AllOf(HasSubstr("a time service may have moved"), Not(HasSubstr("led back"))));
+}
+
 /// No loop follows anybody by hundreds of microseconds in a cycle.
 TEST(MovedClocks, AReferenceClockThatJumpsFurtherThanItCanBeLedIsLedByNobody) {
   auto report = healthy();
