@@ -201,7 +201,7 @@ std::vector<Setting> choice_rows() {
 }
 
 std::vector<Setting> loop_rows() {
-  const auto usual = [](std::int64_t depth) { return [depth](const Project&, const Place&) { return Value{depth}; }; };
+  const auto usual_depth = [](const Project&, const Place&) { return Value{std::int64_t{8}}; };
   return {
       field_setting(
           "master.dc.loop.speed_counter_start", integer(0x0080, 0x3FFF),
@@ -212,16 +212,15 @@ std::vector<Setting> loop_rows() {
            .no_eni = not_in_eni::kClocks,
            .expert = true},
           [](auto& p, const Place&) -> auto& { return loop(p).speed_counter_start; }),
-      with_automatic(field_setting(
-                         "master.dc.loop.filter_depth_difference", integer(0, limits::kLargestFilterDepth),
-                         {.label = "Filter depth, difference",
-                          .help = "Exponent of the average over the time differences (0x0934); auto is 0, and 4 to 6 "
-                                  "in front of the reference clock.",
-                          .object = "0x0934",
-                          .no_eni = not_in_eni::kClocks,
-                          .expert = true},
-                         [](auto& p, const Place&) -> auto& { return loop(p).filter_depth_difference; }),
-                     usual(0)),
+      field_setting(
+          "master.dc.loop.filter_depth_difference", integer(0, limits::kLargestFilterDepth),
+          {.label = "Filter depth, difference",
+           .help = "Exponent of the average over the time differences (0x0934); auto is 0, and 4 to 6 "
+                   "in front of the reference clock.",
+           .object = "0x0934",
+           .no_eni = not_in_eni::kClocks,
+           .expert = true},
+          [](auto& p, const Place&) -> auto& { return loop(p).filter_depth_difference; }),
       with_automatic(field_setting(
                          "master.dc.loop.filter_depth_speed_counter", integer(0, limits::kLargestFilterDepth),
                          {.label = "Filter depth, speed counter",
@@ -230,7 +229,7 @@ std::vector<Setting> loop_rows() {
                           .no_eni = not_in_eni::kClocks,
                           .expert = true},
                          [](auto& p, const Place&) -> auto& { return loop(p).filter_depth_speed_counter; }),
-                     usual(8)),
+                     usual_depth),
   };
 }
 
