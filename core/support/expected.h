@@ -15,22 +15,24 @@ inline constexpr bool is_expected = false;
 /// copies its error in a function that is noexcept, which then ends the program.
 template <class T, class E>
 class Expected : public tl::expected<T, E> {
+  static constexpr bool kMovesQuietly =
+      std::is_nothrow_move_constructible_v<E> && (std::is_void_v<T> || std::is_nothrow_move_constructible_v<T>);
+
  public:
   using Base = tl::expected<T, E>;
-
   Expected() = default;
   Expected(const Expected& other) requires(std::is_void_v<T> || std::copy_constructible<T>) : Base(copy_of(other)) {}
-  Expected(Expected&&) = default;
+  Expected(Expected&&) noexcept(kMovesQuietly) = default;
   Expected& operator=(const Expected& other) requires(std::is_void_v<T> || std::copy_constructible<T>) {
     if (this != &other) *this = Expected(other);
     return *this;
   }
-  Expected& operator=(Expected&&) = default;
+  Expected& operator=(Expected&&) noexcept(kMovesQuietly) = default;
   ~Expected() = default;
 
   /// What tl::expected's own functions answer, such as map().
-  template <class B>
-  requires std::same_as<B, Base> Expected(B&& base) : Base(std::move(base)) {}
+  template <std::same_as<Base> Answer>
+  Expected(Answer base) : Base(std::move(base)) {}
   template <class U, class F>
   requires(!std::same_as<Expected<U, F>, Expected> && std::constructible_from<Base, tl::expected<U, F>>)
       Expected(Expected<U, F>&& other)
@@ -38,7 +40,7 @@ class Expected : public tl::expected<T, E> {
   template <class F>
   requires std::constructible_from<E, F> Expected(tl::unexpected<F> error)
       : Base(tl::unexpected<E>(std::move(error.value()))) {}
-  template <class U = T>
+  template <class U = T>  // NOLINTNEXTLINE(bugprone-forwarding-reference-overload): constrained
   requires(!is_expected<std::remove_cvref_t<U>> && std::convertible_to<U&&, T>) Expected(U&& value)
       : Base(std::forward<U>(value)) {}
 

@@ -44,6 +44,14 @@ std::optional<std::uint8_t> process_data_manager(const SlaveConfig& slave, bool 
   return std::nullopt;
 }
 
+/// Cycles from one SYNC0 to the next, in which a slave does its work once; 0: no whole number, or too many to wait for.
+std::uint8_t cycles_of_sync0(const SlaveDcConfig& dc, Nanoseconds cycle_time) {
+  constexpr Nanoseconds kMost = 8;
+  if (dc.cycle_time0 <= cycle_time) return 1;
+  const auto cycles = dc.cycle_time0 / cycle_time;
+  return dc.cycle_time0 % cycle_time == 0 && cycles <= kMost ? static_cast<std::uint8_t>(cycles) : std::uint8_t{0};
+}
+
 }  // namespace
 
 ProcessDataWatch::ProcessDataWatch(const NetworkConfig& config, const Snapshot& snapshot, EventTeller& teller)
@@ -63,6 +71,9 @@ void ProcessDataWatch::add_slave(std::size_t position) {
   Slave slave;
   slave.position = static_cast<std::uint16_t>(position);
   slave.has_sync0 = config.dc && config.dc->assign_activate != 0;
+  if (slave.has_sync0) slave.cycles = cycles_of_sync0(*config.dc, config_.cycle_time());
+  // What it has taken is seen in one of them, and in which one is by chance.
+  if (slave.cycles == 0 || (outputs && slave.cycles > 1)) return;
   if (outputs) {
     const auto bit = kFirstManager + *manager;
     slave.address = static_cast<std::uint16_t>(reg::kAlEventRequest + bit / 8);
@@ -153,14 +164,19 @@ bool ProcessDataWatch::far_enough(const Slave& slave, Nanoseconds between) const
 void ProcessDataWatch::take(Nanoseconds send_time, bool regular) {
   const auto passed = send_time - std::exchange(last_send_, send_time);
   if (2 * std::abs(passed - config_.cycle_time()) < config_.cycle_time()) spacing_.note(passed);
-  if (!std::exchange(asked_, false)) return;
+  if (slaves_.empty()) return;
   auto& slave = slaves_[current_];
+  if (!std::exchange(asked_, false)) {
+    if (first_ && !(regular && far_enough(slave, passed))) try_again();  // between the two
+    return;
+  }
   if (!counts(slave, regular)) return try_again();
   const bool outputs = slave.event != 0;
   const auto buffer = static_cast<std::uint8_t>((byte_[0] >> kBufferShift) & 3U);
   if (!outputs && buffer == kNoBuffer) return go_on();
   if (!first_) {
     first_ = buffer;
+    pause_ = static_cast<std::uint8_t>(slave.cycles - 1);
     return;
   }
   if (!far_enough(slave, passed)) return try_again();

@@ -21,9 +21,9 @@ struct Snapshot;
 /// that is being read. That outputs were written stands in the AL event request until the firmware reads them (0x0220,
 /// bit 8 + n; data sheet II, 2.12): a datagram behind those that bring the next ones still shows what became of the
 /// ones before, because an ESC raises the event at the end of the frame. One byte of one slave a cycle, in two cycles
-/// one behind the other, slave after slave; behind its process data, in the same frame. In another one it would see the
-/// outputs that came just in front of it, and inputs may have been renewed once before they were read and once behind,
-/// which ends where it began.
+/// one behind the other (of a slave whose SYNC0 comes every nth cycle in two that are so far apart), slave after slave;
+/// behind its process data, in the same frame. In another one it would see the outputs that came just in front of it,
+/// and inputs may have been renewed once before they were read and once behind, which ends where it began.
 ///
 /// A slave without SYNC0 may run by itself, with a cycle as long as the master's. Where its moment slides through that
 /// of the frames, those that come early and late by turns find nothing new in up to a quarter of the cycles, and twice
@@ -56,6 +56,7 @@ class ProcessDataWatch {
     std::uint16_t position = 0, address = 0;  // of the byte
     std::uint8_t event = 0;  // its bit for outputs that are left; 0: the SyncManager's status of inputs
     bool has_sync0 = false;
+    std::uint8_t cycles = 1;    // in which it does its work once: from one SYNC0 to the next
     std::uint32_t stale = 0;    // the last readings, the newest in bit 0: nothing new, or left
     std::uint8_t readings = 0;  // as many as count
     bool regular = false;       // renewed or took them in every cycle

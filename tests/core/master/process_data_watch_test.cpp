@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -21,7 +23,7 @@ namespace {
 /// A terminal without SYNC0, which writes its inputs anew at the end of each frame that brings outputs.
 class WatchedTerminal : public ::testing::Test {
  protected:
-  static NetworkConfig machine(bool inputs) {
+  static NetworkConfig machine(bool inputs, std::optional<int> cycles_of_sync0 = {}) {
     auto device = test::io8();
     if (!inputs) {
       device.fmmus.pop_back();
@@ -30,10 +32,15 @@ class WatchedTerminal : public ::testing::Test {
     }
     test::SimulatedNetwork network;
     network.add(device);
-    network.project.slaves[0].dc.op_mode.clear();
+    if (cycles_of_sync0) {
+      network.project.slaves[0].dc.sync0.cycle_factor = *cycles_of_sync0;
+    } else {
+      network.project.slaves[0].dc.op_mode.clear();
+    }
     return network.compiled();
   }
-  explicit WatchedTerminal(bool inputs = true) : config_(machine(inputs)) {
+  explicit WatchedTerminal(bool inputs = true) : WatchedTerminal(machine(inputs)) {}
+  explicit WatchedTerminal(NetworkConfig config) : config_(std::move(config)) {
     snapshot_.slaves.resize(1);
     snapshot_.slaves[0].present = true;
     snapshot_.slaves[0].al_status = static_cast<std::uint16_t>(AlState::kOp);
@@ -110,6 +117,42 @@ TEST_F(WatchedTerminal, IsNotJudgedByTheFirstFrameBehindAStandstill) {
   some(true, true);
   some(true, false);
   EXPECT_EQ(told(), (std::vector<bool>{true, false}));
+}
+
+/// With SYNC0 in every second cycle.
+class WatchedSlowSync : public WatchedTerminal {
+ protected:
+  WatchedSlowSync() : WatchedTerminal(machine(true, 2)) {}
+};
+
+/// In which cycle it does its work is another matter when an odd number of them was left out, and in which cycles there
+/// is room to look follows the same rhythm.
+TEST_F(WatchedSlowSync, IsNotHeldToEveryCycle) {
+  constexpr std::array kRoom{true, true, false, true, false, false, false, false};
+  for (const int moment : {0, 1, 0}) {
+    for (std::size_t i = 0; i < 20'000; ++i) cycle(kRoom[i % kRoom.size()], static_cast<int>(i % 2) == moment);
+  }
+  EXPECT_EQ(told(), std::vector<bool>{});
+  for (std::size_t i = 0; i < 40'000; ++i) cycle(kRoom[i % kRoom.size()], i % 6 == 0);
+  EXPECT_EQ(told(), std::vector<bool>{true}) << "nobody has looked";
+}
+
+TEST_F(WatchedSlowSync, IsToldWhereItDoesNotDoItEachTime) {
+  for (int i = 0; i < 4'000; ++i) cycle(true, i % 2 == 0);
+  for (int i = 0; i < 4'000; ++i) cycle(true, i % 6 == 0);
+  EXPECT_EQ(told(), std::vector<bool>{true});
+  for (int i = 0; i < 4'000; ++i) cycle(true, i % 2 == 0);
+  EXPECT_EQ(told(), std::vector<bool>{false});
+}
+
+class WatchedSlowOutputs : public WatchedTerminal {
+ protected:
+  WatchedSlowOutputs() : WatchedTerminal(machine(false, 2)) {}
+};
+
+/// Which of the two cycles shows whether it took them is by chance.
+TEST_F(WatchedSlowOutputs, AreNotAskedFor) {
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(cycle(true));
 }
 
 class WatchedOutputs : public WatchedTerminal {

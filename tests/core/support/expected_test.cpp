@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "support/result.h"
@@ -59,6 +60,14 @@ TEST(Expected, WhatIsCopiedIsEqual) {
   EXPECT_EQ(Status(failed), failed);
   EXPECT_EQ(Status(done), done);
   EXPECT_NE(failed, done);
+}
+
+/// A vector that grows moves them.
+TEST(Expected, IsMovedWithoutACopy) {
+  std::vector<Expected<void, Scarce>> several;
+  for (int i = 0; i < 9; ++i) several.push_back(refused<void>());
+  EXPECT_EQ(several.front().error().words, "no");
+  static_assert(std::is_nothrow_move_constructible_v<Status> && std::is_nothrow_move_assignable_v<Status>);
 }
 
 TEST(Expected, OfABoolIsCopiedNotAskedWhetherItHoldsOne) {
