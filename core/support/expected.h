@@ -22,12 +22,12 @@ class Expected : public tl::expected<T, E> {
   using Base = tl::expected<T, E>;
   Expected() = default;
   Expected(const Expected& other) requires(std::is_void_v<T> || std::copy_constructible<T>) : Base(copy_of(other)) {}
-  Expected(Expected&&) noexcept(kMovesQuietly) = default;
+  Expected(Expected&&) noexcept(kMovesQuietly) = default;  // NOLINT(performance-noexcept-move-constructor): as T is
   Expected& operator=(const Expected& other) requires(std::is_void_v<T> || std::copy_constructible<T>) {
     if (this != &other) *this = Expected(other);
     return *this;
   }
-  Expected& operator=(Expected&&) noexcept(kMovesQuietly) = default;
+  Expected& operator=(Expected&&) noexcept(kMovesQuietly) = default;  // NOLINT(performance-noexcept-move-constructor)
   ~Expected() = default;
 
   /// What tl::expected's own functions answer, such as map().
