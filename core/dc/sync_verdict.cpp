@@ -27,6 +27,29 @@ bool all_as_far(std::span<const ClockReading> readings, const SlavesEvidence& ev
   return evidence.over == evidence.followers && std::ranges::all_of(readings, as_far);
 }
 
+/// What weigh() says where all are within the limit by the or-ed value of `now`, out of what it said in the cycle
+/// before and the readings since. Empty: they do not tell, because one is over the limit, or the worst one has become
+/// better.
+std::optional<SlavesEvidence> with_news(SlavesEvidence evidence, std::span<const ClockReading> readings,
+                                        std::span<const std::uint16_t> changed, std::uint32_t limit_ns,
+                                        Nanoseconds now) {
+  if (evidence.over > 0 || evidence.followers == 0) return std::nullopt;
+  for (const auto position : changed) {
+    const auto& reading = readings[position];
+    if (!reading.follows || !reading.read) continue;
+    const auto magnitude = reading.magnitude();
+    const bool is_worst = evidence.worst == position;
+    if (magnitude > limit_ns || (is_worst && magnitude < evidence.worst_ns)) return std::nullopt;
+    evidence.newest = std::max(evidence.newest, reading.time);
+    const bool first_of_alike = magnitude == evidence.worst_ns && position < evidence.worst;
+    if (evidence.worst < 0 || magnitude > evidence.worst_ns || first_of_alike) evidence.worst = position;
+    evidence.worst_ns = std::max(evidence.worst_ns, magnitude);
+  }
+  evidence.unread = 0;
+  evidence.oldest = now;
+  return evidence;
+}
+
 }  // namespace
 
 SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit_ns,
@@ -34,7 +57,7 @@ SlavesEvidence weigh(std::span<const ClockReading> readings, std::uint32_t limit
   SlavesEvidence evidence;
   const auto proven = within.value_or(INT64_MIN);
   Nanoseconds oldest = INT64_MAX;
-  for (std::size_t i = 0; i < readings.size(); ++i) {  // in every cycle
+  for (std::size_t i = 0; i < readings.size(); ++i) {
     const auto& reading = readings[i];
     if (!reading.follows) continue;
     ++evidence.followers;
@@ -73,13 +96,22 @@ SyncVerdict::Edge SyncVerdict::observe(const Input& input) {
   const bool ored_over = ored && ored->magnitude_ns > limit_ns_;
   if (ored && !ored_over && ored->covers_all) within_ = input.time;
   undecided_ = ored_over && !ored->followers_only;
-  evidence_ = weigh(input.readings, limit_ns_, within_);
+  evidence_ = weighed(input);
   if (!monitored_) return Edge::kNone;
   if (evidence_.followers == 0 && input.led) {
     good_since_.reset();
     return enter(State::kNotMonitored, Edge::kNone, input.time);
   }
   return judge(input, evidence_.over > 0 || (ored_over && ored->followers_only));
+}
+
+/// All readings of a long machine in every cycle would cost more than everything else here.
+SlavesEvidence SyncVerdict::weighed(const Input& input) const {
+  if (input.changed && within_ == input.time) {
+    if (const auto evidence = with_news(evidence_, input.readings, *input.changed, limit_ns_, input.time))
+      return *evidence;
+  }
+  return weigh(input.readings, limit_ns_, within_);
 }
 
 SyncVerdict::Edge SyncVerdict::judge(const Input& input, bool over) {

@@ -48,6 +48,7 @@ struct SlavesEvidence {
   Nanoseconds newest = 0;  // reading of any of them
   Nanoseconds oldest = 0;  // of the one of which nothing has been heard for longest
 
+  bool operator==(const SlavesEvidence&) const = default;
   /// All of them to the same side, and about as far: it is the reference clock that has moved, not they. Where not all
   /// are over the limit, they must be three: the second of two is often to the same side by chance.
   [[nodiscard]] bool all_alike() const {
@@ -71,6 +72,9 @@ class SyncVerdict {
     bool led = true;  // there is a reference clock that hands out its time
     std::span<const ClockReading> readings;
     std::optional<OredReading> ored;  // of this cycle
+    /// Positions of those whose readings may be others than in the cycle before, while who follows has stayed; without
+    /// it everything may be, and all are looked at.
+    std::optional<std::span<const std::uint16_t>> changed = std::nullopt;
   };
 
   SyncVerdict() = default;
@@ -89,6 +93,7 @@ class SyncVerdict {
   [[nodiscard]] std::optional<Nanoseconds> settled_after() const { return settled_after_; }
 
  private:
+  [[nodiscard]] SlavesEvidence weighed(const Input& input) const;
   Edge enter(State state, Edge edge, Nanoseconds time);
   Edge judge(const Input& input, bool over);
 

@@ -78,14 +78,15 @@ void SlavesSync::start(const DcNetwork& network, Nanoseconds first_cycle, bool s
 void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, std::span<const std::uint16_t> read,
                          const std::optional<OredDeviation>& ored, CycleSample& sample) {
   verdict_time_ = time;
-  take_readings(time, distributed, read);
+  const bool same_followers = take_readings(time, distributed, read);
   if (ored) {
     ored_ns_ = ored->magnitude_ns;
     snapshot_.dc.deviation_ored_ns = ored_ns_;
     sample.deviation_ored_ns = ored_ns_;
     sample.flags |= CycleSample::kDeviationValid;
   }
-  dc::SyncVerdict::Input input{time, led, readings_, {}};
+  dc::SyncVerdict::Input input{time, led, readings_, {}, {}};
+  if (same_followers) input.changed = read;
   if (ored && distributed) input.ored = meaning(*ored);
   const auto edge = verdict_.observe(input);
   report(time, sample);
@@ -97,11 +98,12 @@ void SlavesSync::observe(Nanoseconds time, bool led, bool distributed, std::span
   tell(edge, time);
 }
 
-void SlavesSync::take_readings(Nanoseconds time, bool distributed, std::span<const std::uint16_t> read) {
+bool SlavesSync::take_readings(Nanoseconds time, bool distributed, std::span<const std::uint16_t> read) {
   for (const auto slave : awaited_) note_catching_up(slave, time);
   const bool news = known_ != Known{states_.slave_changes(), snapshot_.dc.reference_clock};
-  if (news || std::ranges::any_of(awaited_, [&](auto slave) { return is_back(slave, time); })) look_who_follows(time);
-  if (!distributed) return;
+  const bool look = news || std::ranges::any_of(awaited_, [&](auto slave) { return is_back(slave, time); });
+  if (look) look_who_follows(time);
+  if (!distributed) return !look;
   for (const std::size_t i : read) {
     const auto& slave = snapshot_.slaves[i];
     if (!slave.deviation_valid || slave.deviation_time != time) continue;
@@ -111,6 +113,7 @@ void SlavesSync::take_readings(Nanoseconds time, bool distributed, std::span<con
     reading.deviation_ns = slave.deviation_ns;
     tell_return(i, time);
   }
+  return !look;
 }
 
 /// Who is away stays away until presence changes; only who answers and has yet to catch up may do so in any cycle.

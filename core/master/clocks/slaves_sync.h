@@ -40,7 +40,8 @@ class SlavesSync {
   [[nodiscard]] bool settled() const { return known_.has_value() && awaited_.empty(); }
 
  private:
-  void take_readings(Nanoseconds time, bool distributed, std::span<const std::uint16_t> read);
+  /// Whether the same slaves follow as in the cycle before, and only those `read` may have other readings.
+  bool take_readings(Nanoseconds time, bool distributed, std::span<const std::uint16_t> read);
   void look_who_follows(Nanoseconds time);
   /// It has a clock and stands behind the reference clock.
   [[nodiscard]] bool may_follow(std::size_t slave) const;

@@ -105,9 +105,35 @@ TEST(SyncEvidenceProperty, IsWhatEachFiguresDefinitionSays) {
     }
     const auto within = small(0, 3) == 0 ? std::nullopt : std::optional<Nanoseconds>(small(0, 5));
     const auto a = weigh(readings, 127, within), b = weigh_plainly(readings, 127, within);
-    RC_ASSERT(a.followers == b.followers && a.unread == b.unread && a.over == b.over && a.alike == b.alike);
-    RC_ASSERT(a.worst == b.worst && a.worst_ns == b.worst_ns);
-    RC_ASSERT(a.newest == b.newest && a.oldest == b.oldest);
+    RC_ASSERT(a == b);
+  }));
+}
+
+TEST(SyncEvidenceProperty, IsTheSameOutOfWhatHasChangedAsOutOfAll) {
+  EXPECT_TRUE(rc::check("changes told, and all looked at", [] {
+    const auto small = [](std::int64_t low, std::int64_t high) { return *rc::gen::inRange<std::int64_t>(low, high); };
+    const SyncWindowSettings window{true, 7, 3};
+    std::vector<ClockReading> readings(static_cast<std::size_t>(small(1, 6)));
+    for (auto& reading : readings) reading = {small(0, 4) > 0, false, 0, 0};
+    SyncVerdict told(window, true, 10, 0), plain(window, true, 10, 0);
+    for (Nanoseconds now = 1; now < 40; ++now) {
+      std::vector<std::uint16_t> changed;
+      for (std::uint16_t i = 0; i < readings.size(); ++i) {
+        if (small(0, 3) > 0) continue;
+        changed.push_back(i);
+        if (small(0, 8) == 0) continue;  // named, and yet as it was
+        const auto deviation = *rc::gen::elementOf(std::vector<std::int32_t>{0, 20, -20, 60, -60, 127, -127, 128});
+        readings[i] = {readings[i].follows, true, now, small(0, 6) == 0 ? deviation : deviation / 4};
+      }
+      const bool others = small(0, 12) == 0;
+      if (others) readings.back() = {!readings.back().follows, false, now, 0};
+      SyncVerdict::Input input{now, true, readings, {}, {}};
+      if (small(0, 6) > 0) input.ored = OredReading{small(0, 9) == 0 ? 128U : 60U, small(0, 9) > 0, small(0, 2) == 0};
+      const auto edge = plain.observe(input);
+      if (!others) input.changed = changed;
+      RC_ASSERT(told.observe(input) == edge && told.state() == plain.state());
+      RC_ASSERT(told.evidence() == plain.evidence());
+    }
   }));
 }
 
