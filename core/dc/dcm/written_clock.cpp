@@ -35,6 +35,7 @@ WrittenClock::WrittenClock(Time time, const DcmSettings& settings, Nanoseconds c
       target_{0, set_value, cycle_time},
       monitor_(settings, cycle_time, set_value, least),
       way_(cycle_time, time == Time::kOfSending ? kNoticed : settings.in_sync_limit / ChangedWay::kPartOfLimit),
+      push_(static_cast<double>(settings.max_valid_value)),
       cycle_(cycle_time),
       in_sync_limit_(settings.in_sync_limit) {}
 
@@ -48,13 +49,14 @@ void WrittenClock::start(Nanoseconds base, Nanoseconds first_reference_time, Nan
   last_lag_ = last_time_ = way_changed_ = 0;
   told_ = wrong_ = owed_ = 0;
   far_ = 0;
-  again_ = follows_each_ = false;
+  again_ = substitute_ = false;
   host_ = first_send_time;
   reference_ = target_.nearest(first_reference_time);
 }
 
 std::optional<Nanoseconds> WrittenClock::reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) {
   if (time_ == Time::kOfSending) return wanted_at(send_time);
+  if (substitute_) return push_.told_at(send_time);
   const auto usual = usual_lateness();
   const bool is_off = std::abs(send_time - scheduled_time - usual) > kMostShakenByNominal || again_;
   told_ = wanted_at(knows_usual() && is_off ? send_time - usual : scheduled_time) + owed_;
@@ -71,7 +73,9 @@ bool WrittenClock::was_shaken(Nanoseconds reference_time) {
 
 /// Its own stamp may have been wrong as well. A clock that shows what it was told has itself moved: nothing is owed.
 bool WrittenClock::observe_second_write(const DcmObservation& observation) {
-  if (!again_ || follows_each_ || !observation.reference_time) return again_ = false;
+  if (!observation.reference_time) return again_ = false;
+  if (substitute_ && time_ == Time::kNominal) return push_.take_again(observation, lag_of(observation));
+  if (!again_) return false;
   const auto wrong = *observation.reference_time - told_;
   const auto left = owed_ + wrong;
   const bool moved = std::abs(wrong) <= kMostShakenByNominal && std::abs(wrong) < std::abs(left);
@@ -93,6 +97,17 @@ void WrittenClock::learn_lateness(const DcmObservation& observation) {
   }
 }
 
+Nanoseconds WrittenClock::lag_of(const DcmObservation& observation) const {
+  return *observation.reference_time - wanted_at(observation.send_time - usual_lateness());
+}
+
+bool WrittenClock::tells_again(const DcmObservation& observation, Nanoseconds lag) {
+  if (substitute_) return push_.take(observation, lag);
+  again_ = was_shaken(*observation.reference_time);
+  owed_ = again_ ? wrong_ : 0;
+  return again_;
+}
+
 Nanoseconds WrittenClock::without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action) {
   const auto jump = lag - last_lag_;
   const auto now = observation.send_time;
@@ -109,6 +124,11 @@ Nanoseconds WrittenClock::without_way(const DcmObservation& observation, Nanosec
   return lag;
 }
 
+void WrittenClock::set_led_by_substitute(bool substitute) {
+  substitute_ = substitute;
+  push_.start();
+}
+
 void WrittenClock::note_other_way() {
   monitor_.note_other_way();
   if (monitor_.in_sync()) way_.note();
@@ -118,25 +138,19 @@ DcmAction WrittenClock::observe(const DcmObservation& observation) {
   DcmAction action;
   Nanoseconds lag = 0;
   learn_lateness(observation);
-  const auto usual = usual_lateness();
   owed_ = 0;
   again_ = false;
   if (observation.reference_time) {
-    const auto lag_now = [&] { return *observation.reference_time - wanted_at(observation.send_time - usual); };
     const bool exact = time_ == Time::kOfSending;
     const auto expected = exact ? last_lag_ : std::llround(monitor_.filtered());
-    const bool another_way = way_.take(lag_now() + way_.offset() - expected);
-    action.write_again = another_way && exact;
-    lag = exact ? without_way(observation, lag_now(), action) : lag_now();
-    if (!exact && was_shaken(*observation.reference_time)) {
-      owed_ = follows_each_ ? 0 : wrong_;
-      again_ = action.write_again = true;
-    }
+    const bool another_way = way_.take(lag_of(observation) + way_.offset() - expected);
+    action.write_again = exact ? another_way : tells_again(observation, lag_of(observation));
+    lag = exact ? without_way(observation, lag_of(observation), action) : lag_of(observation);
   }
   monitor_.observe(observation, lag);
   monitor_.lead_back();
   monitor_.report(state_);
-  state_.usual_lateness = usual;
+  state_.usual_lateness = usual_lateness();
   return action;
 }
 

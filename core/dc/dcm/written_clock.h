@@ -5,6 +5,7 @@
 #include "dc/dcm/dcm_controller.h"
 #include "dc/dcm/dcm_monitor.h"
 #include "dc/dcm/phase_error.h"
+#include "dc/dcm/substitute_push.h"
 
 namespace syncline {
 struct DcmSettings;
@@ -19,7 +20,7 @@ namespace syncline::dc {
 /// time of that, less what is usual: it would lead all the others away by more than they are allowed. A stamp may be
 /// wrong by more than that, too, or a frame held up behind it: the clock shows it as the frame passes, and another
 /// write at once (DcmAction::write_again) tells it as much less, so that nothing is left in the mean of its loop. A
-/// substitute follows each message, and is told what is right.
+/// substitute is pushed to its place instead (SubstitutePush).
 /// LinkLayerRefClock writes the time at which the adapter says that it sends. Those stamps are exact: where the clock
 /// differs from one cycle to the next from what it was told, it was not the clock that moved but the way to it, because
 /// a slave in front of it came or went, or another clock leads. What it is told is then counted from its new place, and
@@ -34,11 +35,14 @@ class WrittenClock final : public DcmController {
   std::optional<Nanoseconds> reference_write(Nanoseconds send_time, Nanoseconds scheduled_time) override;
   DcmAction observe(const DcmObservation& observation) override;
   bool observe_second_write(const DcmObservation& observation) override;
-  void set_led_by_substitute(bool substitute) override { follows_each_ = substitute; }
+  void set_led_by_substitute(bool substitute) override;
   void note_other_way() override;
   [[nodiscard]] const DcmState& state() const override { return state_; }
 
  private:
+  [[nodiscard]] Nanoseconds lag_of(const DcmObservation& observation) const;
+  /// Whether what was told is to be put right by another write.
+  [[nodiscard]] bool tells_again(const DcmObservation& observation, Nanoseconds lag);
   /// The clock was at `lag` from what it was told. What is left of that when the way has changed.
   [[nodiscard]] Nanoseconds without_way(const DcmObservation& observation, Nanoseconds lag, DcmAction& action);
   void learn_lateness(const DcmObservation& observation);
@@ -61,7 +65,8 @@ class WrittenClock final : public DcmController {
   Nanoseconds wrong_ = 0;                 // what the clock was told, by its own reading; of the last cycle
   Nanoseconds owed_ = 0;                  // to be told more with the next message
   bool again_ = false;                    // the next message is such another one
-  bool follows_each_ = false;             // a substitute leads
+  SubstitutePush push_;                   // in that mode
+  bool substitute_ = false;               // leads
   int far_ = 0;  // cycles in a row with a message that was far wrong and could not be paid back
   Nanoseconds last_lag_ = 0, last_time_ = 0, way_changed_ = 0;
   Nanoseconds cycle_, in_sync_limit_;

@@ -31,7 +31,9 @@ constexpr Nanoseconds kLeadPatience = 10 * kSecond;
 
 /// What it is told is where it will be by itself, and a push. One that is told a time to be at would swing, who learns
 /// as quickly as a follower and averages.
-bool is_pushed(DcmMode mode) { return mode == DcmMode::kBusShift || mode == DcmMode::kDcx; }
+bool is_pushed(DcmMode mode, bool substitute) {
+  return mode == DcmMode::kBusShift || mode == DcmMode::kDcx || (substitute && mode == DcmMode::kMasterRefClock);
+}
 
 }  // namespace
 
@@ -120,7 +122,7 @@ void ReferenceClock::tune(std::uint16_t position) {
   if (config_.dc.dcm.standard_loop_values) return;
   if (!steers_reference_clock(mode)) {
     tuning_.settle(position);
-  } else if (is_pushed(mode)) {
+  } else if (is_pushed(mode, position != home_)) {
     tuning_.settle(position, difference_depth(config_, DcLoopRole::kLeader));
   } else if (position == home_) {
     tuning_.set_depth(position, difference_depth(config_, DcLoopRole::kLeader));
@@ -131,7 +133,7 @@ void ReferenceClock::lose_lead() {
   if (!leader_) return;
   snapshot_.slaves[*leader_].is_reference_clock = false;
   const auto& settings = config_.dc.dcm;
-  if (is_pushed(settings.mode) && leader_ != home_ && !settings.standard_loop_values)
+  if (is_pushed(settings.mode, true) && leader_ != home_ && !settings.standard_loop_values)
     tuning_.set_depth(*leader_,
                       difference_depth(config_, *leader_ < *home_ ? DcLoopRole::kInFront : DcLoopRole::kFollower));
   leader_.reset();

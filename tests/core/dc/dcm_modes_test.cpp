@@ -184,12 +184,42 @@ TEST(DcmModes, MasterRefClockTakesBackAMessageThatWasFarWrong) {
   EXPECT_FALSE(cycle(1'000));
   EXPECT_TRUE(cycle(40'000));
   EXPECT_FALSE(cycle(0));
+}
 
-  // A substitute follows each message: it is told what is right, and no less.
+/// Its loop goes as far towards each message as those of all who follow it: what it is told is its own time, whenever a
+/// frame leaves, and a little less than that where it is ahead.
+TEST(DcmModes, MasterRefClockPushesASubstitute) {
+  const auto controller = make_dcm_controller(settings_for(DcmMode::kMasterRefClock), kMillisecond, 400'000);
+  controller->start(0, 10'600'000, 10 * kMillisecond);
+  auto time = 10 * kMillisecond;
+  // A clock that is `ahead` of its place, and frames that are late by turns, beyond what is usual.
+  const auto cycle = [&](Nanoseconds ahead, Nanoseconds wrong_stamp = 0) {
+    time += kMillisecond;
+    const Nanoseconds late = time / kMillisecond % 2 == 0 ? 9'000 : 5'000;
+    return controller->observe({time + late - wrong_stamp, time, time + late + 593'000 + ahead}).write_again;
+  };
+  const auto told = [&](Nanoseconds late) { return *controller->reference_write(time + late, time) - time; };
+  for (int i = 0; i < 100; ++i) (void)cycle(0);
+  EXPECT_EQ(told(9'000), told(5'000)) << "the one that is to lead is told the nominal time";
+
   controller->set_led_by_substitute(true);
-  EXPECT_TRUE(cycle(40'000));
-  EXPECT_EQ(second(50'000), 0);
-  EXPECT_FALSE(controller->observe_second_write({time + 57'000, time, time + 50'000 + kOffset + 40'000}));
+  EXPECT_FALSE(controller->reference_write(time, time)) << "where it is nobody knows yet";
+  for (int i = 0; i < 50; ++i) EXPECT_FALSE(cycle(400));
+  EXPECT_NEAR(told(9'000), 9'000 + 593'000 + 400 - 20, 5);
+  EXPECT_NEAR(told(5'000), 5'000 + 593'000 + 400 - 20, 5);
+  EXPECT_TRUE(cycle(400, 40'000)) << "a stamp that was wrong";
+  EXPECT_NEAR(told(9'000), 9'000 + 40'000 + 593'000 + 400 - 20, 5) << "most of the next one's error is the same";
+  EXPECT_FALSE(controller->observe_second_write({time + 50'000, time, time + 50'000 + 593'000 + 380}));
+  EXPECT_NEAR(told(9'000), 9'000 + 593'000 + 380 - 20, 5);
+  EXPECT_TRUE(controller->observe_second_write({time + 60'000, time, time + 90'000 + 593'000 + 400}));
+  EXPECT_FALSE(controller->observe_second_write({time + 70'000, time, {}}));
+  (void)cycle(400);
+  for (int i = 0; i < 50; ++i) (void)cycle(-5'000);
+  EXPECT_FALSE(cycle(-5'000)) << "what stays away is no stamp";
+  EXPECT_EQ(told(7'000), 7'000 + 593'000 - 5'000 + 30) << "no faster than those behind it can bear";
+
+  controller->set_led_by_substitute(false);
+  EXPECT_EQ(told(9'000), told(5'000));
 }
 
 TEST(DcmModes, LinkLayerRefClockTakesTheAdaptersTime) {
